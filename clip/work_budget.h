@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 
 namespace displayfile {
 
@@ -84,9 +85,9 @@ struct WorkInForce {
 };
 WorkInForce work_in_force() noexcept;
 
-/// While it lives, what this thread calls has that budget, and so have the threads that help it. A
-/// null pointer leaves the one in force. Must be destroyed on the thread that made it, the last one
-/// first.
+/// While it lives, the calls of this thread have that budget, and so have the threads that help it.
+/// A null pointer leaves the one in force. They round to nearest, whatever mode the host has set.
+/// Must be destroyed on the thread that made it, the last one first.
 class BudgetInForce {
  public:
   explicit BudgetInForce(WorkBudget* budget) noexcept;
@@ -98,6 +99,7 @@ class BudgetInForce {
 
  private:
   WorkInForce before_;
+  RoundToNearest nearest_;
 };
 
 /// While it lives, messages of this thread say that this is being done.

@@ -14,6 +14,7 @@
 
 #include "clip/error.h"
 #include "clip/flat_box.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
 
 namespace displayfile {
@@ -402,6 +403,7 @@ void require_in_range(const GraphicsSystem& system, const Axes& axes) {
 }  // namespace
 
 std::vector<double> axis_ticks(double low, double high, int most_steps) {
+  const RoundToNearest nearest;
   const double range = high - low;
   int exponent = static_cast<int>(std::floor(std::log10(range))) - 2;  // too small for sure
   std::int64_t digit = 1;
@@ -422,12 +424,14 @@ std::vector<double> axis_ticks(double low, double high, int most_steps) {
 }
 
 std::string axis_number(double value) {
+  const RoundToNearest nearest;
   const std::string text = fmt::format("{}", value == 0.0 ? 0.0 : value);
   return text.starts_with('-') ? "\u2212" + text.substr(1) : text;
 }
 
 void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
             const std::array<std::string_view, 3>& names) {
+  const RoundToNearest nearest;
   if (!system.open_segment_name()) throw Error("no segment open: open one first");
   system.to_device(low);
   system.to_device(high);

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/intensity_plane.h"
 #include "displayfile/lighting.h"
@@ -104,6 +105,7 @@ void DrawnPieces::end_piece(const Looks& looks) {
 }
 
 DrawnPieces drawn_pieces(const DisplayFile& display_file) {
+  const RoundToNearest nearest;
   DrawnPieces pieces;
   if (display_file.sorted() != nullptr) {
     display_file.sorted()->walk(PieceGatherer(pieces));

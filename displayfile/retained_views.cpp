@@ -11,6 +11,7 @@
 
 #include "clip/clip_pipeline.h"
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/scene_lines.h"
 #include "displayfile/shared_planes.h"
 #include "displayfile/view_rounding.h"
@@ -219,6 +220,7 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
 
 /// Sorts what is visible now. If it throws, what was taken before stays.
 void RetainedViews::take() {
+  const RoundToNearest nearest;
   const DisplayFile& attributes = taken_.attributes();
   std::vector<std::unique_ptr<Part>> parts;
   RetainedScene visible = taken_.scene().visible_in(attributes);
@@ -259,6 +261,7 @@ RetainedViews& RetainedViews::operator=(RetainedViews&&) noexcept = default;
 RetainedViews::~RetainedViews() = default;
 
 DisplayFile RetainedViews::view(const View& view, const glm::dmat3& lights_turned) {
+  const RoundToNearest nearest;
   bring_up_to_date();
   DisplayFile file;
   for (const auto& part : parts_) {

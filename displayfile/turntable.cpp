@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "clip/bounds.h"
+#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_window.h"
@@ -35,6 +36,7 @@ glm::dmat3 rotation_about(const Point3& axis, double degrees) {
 
 Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
                      const View& otherwise) {
+  const RoundToNearest nearest;
   SceneInOneView seen = scene_in_one_view(scene, attributes, otherwise);
   view_ = seen.view;
   points_ = std::move(seen.points);
@@ -42,9 +44,13 @@ Turntable::Turntable(const RetainedScene& scene, const DisplayFile& attributes,
   middle_ = points_.empty() ? view_.reference_point : seen.bounds.middle();
 }
 
-void Turntable::set_axis(const Point3& world) { axis_ = unit(world); }
+void Turntable::set_axis(const Point3& world) {
+  const RoundToNearest nearest;
+  axis_ = unit(world);
+}
 
 Turntable::Turn Turntable::at(double degrees) const {
+  const RoundToNearest nearest;
   if (degrees == 0.0) return {view_, glm::dmat3(1.0)};
   const glm::dmat3 turn = rotation_about(axis_, -degrees);
   const auto about_middle = [&](const Point3& p) { return middle_ + turn * (p - middle_); };
@@ -61,6 +67,7 @@ Turntable::Turn Turntable::at(double degrees) const {
 }
 
 void Turntable::fit_window(int views) {
+  const RoundToNearest nearest;
   if (points_.empty()) return;
   const Rectangle window = view_.window;
   const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;

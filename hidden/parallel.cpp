@@ -23,13 +23,13 @@ void share_out_if_useful(int threads, std::size_t count,
 
 }  // namespace
 
-/// Whoever helps this thread has its budget, which is asked before each call.
+/// The threads that help this one have its budget, which is asked before each call, and round to
+/// nearest: a thread has a rounding mode of its own.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   const WorkInForce ours = work_in_force();
-  if (ours.budget == nullptr) return share_out_if_useful(threads, count, work);
   share_out_if_useful(threads, count, [&](std::size_t k) {
     const BudgetInForce in_force(ours);
-    ours.budget->ask();
+    if (ours.budget != nullptr) ours.budget->ask();
     work(k);
   });
 }

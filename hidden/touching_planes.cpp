@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "clip/back_face.h"
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
-#include "hidden/exact/round_to_nearest.h"
 #include "hidden/number_set.h"
 #include "hidden/plane_tree.h"
 

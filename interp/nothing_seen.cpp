@@ -13,6 +13,7 @@
 #include "clip/back_face.h"
 #include "clip/bounds.h"
 #include "clip/clip_pipeline.h"
+#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "displayfile/view_stage.h"
 #include "displayfile/viewed_scene.h"
@@ -230,6 +231,7 @@ SeenIn seen_in(const DrawOptions& options, PictureKind kind) {
 }
 
 bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {
+  const RoundToNearest nearest;
   Shown shown(in);
   return std::ranges::none_of(display_file.segments(),
                               [&](const Segment& segment) { return shows(segment, shown); });
@@ -237,6 +239,7 @@ bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {
 
 bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
                      const SeenIn& in) {
+  const RoundToNearest nearest;
   Shown shown(in);
   for (const RetainedScene::Segment& segment : scene.segments()) {
     const Segment& now = display_file.segment(segment.name);
@@ -254,6 +257,7 @@ bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file
 
 std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
                                 const SeenIn& in) {
+  const RoundToNearest nearest;
   if (scene.size() == 0) {
     const bool texts = std::ranges::any_of(
         scene.segments(), [&](const auto& segment) { return !scene.texts(segment).empty(); });
@@ -276,6 +280,7 @@ std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& d
 }
 
 std::string why_nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {
+  const RoundToNearest nearest;
   if (display_file.segments().empty()) return "no polygon or line was entered";
   Shown shown(in);
   Counts counts{};

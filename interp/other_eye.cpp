@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "displayfile/scene_in_one_view.h"
 #include "displayfile/sorted_display_file.h"
@@ -64,6 +65,7 @@ const View& OtherEye::as_drawn() const { return kept_->drawn_in; }
 
 void OtherEye::set_view(const View& view) {
   if (view == kept_->view) return;
+  const RoundToNearest nearest;
   const ViewVolume fits(view);
   kept_->view = view;
   kept_->replayed.reset();

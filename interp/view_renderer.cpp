@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/scene_viewer.h"
 #include "interp/picture_checks.h"
 #include "interp/picture_source.h"
@@ -141,6 +142,7 @@ std::size_t ViewRenderer::bytes_of_casters() const {
 }
 
 DisplayFile ViewRenderer::display_file(const View& view, const glm::dmat3& lights_turned) const {
+  const RoundToNearest nearest;
   return kept_->viewer.display_file(view, lights_turned);
 }
 

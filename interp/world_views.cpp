@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/taken_scene.h"
 #include "displayfile/view_stage.h"
 #include "interp/visibility/world_rays.h"
@@ -63,12 +64,14 @@ WorldViews::WorldViews(const RetainedScene& scene, const DisplayFile& attributes
 
 /// Rays into the scene as it is now.
 std::shared_ptr<const WorldRays> WorldViews::rays() const {
+  const RoundToNearest nearest;
   const std::lock_guard in_turn(kept_->mutex);
   if (!kept_->taken.is_gone() && !kept_->taken.is_same()) kept_->take();
   return kept_->rays;
 }
 
 ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) const {
+  const RoundToNearest nearest;
   const auto world = rays();
   ViewedSegments segments(world);
   for (const RetainedScene::Segment& part : world->scene().segments()) {
@@ -78,6 +81,7 @@ ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) 
 }
 
 ViewedWorld WorldViews::as_drawn() const {
+  const RoundToNearest nearest;
   const auto world = rays();
   ViewedSegments segments(world);
   for (const RetainedScene::Segment& part : world->scene().segments()) {
@@ -87,6 +91,7 @@ ViewedWorld WorldViews::as_drawn() const {
 }
 
 std::optional<Pick> WorldViews::pick(const View& view, double x, double y) const {
+  const RoundToNearest nearest;
   if (!std::isfinite(x) || !std::isfinite(y)) throw Error("a point to pick at is not finite");
   const auto world = rays();
   const auto seen = world->seen_at(view, {x, y});

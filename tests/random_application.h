@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile::test {
@@ -40,7 +41,9 @@ class RandomApplication {
  private:
   std::uint64_t below(std::uint64_t n) { return random_() % n; }
   bool chance(std::uint64_t percent) { return below(100) < percent; }
+  /// The same in every rounding mode, as are all numbers here.
   double uniform(double low, double high) {
+    const RoundToNearest nearest;
     return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
   }
   double coordinate() {
@@ -49,6 +52,15 @@ class RandomApplication {
                               1e100,     -1e100, 12345.0, 0x1p-30,
                               1e22,      -1e16,  2e100,   std::numeric_limits<double>::quiet_NaN()};
     return chance(4) ? kOdd[below(kOdd.size())] : uniform(-1.5, 1.5);
+  }
+  template <class Value>
+  static Value tenth_of(const Value& value) {
+    const RoundToNearest nearest;
+    return 0.1 * value;
+  }
+  static double sum(double a, double b) {
+    const RoundToNearest nearest;
+    return a + b;
   }
   Point2 point_2() { return {coordinate(), coordinate()}; }
   Point3 point_3() { return {coordinate(), coordinate(), coordinate()}; }
@@ -68,6 +80,7 @@ class RandomApplication {
   }
   int name() { return static_cast<int>(below(6)); }
   double angle() {
+    const RoundToNearest nearest;
     return chance(30) ? 90.0 * static_cast<double>(below(9)) - 360.0 : uniform(-400, 400);
   }
   Colour colour() {
@@ -109,7 +122,7 @@ class RandomApplication {
       z = chance(90) ? uniform(-1, 1) : std::numeric_limits<double>::quiet_NaN();
     }
     const double x = uniform(-1, 1), y = uniform(-1, 1);
-    system_.surface_3({x, x + uniform(-0.1, 1), nx, y, y + uniform(0, 1), ny, heights});
+    system_.surface_3({x, sum(x, uniform(-0.1, 1)), nx, y, sum(y, uniform(0, 1)), ny, heights});
   }
   void lower_line_style() {
     if (chance(40)) return system_.set_lower_line_style(std::nullopt);
@@ -175,11 +188,11 @@ class RandomApplication {
 
   void call_any() {
     switch (below(40)) {
-      case 0: return system_.set_view_reference_point(0.1 * point_3());
+      case 0: return system_.set_view_reference_point(tenth_of(point_3()));
       case 1: return system_.set_view_plane_normal(point_3());
-      case 2: return system_.set_view_distance(0.1 * coordinate());
+      case 2: return system_.set_view_distance(tenth_of(coordinate()));
       case 3: return system_.set_view_up(point_3());
-      case 4: return system_.set_parallel({0.1 * coordinate(), 0.1 * coordinate(), 1});
+      case 4: return system_.set_parallel({tenth_of(coordinate()), tenth_of(coordinate()), 1});
       case 5: return system_.set_perspective({coordinate(), coordinate(), uniform(1, 9)});
       case 6: return system_.set_view_depth(uniform(-2, 0), uniform(-0.1, 2));
       case 7: return system_.set_front_plane_clipping(chance(50));
@@ -190,7 +203,8 @@ class RandomApplication {
         return system_.set_viewport(uniform(0, 0.5), uniform(0.5, 1), uniform(0, 0.5),
                                     uniform(0.5, 1.1));
       case 11: return system_.create_transformation_3();
-      case 12: return system_.translate_3(0.1 * coordinate(), 0.1 * coordinate(), coordinate());
+      case 12:
+        return system_.translate_3(tenth_of(coordinate()), tenth_of(coordinate()), coordinate());
       case 13: return system_.scale_3(uniform(0.5, 1.5), uniform(0.5, 1.5), uniform(-1.5, 1.5));
       case 14: return system_.rotate_x_3(angle());
       case 15: return system_.rotate_y_3(angle());

@@ -9,6 +9,7 @@
 
 #include "clip/bounds.h"
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
 #include "displayfile/mesh/fitted_window.h"
@@ -272,6 +273,7 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const SaidView& said) {
+  const RoundToNearest nearest;
   const auto is_said = [&](Setting setting) { return said.settings.contains(setting); };
   const bool has_camera = is_said(Setting::camera);
   if (is_said(Setting::window) || (has_camera && !camera.fit)) return;
@@ -288,10 +290,12 @@ void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camer
 }
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {
+  const RoundToNearest nearest;
   fit_view(world, system, camera, {system.view(), system.said()});
 }
 
 CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {
+  const RoundToNearest nearest;
   const ModellingTransformation& modelling = system.modelling_transformation();
   std::vector<Point3> world;
   CommonUpright common(camera);

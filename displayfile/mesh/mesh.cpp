@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/solids/solid_faces.h"
@@ -175,6 +176,7 @@ std::vector<std::string> left_out(const Mesh::Skipped& skipped) {
 
 void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options) {
+  const RoundToNearest nearest;
   require_no_open_segment(system);
   require_free_names(as_read, system, first_segment_name);
   const bool mirrored = system.modelling_transformation().mirrors();
@@ -228,6 +230,7 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
 
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options) {
+  const RoundToNearest nearest;
   require_no_open_segment(system);
   const Attributes before = system.attributes();
   MeshOptions entering = options;
@@ -245,6 +248,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 }
 
 void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system) {
+  const RoundToNearest nearest;
   int name = first_segment_name(mesh, system);
   for (std::size_t i = 0; i < mesh.objects.size(); ++i) {
     system.open_segment(name++);
@@ -254,6 +258,7 @@ void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system) {
 
 ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
                              const MeshOptions& options) {
+  const RoundToNearest nearest;
   require_no_open_segment(system);
   if (options.colour) GraphicsSystem{}.set_fill_style(solid(*options.colour));  // or refuses
   std::vector<Mesh> meshes;
@@ -283,6 +288,7 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
 
 ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem& system,
                              double aspect) {
+  const RoundToNearest nearest;
   const double before = system.aspect_ratio();
   system.set_aspect_ratio(aspect);
   try {
@@ -295,10 +301,12 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system,
                           const MeshOptions& options) {
+  const RoundToNearest nearest;
   return import_meshes(std::span(&path, 1), system, options).skipped.front();
 }
 
 Mesh::Skipped import_mesh(const std::string& path, GraphicsSystem& system, double aspect) {
+  const RoundToNearest nearest;
   return import_meshes(std::span(&path, 1), system, aspect).skipped.front();
 }
 

@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/characters.h"
 #include "displayfile/file_extension.h"
@@ -129,6 +130,7 @@ std::vector<std::string> extensions_read_here() {
 }
 
 Mesh read_mesh(const std::string& path, bool with_normals, const ImportLimits& limits) {
+  const RoundToNearest nearest;
   try {
     return read_any(path, with_normals, limits);
   } catch (const Error&) {

@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/planarity.h"
+#include "clip/round_to_nearest.h"
 #include "clip/secret_hash.h"
 #include "displayfile/mesh/joined_by_bridges.h"
 #include "displayfile/mesh/welded_faces.h"
@@ -521,6 +522,7 @@ void require_plane(const SectionPlane& plane) {
 }  // namespace
 
 Section section(const Mesh& mesh, const SectionPlane& plane) {
+  const RoundToNearest nearest;
   require_plane(plane);
   const CuttingPlane cutting(plane);
   const WeldedFaces faces = weld(mesh);

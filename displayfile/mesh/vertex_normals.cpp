@@ -6,6 +6,7 @@
 #include "clip/angle.h"
 #include "clip/back_face.h"
 #include "clip/corners.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 
@@ -40,6 +41,7 @@ std::vector<Point3> angle_weighted_normals(const WeldedFaces& faces) {
 }  // namespace
 
 void complete_normals(Mesh& mesh) {
+  const RoundToNearest nearest;
   mesh.corner_normals.resize(mesh.corners.size(), Mesh::kNoNormal);
   const WeldedFaces faces = weld(mesh);
   const std::vector<Point3> around = angle_weighted_normals(faces);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "displayfile/shapes/closed_shape.h"
 #include "displayfile/shapes/swept.h"
@@ -41,12 +42,14 @@ int half_of(int facets) { return (facets + 1) / 2; }
 }  // namespace
 
 void box_3(GraphicsSystem& system, const Point3& low, const Point3& high) {
+  const RoundToNearest nearest;
   require_corners("box", low, high);
   const std::array base{Point2(low), Point2(high.x, low.y), Point2(high), Point2(low.x, high.y)};
   enter(system, extruded(base, low.z, high.z));
 }
 
 void wedge_3(GraphicsSystem& system, const Point3& low, const Point3& high) {
+  const RoundToNearest nearest;
   require_corners("wedge", low, high);
   ClosedShape wedge;
   wedge.vertices = {low,
@@ -64,6 +67,7 @@ void wedge_3(GraphicsSystem& system, const Point3& low, const Point3& high) {
 }
 
 void prism_3(GraphicsSystem& system, const Point3& base, double radius, double height, int sides) {
+  const RoundToNearest nearest;
   require_length("radius", radius);
   require_length("height", height);
   const std::array profile{Point2(0.0, 0.0), Point2(radius, 0.0), Point2(radius, height),
@@ -73,11 +77,13 @@ void prism_3(GraphicsSystem& system, const Point3& base, double radius, double h
 
 void cylinder_3(GraphicsSystem& system, const Point3& base, double radius, double height,
                 int facets) {
+  const RoundToNearest nearest;
   cone_3(system, base, radius, height, facets, radius);
 }
 
 void cone_3(GraphicsSystem& system, const Point3& base, double radius, double height, int facets,
             double top_radius) {
+  const RoundToNearest nearest;
   require_length("radius", radius);
   require_length("height", height);
   if (!(top_radius >= 0.0 && top_radius <= kCoordinateLimit)) {
@@ -90,6 +96,7 @@ void cone_3(GraphicsSystem& system, const Point3& base, double radius, double he
 }
 
 void sphere_3(GraphicsSystem& system, const Point3& centre, double radius, int facets) {
+  const RoundToNearest nearest;
   require_length("radius", radius);
   require_facets(facets);
   const int rings = std::max(2, half_of(facets));
@@ -104,6 +111,7 @@ void sphere_3(GraphicsSystem& system, const Point3& centre, double radius, int f
 
 void torus_3(GraphicsSystem& system, const Point3& centre, double radius, double tube_radius,
              int facets) {
+  const RoundToNearest nearest;
   require_length("radius", radius);
   require_length("tube radius", tube_radius);
   require_facets(facets);
@@ -123,10 +131,12 @@ void torus_3(GraphicsSystem& system, const Point3& centre, double radius, double
 
 void extrude_3(GraphicsSystem& system, double z_min, double z_max,
                std::span<const Point2> profile) {
+  const RoundToNearest nearest;
   enter(system, extruded(profile, z_min, z_max));
 }
 
 void turn_3(GraphicsSystem& system, int facets, std::span<const Point2> profile) {
+  const RoundToNearest nearest;
   enter(system, turned(profile, facets, TurnedLight::round));
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/characters.h"
 #include "displayfile/input_file.h"
@@ -82,6 +83,7 @@ void require_text(std::string_view text, std::string_view file_name) {
 }  // namespace
 
 void replay(std::string_view text, std::string_view file_name, GraphicsSystem& system) {
+  const RoundToNearest nearest;
   text = without_byte_order_mark(text);
   require_text(text, file_name);
   const std::optional<int> open_before = system.open_segment_name();

@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
 #include "displayfile/collected_text.h"
 
@@ -125,6 +126,7 @@ void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
 }  // namespace
 
 void dump(const DisplayFile& display_file, std::ostream& out, const std::optional<Colour>& fills) {
+  const RoundToNearest nearest;
   Dumper dumper(out, fills);
   dumper.write_line(FMT_COMPILE("displayfile-dump 1"));
   if (display_file.sorted() != nullptr) {

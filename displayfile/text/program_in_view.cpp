@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clip/round_to_nearest.h"
 #include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
@@ -37,6 +38,7 @@ std::string lines_of(const View& view) {
 }  // namespace
 
 std::string program_in_view(std::string_view program, const View& view) {
+  const RoundToNearest nearest;
   std::string result = lines_of(view);
   result.reserve(result.size() + program.size() + 1);
   while (!program.empty()) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "clip/nearest_word.h"
+#include "clip/round_to_nearest.h"
 #include "clip/words.h"
 #include "displayfile/characters.h"
 #include "displayfile/shapes/shapes.h"
@@ -325,6 +326,7 @@ void call_routine(ProgramLine& line, GraphicsSystem& system) {
 std::span<const UserRoutine> user_routines() { return kUserRoutines; }
 
 void call_user_routine(GraphicsSystem& system, std::string_view name, std::string_view arguments) {
+  const RoundToNearest nearest;
   const std::string text = fmt::format("{} {}", name, arguments);
   const auto named = [&](std::string_view what) {
     const bool names_it = what.starts_with(name) || what.starts_with("unknown routine");

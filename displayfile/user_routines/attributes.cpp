@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/user_routines/ranges.h"
 
 namespace displayfile {
@@ -65,6 +66,7 @@ void GraphicsSystem::set_text_style(const TextStyle& style) {
 }
 
 void GraphicsSystem::set_light(const Point3& toward, double ambient) {
+  const RoundToNearest nearest;
   require_finite({toward.x, toward.y, toward.z}, "light direction");
   if (toward == Point3(0.0)) throw Error("light direction is zero: expected a direction");
   if (!(ambient >= 0.0 && ambient <= 1.0)) {

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstdint>
 
+#include "clip/round_to_nearest.h"
 #include "displayfile/gouraud.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile {
 
 void GraphicsSystem::set_cutting_plane(int n, double a, double b, double c, double d) {
+  const RoundToNearest nearest;
   cutting_planes_.set(n, a, b, c, d);
   record("set-cutting-plane", {n, a, b, c, d});
 }

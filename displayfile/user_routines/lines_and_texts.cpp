@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
 
 namespace displayfile {
@@ -33,46 +34,55 @@ void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to, bool
 }
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {
+  const RoundToNearest nearest;
   move_to({x, y, z});
   record("move-abs-3", {x, y, z});
 }
 
 void GraphicsSystem::line_abs_3(double x, double y, double z) {
+  const RoundToNearest nearest;
   line_to({x, y, z});
   record("line-abs-3", {x, y, z});
 }
 
 void GraphicsSystem::move_rel_3(double dx, double dy, double dz) {
+  const RoundToNearest nearest;
   move_to(pen_.object + Point3(dx, dy, dz));
   record("move-rel-3", {dx, dy, dz});
 }
 
 void GraphicsSystem::line_rel_3(double dx, double dy, double dz) {
+  const RoundToNearest nearest;
   line_to(pen_.object + Point3(dx, dy, dz));
   record("line-rel-3", {dx, dy, dz});
 }
 
 void GraphicsSystem::move_abs_2(double x, double y) {
+  const RoundToNearest nearest;
   move_to({x, y, pen_.object.z});
   record("move-abs-2", {x, y});
 }
 
 void GraphicsSystem::line_abs_2(double x, double y) {
+  const RoundToNearest nearest;
   line_to({x, y, pen_.object.z});
   record("line-abs-2", {x, y});
 }
 
 void GraphicsSystem::move_rel_2(double dx, double dy) {
+  const RoundToNearest nearest;
   move_to(pen_.object + Point3(dx, dy, 0.0));
   record("move-rel-2", {dx, dy});
 }
 
 void GraphicsSystem::line_rel_2(double dx, double dy) {
+  const RoundToNearest nearest;
   line_to(pen_.object + Point3(dx, dy, 0.0));
   record("line-rel-2", {dx, dy});
 }
 
 void GraphicsSystem::text(std::string_view characters) {
+  const RoundToNearest nearest;
   require_open();
   require_no_solid("a text");
   if (characters.size() > kLongestText) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/user_routines/ranges.h"
 
 namespace displayfile {
@@ -13,30 +14,35 @@ void GraphicsSystem::create_transformation_3() {
 }
 
 void GraphicsSystem::translate_3(double tx, double ty, double tz) {
+  const RoundToNearest nearest;
   require_finite({tx, ty, tz}, "translation");
   modelling_.translate({tx, ty, tz});
   record("translate-3", {tx, ty, tz});
 }
 
 void GraphicsSystem::scale_3(double sx, double sy, double sz) {
+  const RoundToNearest nearest;
   require_finite({sx, sy, sz}, "scale");
   modelling_.scale({sx, sy, sz});
   record("scale-3", {sx, sy, sz});
 }
 
 void GraphicsSystem::rotate_x_3(double angle) {
+  const RoundToNearest nearest;
   require_finite({angle}, "angle");
   modelling_.rotate_x(angle);
   record("rotate-x-3", {angle});
 }
 
 void GraphicsSystem::rotate_y_3(double angle) {
+  const RoundToNearest nearest;
   require_finite({angle}, "angle");
   modelling_.rotate_y(angle);
   record("rotate-y-3", {angle});
 }
 
 void GraphicsSystem::rotate_z_3(double angle) {
+  const RoundToNearest nearest;
   require_finite({angle}, "angle");
   modelling_.rotate_z(angle);
   record("rotate-z-3", {angle});

@@ -9,6 +9,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/planarity.h"
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/solids/solid_faces.h"
@@ -42,6 +43,7 @@ void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
 }
 
 void GraphicsSystem::polygon_rel_3(std::span<const Point3> steps) {
+  const RoundToNearest nearest;
   object_points_.clear();
   Point3 p = pen_.object;
   for (const Point3& step : steps) object_points_.push_back(p += step);
@@ -57,6 +59,7 @@ void GraphicsSystem::polygon_abs_2(std::span<const Point2> vertices) {
 }
 
 void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
+  const RoundToNearest nearest;
   object_points_.clear();
   Point3 p = pen_.object;
   for (const Point2& step : steps) object_points_.push_back(p += Point3(step, 0.0));
@@ -70,6 +73,7 @@ void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
 /// The way of one polygon: to world coordinates, to triangles if it is not flat or its vertices
 /// have normals that differ, and each piece through the pipeline into the display file.
 void GraphicsSystem::polygon(std::span<const Point3> object) {
+  const RoundToNearest nearest;
   require_open();
   if (object.size() < 3) {
     throw Error(fmt::format("polygon of {} sides: expected at least 3", object.size()));
@@ -195,6 +199,7 @@ void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
 }
 
 void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
+  const RoundToNearest nearest;
   const std::span vertices = many.vertices, normals = many.normals;
   const std::span corners = many.corners, sides = many.sides;
   const std::span fills = many.fills;

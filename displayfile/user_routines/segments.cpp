@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/user_routines/ranges.h"
 
@@ -26,6 +27,7 @@ void require_no_segments(const DisplayFile& display_file) {
 }  // namespace
 
 void GraphicsSystem::open_segment(int name) {
+  const RoundToNearest nearest;
   if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
   const View view = windows_.in_picture(view_, said_);
   const ViewVolume volume(view);
@@ -123,6 +125,7 @@ void GraphicsSystem::take_back(const Entered& before) {
 }
 
 void GraphicsSystem::delete_segment(int name) {
+  const RoundToNearest nearest;
   if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
   display_file_.remove(name);
   if (RetainedScene* scene = retaining()) scene->remove(name);
@@ -150,24 +153,28 @@ void GraphicsSystem::set_visibility(int name, bool on) {
 }
 
 void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
+  const RoundToNearest nearest;
   require_within(kOfImageParts, {tx, ty}, "image translation");
   display_file_.segment(name).image.translation = {tx, ty};
   record("set-image-translation", {name, tx, ty});
 }
 
 void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
+  const RoundToNearest nearest;
   require_within(kOfImageParts, {sx, sy}, "image scale");
   display_file_.segment(name).image.scale = {sx, sy};
   record("set-image-scale", {name, sx, sy});
 }
 
 void GraphicsSystem::set_image_rotation(int name, double angle) {
+  const RoundToNearest nearest;
   require_finite({angle}, "angle");
   display_file_.segment(name).image.rotation = angle;
   record("set-image-rotation", {name, angle});
 }
 
 void GraphicsSystem::set_image_centre(int name, double x, double y) {
+  const RoundToNearest nearest;
   require_within(kOfImageCentres, {x, y}, "image centre");
   display_file_.segment(name).image.centre = {x, y};
   record("set-image-centre", {name, x, y});

@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/point.h"
+#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "clip/view.h"
 #include "displayfile/gouraud.h"
@@ -34,6 +35,7 @@ void GraphicsSystem::begin_solid(SolidOperation operation) {
 }
 
 void GraphicsSystem::end_solid() {
+  const RoundToNearest nearest;
   if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
   const bool is_hatched = solids_.depth() == 1 && hatches_cut_faces();
   std::optional<OpenSolids> before;  // should there be too many hatching lines
@@ -64,6 +66,7 @@ void GraphicsSystem::discard_solid() {
 }
 
 void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
+  const RoundToNearest nearest;
   require_finite({faces.angle}, "angle");
   if (faces.spacing && !(*faces.spacing > 0.0 && *faces.spacing <= kCoordinateLimit)) {
     throw Error(

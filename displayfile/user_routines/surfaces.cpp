@@ -9,6 +9,7 @@
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/pick_of_ordinal.h"
@@ -50,6 +51,7 @@ void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style)
 }
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
+  const RoundToNearest nearest;
   require_open();
   require_no_solid("a surface");
   require_surface(grid);

@@ -4,7 +4,9 @@
 
 namespace displayfile {
 
-/// While it lives, this thread rounds to nearest, whatever mode the host has set.
+/// While it lives, this thread rounds to nearest, whatever mode the host has set. It stands first
+/// in each public call that computes with doubles (work_budget.h has one too), and in each task of
+/// another thread, so that no result depends on the host's mode.
 class RoundToNearest {
  public:
   RoundToNearest() : before_(std::fegetround()) {

@@ -12,7 +12,7 @@
 #include "clip/back_face.h"
 #include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
-#include "hidden/number_set.h"
+#include "hidden/key_grid.h"
 #include "hidden/plane_tree.h"
 
 namespace displayfile {
@@ -24,13 +24,15 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Pays for the rounding of a tolerance's own computation.
 constexpr double kWider = 1.0 + 0x1p-40;
 
-/// Keys are distances from here: a point in the frame that no scene has a special relation to.
+/// A point near the frame, and two directions of lengths below 1, that no scene has a special
+/// relation to.
 constexpr Point3 kFrom(0.5719, -0.8327, 0.4113);
+constexpr std::array kAlong{Point3(0.6682, 0.3787, -0.6257), Point3(-0.3525, 0.6323, 0.6750)};
 
 }  // namespace
 
 /// While the planes are looked for. Polygons that have a plane are numbered anew, in order of
-/// entry: by their own planes, in `own_`. Planes are known by their ranks, in order of their keys.
+/// entry: by their own planes, in `own_`.
 class TouchingPlanes::Search {
  public:
   Search(TouchingPlanes& result, const PolygonOf& polygon_of)
@@ -48,15 +50,11 @@ class TouchingPlanes::Search {
     double radius = 0.0;  ///< by how much the distance of a point of the scene from it may be off
     double tilt = 0.0;    ///< of what touches it, and is not larger: the sine of the angle, at most
   };
-  struct Ranked {
-    double key;  ///< the plane's distance from one fixed point
-    std::uint32_t own;
-  };
-  /// What is known of a plane by its rank, once it is needed.
+  /// What is known of a plane.
   struct Known {
     Plane plane;
-    double radius = 0.0;  ///< 0: nothing is known
-    bool is_close = false;
+    double radius;
+    bool is_close;  ///< as closely as it can be known in doubles
   };
   /// Recently used planes, made ready.
   struct Ready {
@@ -66,25 +64,25 @@ class TouchingPlanes::Search {
 
   std::uint32_t modelling_of(const EnteredPolygon& polygon);
   void find_frame();
-  void rank_by_key();
+  void find_keys();
   void find_linked();
   Estimate estimate(const OwnPlane& plane) const;
   Estimate estimate_closely(const EnteredPlane& plane, const OwnPlane& own) const;
   Plane in_frame(const Point3& normal, const Point3& through) const;
-  double key_of(const Plane& plane) const;
+  KeyGrid::Keys keys_of(const Plane& plane) const;
+  bool keys_are_near(std::uint32_t own, std::uint32_t other) const;
 
+  void take_corners(std::uint32_t own);
   void find_plane(std::uint32_t own);
-  bool has_neighbours(std::uint32_t own, std::size_t count) const;
-  void look_among_neighbours(std::uint32_t own);
+  bool look_in_grid(std::uint32_t own);
   void look_in_tree(std::uint32_t own);
   void build_tree();
   void found(std::uint32_t own);
-  void consider(std::size_t rank, std::uint32_t own);
+  void consider(std::uint32_t plane, std::uint32_t own);
   bool comes_before(std::uint32_t a, std::uint32_t b) const {
     return area_[a] > area_[b] || (area_[a] == area_[b] && a < b);
   }
-  const Known& known(std::size_t rank);
-  const Known& known_closely(std::size_t rank);
+  const Known& known_closely(std::uint32_t own);
   bool passes_near(const Known& plane) const;
   bool touches(std::uint32_t own, std::uint32_t plane);
   const EnteredPlane& ready(std::uint32_t plane);
@@ -103,11 +101,11 @@ class TouchingPlanes::Search {
   double scale_ = 1.0, magnitude_ = 0.0, rounding_ = 0x1p-52;
   double point_error_ = 0.0, reach_ = 0.0, diameter_ = 0.0, close_radius_ = 0.0;
 
-  std::vector<Ranked> ranked_;
-  std::vector<double> wide_;         // by how much more or less the key of what it touches may be
-  std::vector<std::uint32_t> rank_;  // by own
+  std::vector<KeyGrid::Keys> keys_;
+  std::vector<double> wide_;  // by how much more or less the keys of what it touches may be
+  std::optional<KeyGrid> grid_;
   std::vector<std::uint32_t> linked_;
-  std::optional<NumberSet> founded_;  // ranks of planes that polygons lie in
+  std::vector<std::uint8_t> is_founded_;  // polygons lie in its plane
   std::vector<Known> known_;
   std::optional<PlaneTree> tree_;
   WorkSteps steps_;
@@ -162,11 +160,10 @@ void TouchingPlanes::Search::find_planes() {
   std::iota(taken_.begin(), taken_.end(), 0u);
   if (own_.empty() || !(result_.reach_ > 0.0)) return;
   find_frame();
-  rank_by_key();
+  find_keys();
   find_linked();
   if (linked_.empty()) return;
   std::ranges::sort(linked_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
-  known_.resize(own_.size());
   ready_.resize(std::min<std::size_t>(256, own_.size()));
   for (const std::uint32_t own : linked_) find_plane(own);
 }
@@ -196,8 +193,12 @@ TouchingPlanes::Search::Plane TouchingPlanes::Search::in_frame(const Point3& nor
   return glm::dot(normal, kFrom) < 0.0 ? Plane(-normal, -distance) : Plane(normal, distance);
 }
 
-double TouchingPlanes::Search::key_of(const Plane& plane) const {
-  return std::abs(glm::dot(Point3(plane), kFrom) - plane.w);
+/// Two cosines of its normal, times the diameter as their tolerance is, and its distance.
+KeyGrid::Keys TouchingPlanes::Search::keys_of(const Plane& plane) const {
+  const Point3 normal(plane);
+  return {diameter_ * std::abs(glm::dot(normal, kAlong[0])),
+          diameter_ * std::abs(glm::dot(normal, kAlong[1])),
+          std::abs(glm::dot(normal, kFrom) - plane.w)};
 }
 
 TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane& own) const {
@@ -229,11 +230,12 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
   return {in_frame(plane.normal(), p), radius, kNoBound};
 }
 
-/// Puts planes in order of their keys, and finds the tolerances of keys.
-void TouchingPlanes::Search::rank_by_key() {
+/// Finds the keys of planes, and their tolerances.
+void TouchingPlanes::Search::find_keys() {
   constexpr double kGood = 0x1p-32;  // so close are the keys of few planes by chance
-  ranked_.reserve(own_.size());
+  keys_.reserve(own_.size());
   wide_.reserve(own_.size());
+  known_.reserve(own_.size());
   double largest_radius = 0.0;
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
     steps_.step();
@@ -244,49 +246,67 @@ void TouchingPlanes::Search::rank_by_key() {
       const Estimate close = estimate_closely(plane, own_[k]);
       if (close.radius < of.radius) of = close;
     }
-    ranked_.push_back({key_of(of.plane), k});
+    keys_.push_back(keys_of(of.plane));
+    known_.push_back({of.plane, of.radius, of.radius <= close_radius_});
     const double wide = tilt <= 0.5 ? 1.5 * tilt * diameter_ + reach_ : kNoBound;
     wide_.push_back((wide + of.radius) * kWider);
     largest_radius = std::max(largest_radius, of.radius);
   }
   for (double& wide : wide_) wide += largest_radius;
-  std::ranges::sort(ranked_, [](const Ranked& a, const Ranked& b) {
-    return a.key != b.key ? a.key < b.key : a.own < b.own;
-  });
 }
 
-/// Where no other key is within a polygon's tolerance, it lies in its own plane; the others remain
-/// to be looked at.
+/// The keys of the other are within the polygon's tolerance.
+bool TouchingPlanes::Search::keys_are_near(std::uint32_t own, std::uint32_t other) const {
+  const KeyGrid::Keys &a = keys_[own], &b = keys_[other];
+  const double wide = wide_[own];
+  return !(std::abs(a[0] - b[0]) > wide) && !(std::abs(a[1] - b[1]) > wide) &&
+         !(std::abs(a[2] - b[2]) > wide);
+}
+
+/// Where no other plane with keys within a polygon's tolerance passes near it, it lies in its own;
+/// the others remain to be looked at.
 void TouchingPlanes::Search::find_linked() {
-  rank_.resize(own_.size());
-  founded_.emplace(own_.size());
-  for (std::size_t k = 0; k < ranked_.size(); ++k) {
-    const auto [key, own] = ranked_[k];
-    rank_[own] = static_cast<std::uint32_t>(k);
-    const bool is_linked = (k > 0 && !(key - ranked_[k - 1].key > wide_[own])) ||
-                           (k + 1 < ranked_.size() && !(ranked_[k + 1].key - key > wide_[own]));
-    if (is_linked) {
-      linked_.push_back(own);
-    } else {
-      founded_->insert(k);
+  grid_.emplace(wide_);
+  for (std::uint32_t k = 0; k < own_.size(); ++k) grid_->insert(k, keys_[k]);
+  is_founded_.assign(own_.size(), 0);
+  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    bool is_linked = !grid_->has_size_for(wide_[k]);
+    if (!is_linked) {
+      std::size_t visited = 1;
+      take_corners(k);
+      grid_->visit_near(keys_[k], wide_[k], [&](std::uint32_t other) {
+        ++visited;
+        is_linked = other != k && keys_are_near(k, other) && passes_near(known_[other]);
+        return !is_linked;
+      });
+      steps_.step(visited);
     }
+    if (is_linked) {
+      linked_.push_back(k);
+    } else {
+      is_founded_[k] = 1;
+    }
+  }
+  if (linked_.empty()) return;
+  grid_->clear();
+  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    if (is_founded_[k] != 0) grid_->insert(k, keys_[k]);
+  }
+}
+
+void TouchingPlanes::Search::take_corners(std::uint32_t own) {
+  const Modelling& modelling = result_.modellings_[own_[own].modelling];
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners_[k] = in_frame(modelling.apply(own_[own].corners[k]));
   }
 }
 
 /// The first plane that the polygon lies in, or else its own is a new one.
 void TouchingPlanes::Search::find_plane(std::uint32_t own) {
-  constexpr std::size_t kFew = 8;          // are compared sooner than the tree is searched
-  constexpr std::uint64_t kPatience = 16;  // comparisons a polygon, about what a tree costs
-  const Modelling& modelling = result_.modellings_[own_[own].modelling];
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners_[k] = in_frame(modelling.apply(own_[own].corners[k]));
-  }
+  constexpr std::uint64_t kPatience = 32;  // comparisons a polygon, about what a tree costs
+  take_corners(own);
   first_plane_ = kNone;
-  if (tree_ && has_neighbours(own, kFew)) {
-    look_in_tree(own);
-  } else {
-    look_among_neighbours(own);
-  }
+  if (!look_in_grid(own)) look_in_tree(own);
   if (first_plane_ == kNone) {
     found(own);
   } else {
@@ -295,45 +315,43 @@ void TouchingPlanes::Search::find_plane(std::uint32_t own) {
   if (!tree_ && result_.counts_.compared > kPatience * own_.size()) build_tree();
 }
 
-/// As many planes have keys within the polygon's tolerance, founded or not.
-bool TouchingPlanes::Search::has_neighbours(std::uint32_t own, std::size_t count) const {
-  const std::size_t rank = rank_[own];
-  const double key = ranked_[rank].key, wide = wide_[own];
-  const bool above = rank + count < ranked_.size() && !(ranked_[rank + count].key - key > wide);
-  return above || (rank >= count && !(key - ranked_[rank - count].key > wide));
-}
-
-/// Compares the polygon with founded planes whose keys are within its tolerance.
-void TouchingPlanes::Search::look_among_neighbours(std::uint32_t own) {
-  const std::size_t rank = rank_[own];
-  const double key = ranked_[rank].key, wide = wide_[own];
-  const std::uint64_t before = result_.counts_.compared;
-  for (std::size_t k = founded_->before(rank); k != NumberSet::kNone; k = founded_->before(k)) {
-    if (key - ranked_[k].key > wide) break;
-    consider(k, own);
-  }
-  for (std::size_t k = founded_->after(rank); k != NumberSet::kNone; k = founded_->after(k)) {
-    if (ranked_[k].key - key > wide) break;
-    consider(k, own);
-  }
-  steps_.step(static_cast<std::size_t>(result_.counts_.compared - before + 1));
+/// Compares the polygon with founded planes whose keys are within its tolerance. False if these are
+/// so many that the tree is searched sooner, or all.
+bool TouchingPlanes::Search::look_in_grid(std::uint32_t own) {
+  constexpr std::size_t kFew = 64;
+  if (!grid_->has_size_for(wide_[own])) return false;
+  std::size_t visited = 0;
+  const std::size_t most = tree_ ? kFew : own_.size();
+  grid_->visit_near(keys_[own], wide_[own], [&](std::uint32_t plane) {
+    if (visited == most) return false;
+    ++visited;
+    if (keys_are_near(own, plane)) consider(plane, own);
+    return true;
+  });
+  result_.counts_.compared += visited;
+  steps_.step(visited + 1);
+  return visited < most;
 }
 
 void TouchingPlanes::Search::build_tree() {
   std::vector<Plane> planes;
   planes.reserve(own_.size());
-  for (std::size_t k = 0; k < own_.size(); ++k) planes.push_back(known(k).plane);
+  for (std::uint32_t k = 0; k < own_.size(); ++k) planes.push_back(known_[k].plane);
   tree_.emplace(planes);
-  for (std::size_t k = 0; k < own_.size(); ++k) {
-    if (founded_->contains(k)) found(ranked_[k].own);
+  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    if (is_founded_[k] == 0) continue;
+    const Known& plane = known_closely(k);
+    tree_->insert(k, plane.plane, plane.radius, area_[k]);
   }
 }
 
 void TouchingPlanes::Search::look_in_tree(std::uint32_t own) {
+  if (!tree_) build_tree();
   const auto best_area = [&] { return area_[first_plane_ == kNone ? own : first_plane_]; };
   const std::size_t looked_at =
-      tree_->visit_near(corners_, reach_, best_area(), [&](std::uint32_t rank) {
-        consider(rank, own);
+      tree_->visit_near(corners_, reach_, best_area(), [&](std::uint32_t plane) {
+        ++result_.counts_.compared;
+        consider(plane, own);
         return best_area();
       });
   result_.counts_.compared += looked_at;
@@ -342,36 +360,23 @@ void TouchingPlanes::Search::look_in_tree(std::uint32_t own) {
 
 /// The polygon's own plane is one that polygons lie in.
 void TouchingPlanes::Search::found(std::uint32_t own) {
-  const std::uint32_t rank = rank_[own];
-  founded_->insert(rank);
+  is_founded_[own] = 1;
+  grid_->insert(own, keys_[own]);
   if (!tree_) return;
-  const Known& plane = known_closely(rank);
-  tree_->insert(rank, plane.plane, plane.radius, area_[own]);
+  const Known& plane = known_closely(own);
+  tree_->insert(own, plane.plane, plane.radius, area_[own]);
 }
 
 /// Takes a founded plane if it is the first so far that the polygon lies in.
-void TouchingPlanes::Search::consider(std::size_t rank, std::uint32_t own) {
-  ++result_.counts_.compared;
-  const std::uint32_t plane = ranked_[rank].own;
+void TouchingPlanes::Search::consider(std::uint32_t plane, std::uint32_t own) {
   if (!comes_before(plane, first_plane_ == kNone ? own : first_plane_)) return;
-  if (!passes_near(known(rank)) || !passes_near(known_closely(rank))) return;
+  if (!passes_near(known_[plane]) || !passes_near(known_closely(plane))) return;
   if (touches(own, plane)) first_plane_ = plane;
 }
 
-const TouchingPlanes::Search::Known& TouchingPlanes::Search::known(std::size_t rank) {
-  Known& plane = known_[rank];
-  if (plane.radius == 0.0) {
-    const Estimate of = estimate(own_[ranked_[rank].own]);
-    plane = {of.plane, of.radius, of.radius <= close_radius_};
-  }
-  return plane;
-}
-
-const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::size_t rank) {
-  known(rank);
-  Known& plane = known_[rank];
+const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::uint32_t own) {
+  Known& plane = known_[own];
   if (!plane.is_close) {
-    const std::uint32_t own = ranked_[rank].own;
     const Estimate of = estimate_closely(ready(own), own_[own]);
     if (of.radius < plane.radius) plane = {of.plane, of.radius, true};
     plane.is_close = true;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "clip/error.h"
@@ -14,6 +15,7 @@
 #include "displayfile/turntable.h"
 #include "interp/draw.h"
 #include "interp/raster/software.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
 #include "programs/scenes/generated_scenes.h"
@@ -58,11 +60,13 @@ void expect_right(const Picture& picture, const DisplayFile& file) {
 }
 
 /// The same, except where the rounding of viewing decides: what is seen is everywhere what the
-/// truth from world coordinates says. Returns at how many pixels.
+/// truth from what was entered says. Returns at how many pixels.
 std::size_t expect_right_unrounded(const Picture& picture, const Retained& retained) {
   const GraphicsSystem& system = retained.system;
   const DisplayFile& file = system.display_file();
-  EXPECT_EQ(picture.ids, world_truth(retained.scene, file, kWidth, kHeight, false).ids);
+  const EnteredTruth entered =
+      entered_truth(retained.scene, file, kWidth, kHeight, false, std::nullopt);
+  EXPECT_EQ(picture.ids, entered.picture.ids);
   const std::size_t other = different_pixels(picture, truth(file, kWidth, kHeight, false));
   if (other == 0) expect_right_painting(picture, file, system.hidden_lines());
   return other;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,12 +25,21 @@ struct Scene {
   struct Segment {
     std::size_t first_polygon;
     ImageTransformation image;
+    std::optional<View> view = {};  ///< from this segment on, with its viewport; none: as before
+  };
+  /// A modelling transformation, of its polygon and of all after it up to the next placement.
+  struct Placement {
+    std::size_t first_polygon;
+    Point3 move;       ///< acts first
+    Point3 degrees;    ///< turns about the x, the y and the z axis, in this order, act next
+    Point3 then_move;  ///< acts last
   };
 
   View view = unit_view();
-  std::vector<Point3> points;        ///< world coordinates, polygon after polygon
-  std::vector<std::uint32_t> sides;  ///< of each polygon
-  std::vector<Segment> segments;     ///< none: one, without image transformation
+  std::vector<Point3> points;         ///< polygon after polygon, before its placement
+  std::vector<std::uint32_t> sides;   ///< of each polygon
+  std::vector<Segment> segments;      ///< none: one, without image transformation
+  std::vector<Placement> placements;  ///< none: points are in world coordinates
   /// Gaps are what many are about, also such as are less than numbers can tell.
   Touching touching{Touching::Kind::off};
 
@@ -41,6 +51,12 @@ struct Scene {
   void add(const std::vector<Polygon>& polygons);
   /// The polygons added from now on are in a segment of their own.
   void open_segment(const ImageTransformation& image) { segments.push_back({polygons(), image}); }
+  /// The same, in another view, whose viewport counts.
+  void open_segment(const View& other) { segments.push_back({polygons(), {}, other}); }
+  /// The polygons added from now on are moved, turned and moved again (Placement).
+  void place(const Point3& move, const Point3& degrees, const Point3& then_move) {
+    placements.push_back({polygons(), move, degrees, then_move});
+  }
 };
 
 /// Enters the scene into a system without segments: sets the view, then segments 1, 2, … with

@@ -29,7 +29,7 @@ class BruteForceLines {
     for (std::uint32_t item = 0; item < items.size(); ++item) {
       Polygon polygon;
       for (const Point3& p : items.points(item)) polygon.vertices.push_back({p.x, p.y, p.z});
-      if (items.kind(item) != LineItems::Kind::line) polygon.plane = plane(items.points(item));
+      if (items.kind(item) != LineItems::Kind::line) polygon.plane = plane_of(item);
       polygon.covers = items.kind(item) == LineItems::Kind::solid && polygon.plane.has_value();
       polygons_.push_back(std::move(polygon));
     }
@@ -67,6 +67,13 @@ class BruteForceLines {
   };
 
   static QPoint vertex(const Point3& p) { return {p.x, p.y, p.z}; }
+
+  /// The plane that the polygon shares with others, unless that is seen edge-on; or else its own.
+  std::optional<QPlane> plane_of(std::uint32_t item) const {
+    std::optional<QPlane> found;
+    if (const auto* shared = items_.shared_plane(item)) found = plane(*shared);
+    return found ? found : plane(items_.points(item));
+  }
 
   static std::optional<QPlane> plane(std::span<const Point3> v) {
     const auto distance = [&](std::size_t i) {

@@ -9,11 +9,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clip/error.h"
 #include "clip/view_volume.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
 #include "interp/visibility/world_geometry.h"
@@ -46,16 +48,20 @@ struct Retained : test::Retained {
 /// The same scene as the application would have drawn it in another view.
 Scene in_view(Scene scene, const View& view) {
   scene.view = view;
+  for (Scene::Segment& segment : scene.segments) segment.view.reset();
   return scene;
 }
 /// The exact truth of the display file that the scene makes in the view.
 std::vector<std::int32_t> truth_in(const Scene& scene, const View& view, int size) {
   return truth(entered(in_view(scene, view)).display_file(), size, size, false).ids;
 }
-/// The exact truth from world coordinates, of the same.
+/// The exact truth from world coordinates, of the same; of what touches that from what was entered.
 std::vector<std::int32_t> world_truth_in(const Scene& scene, const View& view, int size) {
   const Retained retained(in_view(scene, view));
-  return retained.world_truth({size, size});
+  if (scene.touching == Touching{Touching::Kind::off}) return retained.world_truth({size, size});
+  return entered_truth(retained.scene, retained.system.display_file(), size, size, false,
+                       std::nullopt)
+      .picture.ids;
 }
 
 TEST(WorldRays, NoWrongPixelFromAnyEye) {

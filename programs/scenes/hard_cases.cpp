@@ -11,9 +11,9 @@ namespace {
 
 std::vector<HardCase> all_families() {
   std::vector<HardCase> all;
-  for (const auto part :
-       {coplanar_families, gap_families, cycle_families, crossing_families, touching_families,
-        coverage_families, degenerate_families, shape_families, scale_families, view_families}) {
+  for (const auto part : {coplanar_families, gap_families, cycle_families, crossing_families,
+                          touching_families, coverage_families, degenerate_families, shape_families,
+                          scale_families, view_families, contact_families}) {
     const std::vector<HardCase> of_part = part();
     all.insert(all.end(), of_part.begin(), of_part.end());
   }

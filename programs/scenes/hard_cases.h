@@ -10,6 +10,12 @@
 
 namespace displayfile {
 
+/// Where the truth begins by which a family is judged.
+enum class JudgedFrom {
+  display_file,  ///< interp/truth/truth.h
+  entered,  ///< interp/truth/entered_truth.h: what touched then touches, whatever viewing rounds
+};
+
 /// A family of scenes that break published implementations.
 struct HardCase {
   std::string_view name, what;
@@ -19,6 +25,7 @@ struct HardCase {
   /// The same scene, bit for bit, for the same arguments on every machine.
   Scene (*make)(std::size_t n, double severity, std::uint64_t seed);
   std::string_view hard;  ///< what is hard about it, for the document
+  JudgedFrom judged_from = JudgedFrom::display_file;
 
   /// True for those with a gap that shrinks in powers of ten: the sweep shows where each method
   /// breaks.

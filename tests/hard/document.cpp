@@ -15,15 +15,17 @@ constexpr std::string_view kIntroduction = R"(# Hard cases
 
 What the methods make of scenes that break published implementations, counted in wrong pixels: pixels
 whose identifier in the item buffer is not the one that exact arithmetic gives
-(`interp/truth/truth.h`). Everything here was printed by one command:
+(`interp/truth/truth.h`). In the families [of what touches](#what-touches) exact arithmetic begins at what was entered
+(`interp/truth/entered_truth.h`), in all others at the display file. Everything here was printed by one command:
 
     hard_table --document --size {0} --seeds {1} --random {2} > tests/hard/README.md
 
 Without `--document` the same table goes to the terminal; `--csv FILE` writes it for programs,
 `--families A,B` picks rows, `--without osmesa` columns, `--severity S` sets one severity for all,
-and `--severity sweep` shows what a gap that shrinks does. It exits 1 if a method that claims to
+`--severity sweep` shows what a gap that shrinks does, and `--touching-off` what becomes of what
+touches with `set-touching off`. It exits 1 if a method that claims to
 be exact has a wrong pixel anywhere. `hard_table --list` prints the families with their sizes and
-severities. `ctest -R hard` runs a smaller one, and compares the exact truth with a brute
+severities. `ctest -R hard` runs a smaller one, and compares the exact truths with a brute
 force in rationals on every family.
 
 Each family has a generator `Scene make(n, severity, seed)` (`programs/scenes/hard_cases.h`); a
@@ -46,6 +48,20 @@ gain it little over 24. What it gave:
 degenerate scenes, with coordinates from a tiny grid. A cell is a sum of wrong pixels.
 
 )";
+
+constexpr std::string_view kTouching = R"(
+## What touches
+
+{0} scenes of {1} x {1} pixels of things that touch as people draw them, with whole numbers and decimals, in parallel
+and perspective views from anywhere, half of them turned and moved by a modelling transformation. They are judged from
+what was entered: what lies in one plane there lies in one plane, and what was entered later is seen, whatever viewing
+rounds. Touching is automatic, as it is unless a program sets it:
+
+{2}
+The same scenes with `set-touching off`, against the same right pictures: what is exact is then what rounding has left
+of them. Whatever does not know what touches, or is not exact, draws what it drew before.
+
+{3})";
 
 /// Sum of the wrong pixels in a hundred of the row's pixels.
 std::string percentage(long long wrong, long long pixels) {
@@ -90,6 +106,21 @@ std::string paragraph(const HardCase& family, const Tally& tally, std::span<cons
   return wrapped(fmt::format("**{}** ({}; n = {}; {}:{}). {} {}", family.name, family.what,
                              family.size, family.severity_means, severities, family.hard,
                              what_each_does(tally, methods)));
+}
+
+const HardCase* family_of(const TableRow& row) {
+  const auto family = std::ranges::find(hard_cases(), std::string_view(row.name), &HardCase::name);
+  return family == hard_cases().end() ? nullptr : &*family;
+}
+
+/// The rows of the families, or of random scenes, that are judged from there.
+std::vector<TableRow> judged_from(JudgedFrom from, std::span<const TableRow> rows) {
+  std::vector<TableRow> some;
+  for (const TableRow& row : rows) {
+    const HardCase* family = family_of(row);
+    if ((family ? family->judged_from : JudgedFrom::display_file) == from) some.push_back(row);
+  }
+  return some;
 }
 
 constexpr std::string_view kRandomParagraph =
@@ -142,23 +173,27 @@ std::string notes(std::span<const Method> methods) {
   return text;
 }
 
-std::string document(std::span<const TableRow> rows, std::span<const Sweep> sweeps,
-                     std::span<const Method> methods, int size, int seeds, int random) {
+std::string document(std::span<const TableRow> rows, std::span<const TableRow> off_rows,
+                     std::span<const Sweep> sweeps, std::span<const Method> methods, int size,
+                     int seeds, int random) {
   std::string list;
   for (const Method& method : methods)
     list += fmt::format("- `{}`: {}\n", method.column, method.name);
   const std::string osmesa = notes(methods);
-  std::string text =
-      fmt::format(kIntroduction, size, seeds, random, list,
-                  osmesa.empty() ? "- nothing: this build has none\n" : osmesa, total(rows).scenes);
-  text += markdown_table(rows, methods, "family");
+  const auto of_display_file = judged_from(JudgedFrom::display_file, rows);
+  const auto touching = judged_from(JudgedFrom::entered, rows);
+  std::string text = fmt::format(kIntroduction, size, seeds, random, list,
+                                 osmesa.empty() ? "- nothing: this build has none\n" : osmesa,
+                                 total(of_display_file).scenes);
+  text += markdown_table(of_display_file, methods, "family");
+  text += fmt::format(kTouching, total(touching).scenes, size,
+                      markdown_table(touching, methods, "family"),
+                      markdown_table(off_rows, methods, "family"));
   text += "\n## What is hard, and what each method does with it\n\n";
   for (const TableRow& row : rows) {
-    const auto family =
-        std::ranges::find(hard_cases(), std::string_view(row.name), &HardCase::name);
-    text += family != hard_cases().end()
-                ? paragraph(*family, row.tally, methods)
-                : wrapped(fmt::format(kRandomParagraph, what_each_does(row.tally, methods)));
+    const HardCase* family = family_of(row);
+    text += family ? paragraph(*family, row.tally, methods)
+                   : wrapped(fmt::format(kRandomParagraph, what_each_does(row.tally, methods)));
   }
   text += kSweeps;
   for (const Sweep& sweep : sweeps) {

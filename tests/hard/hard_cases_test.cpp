@@ -5,19 +5,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "brute_force_entered_truth.h"
 #include "brute_force_truth.h"
 #include "hard/methods.h"
+#include "hard/right_picture.h"
 #include "interp/raster/software.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "mesa_leaks.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/random_scenes.h"
+#include "tests/retained_truth.h"
 #include "tests/slower.h"
 
 // That the exact methods have no wrong pixel on these scenes, hard_table tells.
@@ -58,13 +64,41 @@ class EveryHardCase : public ::testing::TestWithParam<Case> {
   }
 };
 
+void expect_brute_force_of_display_file(const Scene& scene) {
+  const GraphicsSystem system = entered(scene);
+  const Picture oracle = truth(system.display_file(), 32, 32, true);
+  const Picture naive = test::brute_force_truth(system.display_file(), 32, 32);
+  EXPECT_EQ(oracle.ids, naive.ids);
+  EXPECT_EQ(oracle.depth, naive.depth);
+}
+
+EnteredTruth entered_truth_of(const test::Retained& retained, int size,
+                              const std::optional<Touching>& touching = {}) {
+  return entered_truth(retained.scene, retained.system.display_file(), size, size, true, touching);
+}
+
+/// Each polygon against each plane, in long numbers: the picture and the scene are smaller.
+void expect_brute_force_of_what_was_entered(const Scene& scene) {
+  constexpr int kSize = 7;
+  test::Retained retained;
+  enter(scene, retained.system);
+  const EnteredTruth oracle = entered_truth_of(retained, kSize);
+  const test::BruteForceEnteredTruth naive(retained.scene, retained.system.display_file(), kSize,
+                                           kSize, scene.touching);
+  EXPECT_EQ(oracle.touching, naive.touching());
+  const Picture picture = naive.picture();
+  EXPECT_EQ(oracle.picture.ids, picture.ids);
+  EXPECT_EQ(oracle.picture.depth, picture.depth);
+}
+
 TEST_P(EveryHardCase, OracleAgreesWithBruteForce) {
+  const auto& [family, severity] = GetParam();
+  if (family->judged_from == JudgedFrom::entered) {
+    return expect_brute_force_of_what_was_entered(family->make(family->size / 3, severity, 1));
+  }
   for (std::uint64_t seed = 1; seed <= (test::kSlower > 1 ? 1 : 2); ++seed) {
-    const GraphicsSystem system = entered(make(seed));
-    const Picture oracle = truth(system.display_file(), 32, 32, true);
-    const Picture naive = test::brute_force_truth(system.display_file(), 32, 32);
-    EXPECT_EQ(oracle.ids, naive.ids) << "seed " << seed;
-    EXPECT_EQ(oracle.depth, naive.depth) << "seed " << seed;
+    SCOPED_TRACE(seed);
+    expect_brute_force_of_display_file(make(seed));
   }
 }
 
@@ -72,6 +106,7 @@ TEST_P(EveryHardCase, SameSeedSameScene) {
   const Scene a = make(3), b = make(3);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.sides, b.sides);
+  EXPECT_EQ(a.view, b.view);
 }
 
 INSTANTIATE_TEST_SUITE_P(HardCases, EveryHardCase, ::testing::ValuesIn(all_cases()), test_name);
@@ -96,8 +131,9 @@ TEST(HardCases, AreHard) {
   for (const HardCase& family : hard_cases()) {
     bool painter = false, single = false, any = false, empty = true;
     for (double severity : family.severities) {
-      const GraphicsSystem system = entered(family.make(family.size, severity, 1));
-      const Picture right = truth(system.display_file(), 32, 32, false);
+      const Scene scene = family.make(family.size, severity, 1);
+      const GraphicsSystem system = entered(scene);
+      const Picture right = right_picture(scene, family.judged_from, 32);
       for (std::int32_t id : right.ids) empty = empty && id < 0;
       for (const Method& method : all) {
         const bool counted = method.column == "painter" || method.column == "float";
@@ -116,6 +152,109 @@ TEST(HardCases, AreHard) {
   }
   EXPECT_GT(painter_wrong, hard_cases().size() / 2);
   EXPECT_GT(float_wrong, hard_cases().size() / 2);
+}
+
+/// The families of what touches, each scene as it was made.
+template <class Judge>
+void for_each_touching_scene(std::uint64_t seeds, const Judge& judge) {
+  for (const HardCase& family : hard_cases()) {
+    if (family.judged_from != JudgedFrom::entered) continue;
+    for (const double severity : family.severities) {
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        SCOPED_TRACE(std::string(family.name) + " " + std::to_string(severity) + ", seed " +
+                     std::to_string(seed));
+        judge(family, family.make(family.size, severity, seed));
+      }
+    }
+  }
+}
+
+/// No exact method has a wrong pixel where touching is automatic, as it is in every scene. With
+/// touching off the first of them has some in every family: rounding would decide.
+TEST(TouchingFamilies, AreRightByEveryExactMethodAndNotWithoutTouching) {
+  constexpr int kSize = 24;
+  const std::vector<Method> all = methods();
+  std::map<std::string_view, long long> wrong_when_off;
+  for_each_touching_scene(1, [&](const HardCase& family, Scene scene) {
+    const Picture right = right_picture(scene, family.judged_from, kSize);
+    ASSERT_EQ(scene.touching, kUnlessSet);
+    const GraphicsSystem system = entered(scene);
+    for (const Method& method : all) {
+      if (!method.exact) continue;
+      EXPECT_EQ(wrong_pixels(method.draw(system.display_file(), kSize), right), 0) << method.name;
+    }
+    scene.touching = {Touching::Kind::off};
+    wrong_when_off[family.name] +=
+        wrong_pixels(an_exact_method().draw(entered(scene).display_file(), kSize), right);
+  });
+  EXPECT_EQ(wrong_when_off.size(), 11u);
+  for (const auto& [family, pixels] : wrong_when_off) EXPECT_GT(pixels, 0) << family;
+}
+
+/// What is meant to touch does, by numbers: polygons lie in each other's planes within the reach
+/// that holds unless it is set, and would not by a larger one in others.
+TEST(TouchingFamilies, PolygonsLieInEachOthersPlanes) {
+  for_each_touching_scene(2, [&](const HardCase&, const Scene& scene) {
+    test::Retained retained;
+    enter(scene, retained.system);
+    const std::size_t touching = entered_truth_of(retained, 1).touching;
+    EXPECT_GT(touching, scene.polygons() / 10);
+    EXPECT_LT(touching, scene.polygons());
+    const Touching wider{Touching::Kind::length, 1e-12};
+    EXPECT_EQ(entered_truth_of(retained, 1, wider).touching, touching);
+  });
+}
+
+/// Each generator makes what its family's words say of views and placements.
+TEST(TouchingFamilies, ViewsAndPlacementsAreThoseOfTheSeverity) {
+  for (const HardCase& family : hard_cases()) {
+    if (family.judged_from != JudgedFrom::entered) continue;
+    for (const double severity : family.severities) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(severity));
+      const Scene scene = family.make(family.size, severity, 1);
+      const bool perspective = scene.view.projection == View::Projection::perspective;
+      EXPECT_EQ(perspective, severity == 1.0 || severity == 3.0);
+      const auto is_turned = [](const Scene::Placement& placement) {
+        return placement.degrees.x != 0.0 && placement.then_move != Point3(0.0);
+      };
+      EXPECT_EQ(std::ranges::any_of(scene.placements, is_turned), severity >= 2.0);
+      EXPECT_NE(scene.view, family.make(family.size, severity, 2).view);
+    }
+  }
+}
+
+/// A scene enters its placements and views as its words say, and leaves no transformation behind.
+TEST(Scenes, PolygonsAreMovedTurnedAndMovedAgain) {
+  Scene scene;
+  scene.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  scene.place({1, 0, 0}, {0, 0, 90}, {0, 0, 5});
+  scene.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  scene.add({{2, 0, 0}, {3, 0, 0}, {2, 1, 0}});
+  scene.place({0, 0, 1}, {90, 90, 0}, {0, 0, 0});
+  View inset = unit_view();
+  inset.set_viewport({0.5, 0.75, 0.5, 0.75});
+  scene.open_segment(inset);
+  scene.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  test::Retained retained;
+  retained.system.translate_3(10, 0, 0);
+  enter(scene, retained.system);
+  const auto corner = [&](std::uint32_t polygon, std::size_t k) {
+    return retained.scene.points(polygon)[k];
+  };
+  EXPECT_EQ(corner(0, 1), Point3(11, 0, 0));
+  EXPECT_EQ(corner(1, 0), Point3(10, 1, 5));
+  EXPECT_EQ(corner(1, 1), Point3(10, 2, 5));
+  EXPECT_EQ(corner(1, 2), Point3(9, 1, 5));
+  EXPECT_EQ(corner(2, 0), Point3(10, 3, 5));
+  // (0, 0, 1) turns to (0, -1, 0) about x, and stays about y.
+  EXPECT_EQ(corner(3, 0), Point3(10, -1, 0));
+  ASSERT_EQ(retained.scene.segments().size(), 2u);
+  EXPECT_EQ(retained.scene.segments()[0].view.viewport, (Rectangle{0, 1, 0, 1}));
+  EXPECT_EQ(retained.scene.segments()[1].view.viewport, (Rectangle{0.5, 0.75, 0.5, 0.75}));
+  retained.system.open_segment(3);
+  retained.system.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  retained.system.close_segment();
+  EXPECT_EQ(corner(4, 0), Point3(10, 0, 0));
 }
 
 TEST(HardCases, TenThousandSides) {

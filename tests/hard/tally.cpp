@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "interp/truth/truth.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
 
@@ -39,12 +39,14 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-Tally judge(const Scene& scene, int size, std::span<const Method> methods) {
+Tally judge(const Scene& scene, const Picture& right, std::span<const Method> methods) {
   const GraphicsSystem system = entered(scene);
-  const Picture right = truth(system.display_file(), size, size, false);
-  Tally tally{1, static_cast<long long>(scene.polygons()), static_cast<long long>(size) * size, {}};
+  Tally tally{1,
+              static_cast<long long>(scene.polygons()),
+              static_cast<long long>(right.width) * right.height,
+              {}};
   for (const Method& method : methods) {
-    tally.wrong.push_back(wrong_pixels(method.draw(system.display_file(), size), right));
+    tally.wrong.push_back(wrong_pixels(method.draw(system.display_file(), right.width), right));
   }
   return tally;
 }

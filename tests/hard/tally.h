@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hard/methods.h"
+#include "interp/picture.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile {
@@ -17,8 +18,8 @@ struct Tally {
   Tally& operator+=(const Tally& other);
 };
 
-/// One scene, drawn by each method with size x size pixels, against the exact truth.
-Tally judge(const Scene& scene, int size, std::span<const Method> methods);
+/// One scene, drawn by each method, against its right picture, which is square.
+Tally judge(const Scene& scene, const Picture& right, std::span<const Method> methods);
 
 /// A table to print: a name for each row, and its counts.
 struct TableRow {

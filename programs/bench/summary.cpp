@@ -514,8 +514,9 @@ std::optional<Summary> viewing(const Report& report) {
       fmt::format(
           "Exact means: from the coordinates in the display file. Viewing rounds to doubles before "
           "that. Counted here are pixels in which the truth of the display file differs from that "
-          "of the world, which is viewed in exact arithmetic (displayfile truth --from world); "
-          "scenes in the unit cube are entered through a turned perspective view. Of these, ties: "
+          "of the world, which is viewed in exact arithmetic (displayfile truth --from world; "
+          "of hard cases of what touches, --from entered); scenes in the unit cube are entered "
+          "through a turned perspective view. Of these, ties: "
           "both polygons are there, within {:g} of the view volume's depth, as where polygons "
           "coincide in the world. In the others an edge or a plane seen edge-on runs through the "
           "pixel centre but for rounding, or a slope, a size or an image transformation is so "

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <span>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/world_truth.h"
 #include "programs/inputs.h"
 #include "programs/scenes/generated_scenes.h"
@@ -28,6 +30,15 @@ View turned_view() {
   view.set_depth(-1.0, 1.0);
   view.set_window({-kHalf, kHalf, -kHalf, kHalf});
   return view;
+}
+
+/// Of what touches, the truth that knows it.
+Picture truth_before_viewing(const BenchScene& scene, const RetainedScene& retained,
+                             const DisplayFile& file) {
+  const bool touches = scene.kind == BenchScene::Kind::hard_case &&
+                       hard_case(scene.name).judged_from == JudgedFrom::entered;
+  if (!touches) return world_truth(retained, file, scene.size, scene.size, true);
+  return entered_truth(retained, file, scene.size, scene.size, true, std::nullopt).picture;
 }
 
 void enter_turned(Scene scene, GraphicsSystem& system) {
@@ -54,7 +65,7 @@ std::optional<ViewingRow> rounding_of_viewing(const BenchScene& scene) {
   }
   const DisplayFile& file = system.display_file();
   const Picture of_file = truth(file, scene.size, scene.size, true);
-  const Picture of_world = world_truth(retained, file, scene.size, scene.size, true);
+  const Picture of_world = truth_before_viewing(scene, retained, file);
   ViewingRow row{scene};
   for (std::size_t i = 0; i < of_file.ids.size(); ++i) {
     row.pixels += of_file.ids[i] >= 0 || of_world.ids[i] >= 0 ? 1 : 0;

@@ -8,7 +8,8 @@
 namespace displayfile::bench {
 
 /// What the rounding of viewing decides of a scene: in how many pixels the truth of the display
-/// file, from which all methods begin, is not that of the world (interp/truth/world_truth.md).
+/// file, from which all methods begin, is not that of the world (interp/truth/world_truth.md); in
+/// hard cases of what touches not that of what was entered (interp/truth/entered_truth.md).
 struct ViewingRow {
   BenchScene scene;
   std::size_t pixels = 0;  ///< that show a polygon, in one truth or the other

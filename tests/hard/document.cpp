@@ -15,18 +15,18 @@ constexpr std::string_view kIntroduction = R"(# Hard cases
 
 What the methods make of scenes that break published implementations, counted in wrong pixels: pixels
 whose identifier in the item buffer is not the one that exact arithmetic gives
-(`interp/truth/truth.h`). In the families [of what touches](#what-touches) exact arithmetic begins at what was entered
-(`interp/truth/entered_truth.h`), in all others at the display file. Everything here was printed by one command:
+(`interp/truth/truth.h`). In the families [of what touches](#what-touches) exact arithmetic begins at
+what was entered (`interp/truth/entered_truth.h`), in all others at the display file. Everything here
+was printed by one command:
 
     hard_table --document --size {0} --seeds {1} --random {2} > tests/hard/README.md
 
 Without `--document` the same table goes to the terminal; `--csv FILE` writes it for programs,
 `--families A,B` picks rows, `--without osmesa` columns, `--severity S` sets one severity for all,
 `--severity sweep` shows what a gap that shrinks does, and `--touching-off` what becomes of what
-touches with `set-touching off`. It exits 1 if a method that claims to
-be exact has a wrong pixel anywhere. `hard_table --list` prints the families with their sizes and
-severities. `ctest -R hard` runs a smaller one, and compares the exact truths with a brute
-force in rationals on every family.
+touches with `set-touching off`. It exits 1 if a method that claims to be exact has a wrong pixel
+anywhere. `hard_table --list` prints the families with their sizes and severities. `ctest -R hard`
+runs a smaller one, and compares the exact truths with a brute force in rationals on every family.
 
 Each family has a generator `Scene make(n, severity, seed)` (`programs/scenes/hard_cases.h`); a
 method is one line in `hard/methods.cpp`. Scenes are the same, bit for bit, on every machine.

@@ -442,7 +442,8 @@ std::vector<HardCase> contact_families() {
        "boxes and plates on them, drawn about the origin and moved by decimals", kSeen, 8, any_view,
        parts_in_decimals,
        "Sides and places add up in decimals but not as doubles: faces that meet are apart by a "
-       "rounded sum.",
+       "rounded sum. Places are a few sides away; farther out such sums exceed the reach, which is "
+       "that of the parts' own coordinates.",
        kEntered},
       {"floor_under_the_eye", "a floor that passes under and behind the eye, with rugs",
        "1 perspective, 3 the same turned and moved", 10, perspective, floor_under_the_eye,

@@ -1,7 +1,10 @@
 #include "interp/raster/sorted_painter.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "displayfile/sorted_scene.h"
+#include "displayfile/viewed_scene.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/interpreter.h"
 #include "interp/scan/shown_depth.h"
@@ -14,8 +17,9 @@ namespace {
 /// one layer.
 class EnteredFills : public OutputDevice {
  public:
-  EnteredFills(const DisplayFile& display_file, NearestAtCentres& nearest)
-      : display_file_(display_file), nearest_(nearest) {
+  /// `scene` has the display file's polygons.
+  EnteredFills(const DisplayFile& display_file, const ViewedScene& scene, NearestAtCentres& nearest)
+      : display_file_(display_file), scene_(scene), nearest_(nearest) {
     nearest_.begin_layer(NearestAtCentres::Layer::nearest);
   }
   void begin_segment(int name) override {
@@ -23,12 +27,19 @@ class EnteredFills : public OutputDevice {
     nearest_.begin_layer(display_file_.segment(name).sorted() ? NearestAtCentres::Layer::nearest
                                                               : NearestAtCentres::Layer::painted);
   }
-  void fill(const DrawnPolygon& polygon) override { nearest_.enter(polygon); }
+  void fill(const DrawnPolygon& polygon) override {
+    if (support_vertices(polygon.vertices).edge_on) return;  // which is no fill of the scene
+    ++fill_;
+    const Plane plane = scene_.plane_in_common(fill_);
+    nearest_.enter(polygon, plane);
+  }
   void edges(const DrawnPolygon&) override {}
   void line(const DrawnLine&) override {}
 
  private:
   const DisplayFile& display_file_;
+  const ViewedScene& scene_;
+  ViewedScene::Fill fill_ = ViewedScene::kBackground;
   NearestAtCentres& nearest_;
 };
 
@@ -189,10 +200,24 @@ void SortedPainter::show_depth_of_whole_polygons() {
   });
 }
 
+namespace {
+
+/// The scene that the sort read, with the planes that it found, or else one like it.
+std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) {
+  const auto& sorted = display_file.sorted();
+  if (sorted && sorted->parts.size() == 1 && sorted->parts.front()->scene->is_of(display_file)) {
+    return sorted->parts.front()->scene;
+  }
+  return std::make_shared<const ViewedScene>(display_file);
+}
+
+}  // namespace
+
 template <class Show>
 void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const {
   NearestAtCentres nearest(centres, band_.size(), band_.shadows);
-  EnteredFills entered(display_file_, nearest);
+  const std::shared_ptr<const ViewedScene> scene = scene_of(display_file_);
+  EnteredFills entered(display_file_, *scene, nearest);
   interpret(display_file_, entered, Pass::fills, Order::entered);
   nearest.show(show);
 }

@@ -124,15 +124,11 @@ ScanConverter::Region NearestAtCentres::rows_with_centres(std::span<const Point3
   return {size_, rows.first, rows.end};
 }
 
-void NearestAtCentres::enter(const DrawnPolygon& drawn) {
+void NearestAtCentres::enter(const DrawnPolygon& drawn, const Plane& plane) {
   const std::span<const Point3> polygon = drawn.vertices;
   const ScanConverter::Region region = rows_with_centres(polygon);
   if (region.row_begin >= region.row_end) return;
-  const SupportVertices support = support_vertices(polygon);
-  if (support.edge_on) return;
-  const Seen seen{
-      Plane(polygon[support.index[0]], polygon[support.index[1]], polygon[support.index[2]]),
-      FillColour(drawn, size_, shadows_), drawn.pick};
+  const Seen seen{plane, FillColour(drawn, size_, shadows_), drawn.pick};
   Owner own = kNone;
   close_.begin(seen.plane);
   converter_.scan_convert(polygon, region, [&](int row, int first, int end) {

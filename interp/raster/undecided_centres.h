@@ -51,7 +51,9 @@ class NearestAtCentres {
   /// The polygons that follow, until the next layer begins, cover those before.
   void begin_layer(Layer layer);
 
-  void enter(const DrawnPolygon& polygon);
+  /// A polygon that is not edge-on, whose depth is that of the plane: its own, or that in which it
+  /// lies with others as entered.
+  void enter(const DrawnPolygon& polygon, const Plane& plane);
 
   /// Calls show(row, column, seen) for each centre; seen is null if no polygon covers it.
   template <class Show>

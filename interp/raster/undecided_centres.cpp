@@ -6,7 +6,6 @@
 #include "clip/corners.h"
 #include "clip/rectangle.h"
 #include "hidden/exact/rounding.h"
-#include "hidden/exact/support_plane.h"
 
 namespace displayfile {
 

@@ -18,7 +18,10 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
   }
   if (method == HiddenMethod::map) return map_in_order(scene, options);
   Primitives items = scene.primitives();
-  if (!options.precision.exact) items.planes = {};  // a ROUNDOFF decides what is in one plane
+  if (!options.precision.exact) {  // a ROUNDOFF decides what is in one plane
+    items.planes = {};
+    items.touching = 0.0;
+  }
   SortedPieces sorted = sort_hidden_surfaces(items, method, options);
   append_lines(scene, options, sorted);
   return sorted;

@@ -20,7 +20,9 @@ class DrawnItems {
   explicit DrawnItems(const ViewedScene& scene, bool exact = true)
       : sides_(scene.drawn_sides()), items_(scene.primitives()) {
     items_.visible = sides_;
-    if (!exact) items_.planes = {};  // a ROUNDOFF decides what is in one plane
+    if (exact) return;  // a ROUNDOFF decides what is in one plane
+    items_.planes = {};
+    items_.touching = 0.0;
   }
   DrawnItems(const DrawnItems&) = delete;
   DrawnItems& operator=(const DrawnItems&) = delete;

@@ -570,11 +570,16 @@ void SceneViewer::begin_planes() {
 void SceneViewer::find_radius(const ViewVolume& volume) {
   if (touching_ == nullptr) return;
   if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved
+  const double radius = ViewedScene::radius_in(volume.matrix(), touching_->in_world,
+                                               touching_->reach, viewed_.largest_depth());
+  viewed_.planes_->radius_of_ends = radius;
+  for (const SegmentNow& segment : segments_) {
+    if (!segment.visible) continue;
+    viewed_.planes_->radius_of_ends =
+        std::max(viewed_.planes_->radius_of_ends, radius * ViewedScene::longest_of(segment.image));
+  }
   const bool looks_for_them = touching_->planes == nullptr && !has_images();
-  viewed_.planes_->radius = looks_for_them
-                                ? ViewedScene::radius_in(volume.matrix(), touching_->in_world,
-                                                         touching_->reach, viewed_.largest_depth())
-                                : 0.0;
+  viewed_.planes_->radius = looks_for_them ? ViewedScene::small_radius(radius) : 0.0;
   if (viewed_.planes_->radius == 0.0) viewed_.planes();  // while the scene is where it is
 }
 

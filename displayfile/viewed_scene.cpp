@@ -109,12 +109,13 @@ struct ViewedScene::Collector {
   }
 };
 
-/// The largest of all sources; 0 if it is not small, or not known.
+/// The largest of all sources. That of planes is 0 if it is not small.
 void ViewedScene::find_radius(Planes& planes) const {
+  bool has_images = false;
   for (const Source& source : sources_) {
     const EnteredPolygons* const kept = source.instructions->as_entered();
     if (kept == nullptr) continue;
-    if (!source.image.is_identity()) return;
+    has_images |= !source.image.is_identity();
     planes.reach =
         std::max(planes.reach, entered_reach(kept->touching(), kept->largest()) * kept->longest());
   }
@@ -123,9 +124,20 @@ void ViewedScene::find_radius(Planes& planes) const {
     if (kept == nullptr) continue;
     const double radius =
         radius_in(kept->viewed().matrix, kept->largest_in_world(), planes.reach, largest_depth_);
-    planes.radius = radius > 0.0 ? std::max(planes.radius, radius) : 0.0;
-    if (radius == 0.0) return;
+    planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
   }
+  planes.radius = has_images ? 0.0 : small_radius(planes.radius_of_ends);
+}
+
+/// Where the radius is larger, all planes are looked for at once.
+double ViewedScene::small_radius(double radius) {
+  constexpr double kLargest = 0x1p-43;
+  return radius <= kLargest ? radius : 0.0;
+}
+
+/// By how much an image transformation makes a coordinate's error larger, at most; at least 1.
+double ViewedScene::longest_of(const ImageTransformation& image) {
+  return std::max(1.0, std::abs(image.scale.x) + std::abs(image.scale.y));
 }
 
 /// With u = 2^-53: a world point is a sum of products, off by 4 u of the sum of their sizes, and so
@@ -133,7 +145,7 @@ void ViewedScene::find_radius(Planes& planes) const {
 /// is at least what it is at the nearest depth in the scene: depth is A + B / W.
 double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double reach,
                               double largest_depth) {
-  constexpr double kU = 0x1p-53, kLargest = 0x1p-43;
+  constexpr double kU = 0x1p-53;
   const double off = reach + 4.0 * kU * in_world;  // in the world, each coordinate
   const auto row = [&](int k) {
     return std::abs(view[0][k]) + std::abs(view[1][k]) + std::abs(view[2][k]);
@@ -151,8 +163,7 @@ double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double re
     least_w = 0.5 * std::abs(b) / (largest_depth + std::abs(a));
   }
   const double of_row = std::max({error(0), error(1), error(2)});
-  const double radius = 2.0 * (of_row + error(3) * (1.0 + largest_depth)) / least_w + 8.0 * kU;
-  return radius <= kLargest ? radius : 0.0;
+  return 2.0 * (of_row + error(3) * (1.0 + largest_depth)) / least_w + 8.0 * kU;
 }
 
 namespace {

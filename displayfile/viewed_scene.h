@@ -85,7 +85,7 @@ class ViewedScene {
   // ---- Items -----------------------------------------------------------------------------
 
   Primitives primitives() const {
-    return {points_, corners_, edge_visible_, items_, planes(), surfaces_};
+    return {points_, corners_, edge_visible_, items_, planes(), surfaces_, touching_of_ends()};
   }
   /// As Primitives::planes. They are found when they are first needed, by whichever thread.
   std::span<const Primitives::PlanePoints> planes() const;
@@ -164,6 +164,8 @@ class ViewedScene {
   /// plane as entered are apart in the scene, in each coordinate. Which fills lie in one plane is
   /// looked for where two are that close. 0 if nothing touches, or the planes are found.
   double touching_radius() const { return planes_ == nullptr ? 0.0 : planes_->radius; }
+  /// Primitives::touching.
+  double touching_of_ends() const { return planes_ == nullptr ? 0.0 : planes_->radius_of_ends; }
   Plane plane_through(const Primitives::PlanePoints& plane) const {
     return {points_[plane[0]], points_[plane[1]], points_[plane[2]]};
   }
@@ -251,6 +253,7 @@ class ViewedScene {
     std::function<std::uint32_t(std::uint32_t)> polygon_of_item;
     double reach = 0.0;   ///< in world coordinates, the largest
     double radius = 0.0;  ///< touching_radius
+    double radius_of_ends = 0.0;
     std::mutex in_turn;
     std::atomic<bool> are_found = false;
     std::vector<Primitives::PlanePoints> of_items;           ///< empty: none lie in one plane
@@ -258,10 +261,12 @@ class ViewedScene {
   };
   std::uint32_t look_of(Item item) const;
   bool is_certainly_apart(Item a, Item b) const;
-  /// touching_radius, from the view's matrix and bounds of world coordinates and of the reach
-  /// there.
+  /// By how much a coordinate of a point of a plane may be off it, as entered within the reach and
+  /// viewed; from the view's matrix and bounds of world coordinates and of the reach there.
   static double radius_in(const glm::dmat4& view, double in_world, double reach,
                           double largest_depth);
+  static double small_radius(double radius);
+  static double longest_of(const ImageTransformation& image);
   void find_radius(Planes& planes) const;
   void find_planes(Planes& found) const;
   void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,

@@ -40,6 +40,10 @@ struct Primitives {
   static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
   /// The surfaces over grids that were entered, in order, for the perimeter method.
   std::span<const SurfaceMark> surfaces = {};
+  /// By how much each coordinate of a point may be off that was entered in a plane: a line both of
+  /// whose ends are no farther from a plane lies in it (hidden/lines/end_on_plane.h). 0: nothing
+  /// touches but what coincides.
+  double touching = 0.0;
 
   bool has_own_plane(std::size_t item) const {
     return planes.empty() || planes[item][0] == kOwnPlane;

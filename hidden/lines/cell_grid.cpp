@@ -145,6 +145,10 @@ float CellGrid::blocked_behind(const LineScene& scene, std::uint32_t polygon, co
       least = std::min(least, depth.middle - 2.0 * depth.radius);
     }
   }
+  // A line that lies in the plane may be farther by that.
+  const double slopes =
+      (std::abs(plane.normal.x) + std::abs(plane.normal.y)) / std::abs(plane.normal.z);
+  least -= 4.0 * scene.touching() * (1.0 + slopes);
   return std::isfinite(least) ? rounded_down(least) : kNothingHidden;
 }
 

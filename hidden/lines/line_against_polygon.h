@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/work_budget.h"
+#include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -31,10 +32,12 @@ class LineAgainstPolygon {
   }
 
   const DepthLine& line() const { return line_; }
-  /// True if the plane is nearer all along the line but for one of its ends, maybe.
-  bool is_behind(const Plane& plane) const {
+  /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
+  bool is_behind(std::uint32_t polygon) const {
+    const Plane plane = scene_.plane(polygon);
     const int at_a = policy_.nearer(line_, line_.a, plane);
-    return at_a >= 0 && at_a + policy_.nearer(line_, line_.b, plane) > 0;
+    return at_a >= 0 && at_a + policy_.nearer(line_, line_.b, plane) > 0 &&
+           !lies_in_plane(line_, plane, scene_.touching());
   }
 
   /// Adds what the polygon, one that hides, covers along the line looked at, to HiddenParts or what
@@ -47,6 +50,7 @@ class LineAgainstPolygon {
     const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
     const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
+    if (lies_in_plane(line_, plane, scene_.touching())) return false;
     find_crossings(polygon);
     PartOfLine part{0.0, 1.0};
     if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);

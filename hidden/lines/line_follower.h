@@ -101,7 +101,10 @@ class LineFollower {
     const DepthLine at{v, v, nullptr};
     return !scene_.any_counted(box, [&](std::uint32_t polygon) {
       if (has_corner(polygon, v)) return false;
-      const auto is_as_near = [&] { return policy_.nearer(at, v, lines_.plane(polygon)) == 0; };
+      const auto is_as_near = [&] {
+        const Plane plane = lines_.plane(polygon);
+        return policy_.nearer(at, v, plane) == 0 || lies_in_plane(at, plane, lines_.touching());
+      };
       const bool even = scene_.contours.is_even(polygon);
       if (even && !is_as_near()) return false;
       const Place place = place_in(polygon, Point2(v));

@@ -78,6 +78,7 @@ class LineScene {
     const auto& [p, q, r] = support_[item];
     return {items_.points[p], items_.points[q], items_.points[r]};
   }
+  double touching() const { return items_.touching; }  ///< the items'
   /// True if the polygon is not flat and has that vertex off its support plane.
   bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
     return !off_plane_.empty() && off_plane_[first_corner_[item] + corner] != 0;

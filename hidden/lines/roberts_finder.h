@@ -89,7 +89,7 @@ class Roberts {
     if (objects_.extents()[object].z_min > box_.z_max) return Hides::all;
     const auto polygons = objects_.polygons(object);
     const bool behind = std::ranges::all_of(
-        polygons, [&](std::uint32_t polygon) { return line_.is_behind(scene_.plane(polygon)); });
+        polygons, [&](std::uint32_t polygon) { return line_.is_behind(polygon); });
     return behind ? Hides::all : Hides::some;
   }
 

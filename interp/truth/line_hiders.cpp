@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "hidden/lines/end_on_plane.h"
 #include "hidden/parallel.h"
 #include "interp/truth/true_picture.h"
 
@@ -57,11 +58,19 @@ std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& 
   return part;
 }
 
-ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders) {
+bool Hider::has_in_its_plane(const ExactLine& line, std::size_t depth_number) const {
+  return touching > 0.0 && !line.ends.empty() &&
+         std::ranges::all_of(line.ends[depth_number], [&](const Point3& end) {
+           return is_end_on_plane(end, plane[0], plane[1], plane[2], touching);
+         });
+}
+
+ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
+                        std::span<const Hider> hiders) {
   std::array<std::vector<ExactPart>, 2> covered;
   for (const Hider& hider : hiders) {
-    const auto nearer = nearer_part(hider.depth, line);
-    if (!nearer) continue;
+    const auto nearer = nearer_part(hider.depth, line.depths[depth_number]);
+    if (!nearer || hider.has_in_its_plane(line, depth_number)) continue;
     for (std::size_t side = 0; side < covered.size(); ++side) {
       add_covered(hider.crossings[side], *nearer, covered[side]);
     }
@@ -71,19 +80,23 @@ ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders) {
 
 ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders) {
   ExactParts hidden{whole_line()};
-  for (const EndDepths& depth : line.depths) hidden = common(hidden, hidden_parts(depth, hiders));
+  for (std::size_t k = 0; k < line.depths.size(); ++k) {
+    hidden = common(hidden, hidden_parts(line, k, hiders));
+  }
   return rest(hidden);
 }
 
 bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t) {
-  const auto is_hidden_on = [&](const EndDepths& depth, std::size_t side) {
+  const auto is_hidden_on = [&](std::size_t k, std::size_t side) {
     return std::ranges::any_of(hiders, [&](const Hider& hider) {
-      return is_covered_after(hider.crossings[side], t) && is_nearer_after(hider.depth, depth, t);
+      return is_covered_after(hider.crossings[side], t) &&
+             is_nearer_after(hider.depth, line.depths[k], t) && !hider.has_in_its_plane(line, k);
     });
   };
-  return std::ranges::all_of(line.depths, [&](const EndDepths& depth) {
-    return is_hidden_on(depth, 0) && is_hidden_on(depth, 1);
-  });
+  for (std::size_t k = 0; k < line.depths.size(); ++k) {
+    if (!is_hidden_on(k, 0) || !is_hidden_on(k, 1)) return false;
+  }
+  return true;
 }
 
 // ---- Whole numbers -------------------------------------------------------------------------
@@ -99,19 +112,22 @@ LineHiders::LineHiders(const LineItems& items, int threads) : items_(items) {
   enter_cells();
 }
 
+std::optional<std::array<Point3, 3>> LineHiders::plane_points(std::uint32_t item) const {
+  const auto vertices = items_.points(item);
+  const auto support = support_of(vertices);
+  if (!support) return std::nullopt;
+  if (const auto* const shared = items_.shared_plane(item)) return *shared;
+  const auto [i, j, k] = *support;
+  return std::array<Point3, 3>{vertices[i], vertices[j], vertices[k]};
+}
+
 /// The plane through p, q and r, those of the plane that the polygon shares or its support
 /// vertices; nothing if it is edge-on, in doubles or exactly. With (a, b, c) the cross product of q
 /// - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
 std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
-  const auto vertices = items_.points(item);
-  const auto support = support_of(vertices);
-  if (!support) return std::nullopt;
-  const auto [i, j, k] = *support;
-  const auto of_plane = [&](std::size_t number, std::size_t vertex) {
-    const std::array<Point3, 3>* const shared = items_.shared_plane(item);
-    return point(shared != nullptr ? (*shared)[number] : vertices[vertex]);
-  };
-  const Point p = of_plane(0, i), q = of_plane(1, j), r = of_plane(2, k);
+  const auto points = plane_points(item);
+  if (!points) return std::nullopt;
+  const Point p = point((*points)[0]), q = point((*points)[1]), r = point((*points)[2]);
   const Integer ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
   const Integer vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
   DepthPlane plane{uy * vz - uz * vy, uz * vx - ux * vz, 0, ux * vy - uy * vx};
@@ -178,8 +194,10 @@ ExactLine LineHiders::line(const LineItems::Sharers& sharers) const {
   for (const LineId sharer : sharers) {
     EndDepths depth = depths(line, sharer);
     if (std::ranges::any_of(line.depths, [&](const auto& d) { return equal(d, depth); })) continue;
-    line.farthest = std::min(
-        {line.farthest, this->depth(depth.from, depth.under), this->depth(depth.to, depth.under)});
+    const double from = this->depth(depth.from, depth.under);
+    const double to = this->depth(depth.to, depth.under);
+    line.farthest = std::min({line.farthest, from, to});
+    line.ends.push_back({Point3(Point2(line.start), from), Point3(Point2(line.end), to)});
     line.depths.push_back(std::move(depth));
   }
   line.farthest = std::nextafter(line.farthest, -kInfinite);
@@ -224,6 +242,8 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
   const auto plane = this->plane(item);
   if (!plane) return std::nullopt;
   hider.depth = depths(line, *plane);
+  hider.plane = *plane_points(item);
+  hider.touching = items_.touching();
   return hider;
 }
 

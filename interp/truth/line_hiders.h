@@ -24,7 +24,10 @@ struct ExactLine {
   Integer x0, y0, x1, y1;  ///< the projection, times `scale`
   Integer scale = 1;       ///< so that the ends of intersections are whole too
   std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
-  double farthest;                ///< no depth anywhere on it is less
+  /// Its ends at each of these depths, rounded; none of an intersection, which lies in no other
+  /// plane.
+  std::vector<std::array<Point3, 2>> ends;
+  double farthest;  ///< no depth anywhere on it is less
 };
 
 /// What a polygon may hide of a line.
@@ -32,13 +35,20 @@ struct Hider {
   /// Where a point that runs along the line, close to its left or close to its right, crosses the
   /// polygon's sides; in any order, an even number each, also beyond the line's ends.
   std::array<std::vector<Fraction>, 2> crossings;
-  EndDepths depth;  ///< of its support plane at the line's ends
+  EndDepths depth;                ///< of its support plane at the line's ends
+  std::array<Point3, 3> plane{};  ///< three points of it
+  double touching = 0.0;          ///< as Primitives has it
+
+  /// True if the line lies in its plane, at that one of its depths, but for what viewing rounds:
+  /// then it does not hide the line.
+  bool has_in_its_plane(const ExactLine& line, std::size_t depth_number) const;
 };
 
 /// The part of the line where the polygon is strictly nearer; nothing if it has no length.
 std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& line);
-/// What the polygons hide of a line of that depth.
-ExactParts hidden_parts(const EndDepths& line, std::span<const Hider> hiders);
+/// What the polygons hide of a line at that one of its depths.
+ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
+                        std::span<const Hider> hiders);
 /// What is seen of a line: seen for one of its sharers.
 ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders);
 /// True if the line is hidden just after the place t on it; 0 <= t < 1.
@@ -83,6 +93,7 @@ class LineHiders {
   Point point(const Point3& p) const {
     return {scaled(p.x, places_), scaled(p.y, places_), scaled(p.z, depth_places_)};
   }
+  std::optional<std::array<Point3, 3>> plane_points(std::uint32_t item) const;
   std::optional<DepthPlane> plane(std::uint32_t item) const;
   double depth(const Integer& over, const Integer& under) const;
   double nearest(std::uint32_t item) const;

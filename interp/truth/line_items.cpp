@@ -60,6 +60,7 @@ LineItems::LineItems(const DisplayFile& display_file) {
 /// The items are those of a viewed scene. Which polygons touch has a judge of its own.
 void LineItems::take_planes(const DisplayFile& display_file) {
   const ViewedScene scene(display_file);
+  touching_ = scene.touching_of_ends();
   const auto points = scene.primitives().points;
   if (scene.planes().empty()) return;
   for (std::uint32_t item = 0; item < size(); ++item) {

@@ -43,6 +43,9 @@ class LineItems {
     return plane_of_.empty() || plane_of_[item] == kNoPlane ? nullptr : &planes_[plane_of_[item]];
   }
 
+  /// As Primitives has it.
+  double touching() const { return touching_; }
+
   /// True if there is such a line, drawn or not.
   bool contains(LineId line) const;
   const Point3& from(LineId line) const;
@@ -70,6 +73,7 @@ class LineItems {
   void take_planes(const DisplayFile& display_file);
   std::vector<Item> items_;
   std::vector<std::array<Point3, 3>> planes_;
+  double touching_ = 0.0;
   std::vector<std::uint32_t> plane_of_;  // of the items, in planes_; empty: none share one
   std::vector<Point3> points_;
   std::vector<std::uint8_t> drawn_;  // of the points: the line that ends there is drawn

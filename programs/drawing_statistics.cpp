@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "displayfile/characters.h"
@@ -45,6 +46,20 @@ std::string sort_counts(const DisplayFile& file, HiddenMethod method,
       counts.cuts, counts.comparisons, counts.depth);
 }
 
+/// How many of the polygons lie in planes that they share, as they were entered.
+std::string touching_counts(const DisplayFile& file) {
+  const ViewedScene scene(file);
+  std::size_t polygons = 0;
+  std::set<Primitives::PlanePoints> shared;
+  for (const Primitives::PlanePoints& plane : scene.planes()) {
+    if (plane[0] == Primitives::kOwnPlane) continue;
+    ++polygons;
+    shared.insert(plane);
+  }
+  return fmt::format("touching           {} polygons, in {} plane{}\n", polygons, shared.size(),
+                     shared.size() == 1 ? "" : "s");
+}
+
 /// The texts within the view volume, and which of them surfaces hide; nothing if there are none.
 std::string text_counts(const DisplayFile& file, HiddenMethod method) {
   if (!file.has_texts()) return "";
@@ -83,10 +98,11 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
       "polygons stored    {}\n"
       "lines stored       {}\n"
       "{}"
+      "{}"
       "display file       {} bytes ({:.1f} a polygon)\n"
       "picture            {} x {}, hidden surfaces by {}\n",
       file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
-      polygons, lines, text_counts(file, method), file.bytes(),
+      polygons, lines, touching_counts(file), text_counts(file, method), file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
       options.width, options.height, name_of(method));
   return text + sort_counts(file, method, drawn) + exact_stage_counts();

@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
+#include "displayfile/viewed_scene.h"
 #include "interp/interpreter.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
@@ -186,6 +188,7 @@ struct Collector final : OutputDevice {
 
 struct Count {
   std::size_t covered = 0, near_edge = 0, near_depth = 0, unexplained = 0;
+  std::size_t touching = 0;  ///< show a polygon that lies in one plane with another
   std::string first_unexplained;
 };
 
@@ -251,11 +254,17 @@ Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int w
   const Picture theirs = draw_with_osmesa(drawn_by_opengl, request);
   Collector scene(width, height);
   interpret(file, scene, Pass::fills);
+  const ViewedScene viewed(file);
+  std::set<std::int32_t> touching;
+  for (ViewedScene::Fill fill = 0; fill < viewed.end(); ++fill) {
+    if (viewed.shared_plane(viewed.item_of(fill)) != nullptr) touching.insert(viewed.pick(fill));
+  }
   Count count;
   for (int row = 0; row < height; ++row) {
     for (int i = 0; i < width; ++i) {
       const auto k = static_cast<std::size_t>(row * width + i);
       count.covered += ours.ids[k] >= 0;
+      count.touching += touching.contains(ours.ids[k]) ? 1 : 0;
       if (ours.ids[k] == theirs.ids[k]) continue;
       using enum OpenPixel::Answer;
       const OpenPixel pixel(scene, i + 0.5L, height - 1 - row + 0.5L);
@@ -275,7 +284,8 @@ Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int w
   return count;
 }
 
-/// near_depth is the share of the covered pixels that may differ for nearness in depth.
+/// near_depth is the share of the covered pixels that may differ for nearness in depth, besides
+/// those where OpenGL sees what rounding makes of polygons in one plane.
 void expect_agreement(const std::string& name, const DisplayFile& file, double near_depth = 0.01) {
   SCOPED_TRACE(name);
   for (const auto& [width, height] : {std::pair{512, 512}, {333, 251}}) {
@@ -287,7 +297,8 @@ void expect_agreement(const std::string& name, const DisplayFile& file, double n
     EXPECT_EQ(count.unexplained, 0u) << count.first_unexplained;
     EXPECT_LE(count.near_edge, 8 + count.covered / 100);
     EXPECT_LE(static_cast<double>(count.near_depth),
-              8 + near_depth * static_cast<double>(count.covered));
+              8 + near_depth * static_cast<double>(count.covered) +
+                  static_cast<double>(count.touching));
   }
 }
 

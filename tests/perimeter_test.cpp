@@ -71,6 +71,8 @@ DisplayFile surface_seen(const Camera& camera, int nx, int ny, const std::vector
   GraphicsSystem g;
   look(g, camera);
   if (mirrored) g.scale_3(-1, 1, 1);
+  // The perimeter is compared in the picture alone: it does not know in which planes curves lie.
+  g.set_touching({Touching::Kind::off});
   g.set_surface_curves(curves);
   g.open_segment(1);
   g.surface_3({-1, 1, nx, -1, 1, ny, heights});

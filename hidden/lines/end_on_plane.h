@@ -23,13 +23,15 @@ inline double depth_in_doubles(const Plane& plane, const Point2& at) {
 /// large far away from them.
 inline bool is_end_on_plane(const Point3& v, const Point3& p, const Point3& q, const Point3& r,
                             double off) {
+  constexpr double kLargestShares = 0x1p20;  // of points so far away nothing can be told
   const Point3 normal = glm::cross(q - p, r - p);
   const auto area = [](const Point3& a, const Point3& b, const Point3& c) {
     return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   };
   const double shares = (area(v, q, r) + area(p, v, r) + area(p, q, v)) / std::abs(normal.z);
   const double per_coordinate = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  return std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * per_coordinate;
+  return shares <= kLargestShares &&
+         std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * per_coordinate;
 }
 
 /// True if both ends of a line, at the line's depths, are on the plane but for what viewing rounds:
@@ -41,12 +43,6 @@ inline bool lies_in_plane(const DepthLine& line, const Plane& plane, double off)
     return is_end_on_plane(end, plane.p, plane.q, plane.r, off);
   };
   return is_on_plane(line.a) && is_on_plane(line.b);
-}
-
-/// True if the line, at its own ends' depth, meets the side from p to q that it crosses in the
-/// projection, but for what viewing rounds.
-inline bool meets_side(const DepthLine& line, const Point3& p, const Point3& q, double off) {
-  return off > 0.0 && is_end_on_plane(p, line.a, line.b, line.a + (q - p), 2.0 * off);
 }
 
 }  // namespace displayfile

@@ -85,7 +85,7 @@ class LineCounts {
     const Plane plane = scene_.plane(polygon);
     const int nearer = policy_.nearer(line_, line_.a, plane);
     const bool is_nearer = nearer != 0 ? nearer > 0 : policy_.nearer(line_, line_.b, plane) > 0;
-    return is_nearer && !lies_in(plane) ? covered : SideCounts{};
+    return is_nearer ? covered : SideCounts{};
   }
 
   /// The same as after_start of a polygon that has a corner where the line starts.
@@ -95,7 +95,7 @@ class LineCounts {
     const Plane plane = scene_.plane(polygon);
     const int at_a = contours_.is_even(polygon) ? 0 : policy_.nearer(line_, line_.a, plane);
     const int nearer = at_a != 0 ? at_a : policy_.nearer(line_, line_.b, plane);
-    return nearer > 0 && !lies_in(plane) ? covered : SideCounts{};
+    return nearer > 0 ? covered : SideCounts{};
   }
 
   /// Whether the polygon may cover anything immediately beside the line: not if all its corners are
@@ -118,6 +118,13 @@ class LineCounts {
     const Plane plane = scene_.plane(polygon);
     const int at_a = policy_.nearer(line_, line_.a, plane);
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
+  }
+
+  /// Whether the line lies in the polygon's plane but for what viewing rounds. What is counted of
+  /// the polygon is then wrong.
+  bool lies_in(std::uint32_t polygon) const {
+    return scene_.touching() > 0.0 &&
+           lies_in_plane(line_, scene_.plane(polygon), scene_.touching());
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the
@@ -144,9 +151,8 @@ class LineCounts {
     const Plane plane = scene_.plane(polygon);
     const int at_a = policy_.nearer(line_, line_.a, plane);
     const int at_b = policy_.nearer(line_, line_.b, plane);
-    const bool is_in_plane = lies_in(plane);
-    if (is_in_plane || (at_a != 0 ? at_a : at_b) <= 0) start = {};
-    if (is_in_plane || (at_b != 0 ? at_b : at_a) <= 0) end = {};
+    if ((at_a != 0 ? at_a : at_b) <= 0) start = {};
+    if ((at_b != 0 ? at_b : at_a) <= 0) end = {};
     if (start != SideCounts{}) changes.push_back({0.0, SideCounts{} - start});
     compare(polygon, depths, changes);
     return end - start - passed;
@@ -182,8 +188,6 @@ class LineCounts {
     bool on_left, on_right;
     bool turned;  // the side itself runs from right to left
   };
-
-  bool lies_in(const Plane& plane) const { return lies_in_plane(line_, plane, scene_.touching()); }
 
   int turn(const Point3& p) const {
     return policy_.turn(Point2(line_.a), Point2(line_.b), Point2(p));
@@ -235,7 +239,6 @@ class LineCounts {
 
   bool passes_behind(const Crossing& at, std::int32_t more_on_left, CountChange& change) const {
     if (policy_.passes_over(line_, *at.from, *at.to) <= 0) return false;
-    if (meets_side(line_, *at.from, *at.to, scene_.touching())) return false;
     change.at = at.at_p == 0   ? policy_.at_point(line_, at.p)
                 : at.at_q == 0 ? policy_.at_point(line_, at.q)
                                : policy_.crossing(line_, at.p, at.q);

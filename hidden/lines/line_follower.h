@@ -101,10 +101,7 @@ class LineFollower {
     const DepthLine at{v, v, nullptr};
     return !scene_.any_counted(box, [&](std::uint32_t polygon) {
       if (has_corner(polygon, v)) return false;
-      const auto is_as_near = [&] {
-        const Plane plane = lines_.plane(polygon);
-        return policy_.nearer(at, v, plane) == 0 || lies_in_plane(at, plane, lines_.touching());
-      };
+      const auto is_as_near = [&] { return policy_.nearer(at, v, lines_.plane(polygon)) == 0; };
       const bool even = scene_.contours.is_even(polygon);
       if (even && !is_as_near()) return false;
       const Place place = place_in(polygon, Point2(v));
@@ -227,7 +224,8 @@ class LineFollower {
   }
 
   /// Finds the polygons that are near the line from a to b in space, which are in the box, and
-  /// reach over it: those that may not be nearer all along its own ends' depth, or farther; if it
+  /// reach over it: those that may not be nearer all along its own ends' depth, or farther, or in
+  /// whose plane it lies; if it
   /// has other depths, all; and those that have it as a side and may have another depth.
   void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
     near_.clear();
@@ -236,8 +234,9 @@ class LineFollower {
     scene_.any_counted(box, [&](std::uint32_t polygon) {
       // At a corner they have one depth, if it is on the polygon's plane.
       const bool even = scene_.contours.is_even(polygon);
-      const bool doubtful = !even || (!has_corner(polygon, a) && !has_corner(polygon, b) &&
-                                      counts_.passes_through_plane(polygon));
+      const bool doubtful = !even || counts_.lies_in(polygon) ||
+                            (!has_corner(polygon, a) && !has_corner(polygon, b) &&
+                             counts_.passes_through_plane(polygon));
       if (!doubtful && !has_other_depths) return false;
       if (counts_.is_side_of(polygon)) {
         sharers_.push_back(polygon);

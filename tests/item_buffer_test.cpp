@@ -296,9 +296,9 @@ void expect_agreement(const std::string& name, const DisplayFile& file, double n
         name, width, height, count.covered, count.near_edge, count.near_depth, count.unexplained);
     EXPECT_EQ(count.unexplained, 0u) << count.first_unexplained;
     EXPECT_LE(count.near_edge, 8 + count.covered / 100);
-    EXPECT_LE(static_cast<double>(count.near_depth),
-              8 + near_depth * static_cast<double>(count.covered) +
-                  static_cast<double>(count.touching));
+    EXPECT_LE(
+        static_cast<double>(count.near_depth),
+        8 + near_depth * static_cast<double>(count.covered) + static_cast<double>(count.touching));
   }
 }
 

@@ -237,13 +237,13 @@ void TouchingPlanes::Search::find_keys() {
   wide_.reserve(own_.size());
   known_.reserve(own_.size());
   double largest_radius = 0.0;
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
+  for (const OwnPlane& own : own_) {
     steps_.step();
-    Estimate of = estimate(own_[k]);
+    Estimate of = estimate(own);
     const double tilt = of.tilt;
     if (!(of.radius <= std::max(close_radius_, kGood))) {
-      const EnteredPlane plane(own_[k].corners, result_.modellings_[own_[k].modelling]);
-      const Estimate close = estimate_closely(plane, own_[k]);
+      const EnteredPlane plane(own.corners, result_.modellings_[own.modelling]);
+      const Estimate close = estimate_closely(plane, own);
       if (close.radius < of.radius) of = close;
     }
     keys_.push_back(keys_of(of.plane));

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -217,9 +218,9 @@ Scene flush_boxes(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene = seen_from_outside(random, severity, 1.8);
   // Four planes along each axis: faces lie in each other's, inside and outside.
-  std::vector<Point3> planes;
+  std::array<Point3, 4> planes;
   for (int k = 0; k < 4; ++k) {
-    planes.push_back(decimals(random, -1.0 + 0.5 * k, -0.6 + 0.5 * k));
+    planes[static_cast<std::size_t>(k)] = decimals(random, -1.0 + 0.5 * k, -0.6 + 0.5 * k);
   }
   for (std::size_t i = 0; i < n; ++i) {
     Point3 low, high;

@@ -41,10 +41,13 @@ class RandomApplication {
  private:
   std::uint64_t below(std::uint64_t n) { return random_() % n; }
   bool chance(std::uint64_t percent) { return below(100) < percent; }
-  /// The same in every rounding mode, as are all numbers here.
+  // The numbers are the same in every rounding mode. What is volatile is computed while the mode is
+  // set: no compiler moves it.
   double uniform(double low, double high) {
     const RoundToNearest nearest;
-    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
+    const volatile double part = static_cast<double>(random_() >> 11) * 0x1p-53;
+    const volatile double result = low + (high - low) * part;
+    return result;
   }
   double coordinate() {
     constexpr std::array kOdd{0.0,       -0.0,   1.0,     -1.0,
@@ -53,15 +56,19 @@ class RandomApplication {
                               1e22,      -1e16,  2e100,   std::numeric_limits<double>::quiet_NaN()};
     return chance(4) ? kOdd[below(kOdd.size())] : uniform(-1.5, 1.5);
   }
-  template <class Value>
-  static Value tenth_of(const Value& value) {
-    const RoundToNearest nearest;
-    return 0.1 * value;
-  }
   static double sum(double a, double b) {
     const RoundToNearest nearest;
-    return a + b;
+    const volatile double first = a;
+    const volatile double result = first + b;
+    return result;
   }
+  static double tenth_of(double value) {
+    const RoundToNearest nearest;
+    const volatile double tenth = 0.1;
+    const volatile double result = tenth * value;
+    return result;
+  }
+  static Point3 tenth_of(const Point3& p) { return {tenth_of(p.x), tenth_of(p.y), tenth_of(p.z)}; }
   Point2 point_2() { return {coordinate(), coordinate()}; }
   Point3 point_3() { return {coordinate(), coordinate(), coordinate()}; }
   template <class Point>
@@ -80,8 +87,7 @@ class RandomApplication {
   }
   int name() { return static_cast<int>(below(6)); }
   double angle() {
-    const RoundToNearest nearest;
-    return chance(30) ? 90.0 * static_cast<double>(below(9)) - 360.0 : uniform(-400, 400);
+    return chance(30) ? 90.0 * (static_cast<int>(below(9)) - 4) : uniform(-400, 400);
   }
   Colour colour() {
     return {uniform(0, 1), chance(2) ? 1.5 : uniform(0, 1), static_cast<double>(below(2))};

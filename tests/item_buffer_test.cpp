@@ -256,7 +256,7 @@ Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int w
   interpret(file, scene, Pass::fills);
   const ViewedScene viewed(file);
   std::set<std::int32_t> touching;
-  for (ViewedScene::Fill fill = 0; fill < viewed.end(); ++fill) {
+  for (ViewedScene::Fill fill = ViewedScene::kBackground + 1; fill < viewed.end(); ++fill) {
     if (viewed.shared_plane(viewed.item_of(fill)) != nullptr) touching.insert(viewed.pick(fill));
   }
   Count count;

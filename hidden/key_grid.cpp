@@ -8,7 +8,7 @@ namespace displayfile {
 
 namespace {
 
-/// Of the power of two above it: the side of cubes.
+/// The exponent of the power of two above it, which is the side of cubes.
 int logarithm_for(double tolerance) {
   int exponent = 0;
   std::frexp(tolerance, &exponent);

@@ -38,8 +38,8 @@ std::vector<std::int32_t> ids_of(const GraphicsSystem& g) {
   return draw(g, options).ids;
 }
 
-/// Of the visible lines, in units of the picture; of those of one colour alone, if it is given, and
-/// not those of polygon 0 unless they are.
+/// The length of the visible lines, in units of the picture; of those of one colour alone, if it is
+/// given, and not those of polygon 0 unless they are.
 double length_of(const GraphicsSystem& g, HiddenMethod method,
                  const std::optional<Colour>& colour = std::nullopt) {
   SortedDisplayFile sorted;

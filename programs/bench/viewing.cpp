@@ -32,7 +32,7 @@ View turned_view() {
   return view;
 }
 
-/// Of what touches, the truth that knows it.
+/// The truth of what touches is the one that starts from what was entered.
 Picture truth_before_viewing(const BenchScene& scene, const RetainedScene& retained,
                              const DisplayFile& file) {
   const bool touches = scene.kind == BenchScene::Kind::hard_case &&

@@ -42,7 +42,7 @@ View looking(const Point3& into) {
   return view;
 }
 
-/// Of a ball, from anywhere outside of it. Every other parallel view is oblique.
+/// A view of a ball, from anywhere outside of it. Every other parallel view is oblique.
 View view_from_outside(Random& random, bool perspective, const Point3& middle, double radius) {
   const Point3 into = random_direction(random);
   View view = looking(into);
@@ -103,7 +103,7 @@ double random_height(Random& random) {
   return random.below(3) == 0 ? -1.0 : decimal(random, -1.0, 0.0);
 }
 
-/// Of three to six corners in decimals, in a level plane.
+/// A polygon of three to six corners in decimals, in a level plane.
 Polygon random_rug(Random& random, const Point2& centre, double radius, double height) {
   Polygon rug;
   const std::size_t corners = 3 + random.below(4);

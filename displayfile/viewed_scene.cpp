@@ -146,6 +146,7 @@ double ViewedScene::longest_of(const ImageTransformation& image) {
 double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double reach,
                               double largest_depth) {
   constexpr double kU = 0x1p-53;
+  constexpr double kCoarsest = 0x1p-10;  // beyond it, or without a bound, nothing can be told
   const double off = reach + 4.0 * kU * in_world;  // in the world, each coordinate
   const auto row = [&](int k) {
     return std::abs(view[0][k]) + std::abs(view[1][k]) + std::abs(view[2][k]);
@@ -163,7 +164,8 @@ double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double re
     least_w = 0.5 * std::abs(b) / (largest_depth + std::abs(a));
   }
   const double of_row = std::max({error(0), error(1), error(2)});
-  return 2.0 * (of_row + error(3) * (1.0 + largest_depth)) / least_w + 8.0 * kU;
+  const double radius = 2.0 * (of_row + error(3) * (1.0 + largest_depth)) / least_w + 8.0 * kU;
+  return radius <= kCoarsest ? radius : 0.0;
 }
 
 namespace {

@@ -149,6 +149,26 @@ TEST(TouchingLines, LinesInAFaceAreWhole) {
   }
 }
 
+/// What was entered far away makes no line that is well behind a wall one that lies in it.
+TEST(TouchingLines, WellBehindAreHiddenWhateverIsFarAway) {
+  for (const double far : {0.0, 1e9, 1e60}) {
+    GraphicsSystem g;
+    g.set_window(0, 1, 0, 1);
+    g.set_view_depth(-1, 0);
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    g.polygon_abs_3({{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}});
+    g.polygon_abs_3({{far, 2, 0.5}, {far, 3, 0.5}, {far + 1, 3, 0.5}});
+    g.set_line_style({LineStyle::Kind::solid});
+    g.move_abs_3(0.25, 0.25, 0.375);
+    g.line_abs_3(0.75, 0.25, 0.375);
+    g.close_segment();
+    for (const HiddenMethod method : kMethodsOfLines) {
+      EXPECT_EQ(length_of(g, method), 0.0) << name_of(method) << ", " << far;
+    }
+  }
+}
+
 /// Where nothing touches, a line behind a face by as little is hidden.
 TEST(TouchingLines, AreComparedAsViewedWhereNothingTouches) {
   for (const bool touches : {true, false}) {

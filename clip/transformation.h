@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <glm/mat4x3.hpp>
 #include <vector>
@@ -77,7 +78,8 @@ struct ImageTransformation {
   Point2 centre{0.0, 0.0};
 
   bool is_identity() const {
-    return scale == Point2(1.0, 1.0) && rotation == 0.0 && translation == Point2(0.0, 0.0);
+    return scale == Point2(1.0, 1.0) && std::remainder(rotation, 360.0) == 0.0 &&
+           translation == Point2(0.0, 0.0);
   }
   bool operator==(const ImageTransformation&) const = default;
 };
@@ -86,6 +88,7 @@ struct ImageTransformation {
 class ImageMatrix {
  public:
   explicit ImageMatrix(const ImageTransformation& t);
+  bool operator==(const ImageMatrix&) const = default;
   Point3 apply(const Point3& p) const {
     return {xx_ * p.x + xy_ * p.y + tx_, yx_ * p.x + yy_ * p.y + ty_, p.z};
   }

@@ -3,12 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <span>
 #include <vector>
 
 #include "clip/point_row.h"
-#include "clip/rectangle.h"
+#include "clip/view_volume.h"
 #include "hidden/touching.h"
 
 namespace displayfile {
@@ -20,18 +19,16 @@ class EnteredPolygons {
  public:
   using Matrix = glm::dmat4x3;  ///< x' = column 0 x + column 1 y + column 2 z + column 3
 
-  /// How a segment is viewed. In the picture polygons lie in one plane only if they are viewed
-  /// alike.
-  struct Viewed {
-    glm::dmat4 matrix;  ///< ViewVolume::matrix
-    Rectangle viewport;
-    bool operator==(const Viewed&) const = default;
-  };
+  EnteredPolygons(const Touching& touching, const ViewVolume& volume)
+      : touching_(touching), volume_(volume) {}
 
-  EnteredPolygons(const Touching& touching, const Viewed& viewed)
-      : touching_(touching), viewed_(viewed) {}
-
-  const Viewed& viewed() const { return viewed_; }
+  /// How the segment is viewed.
+  const ViewVolume& volume() const { return volume_; }
+  /// In the picture polygons lie in one plane only if they are viewed alike.
+  bool is_viewed_like(const EnteredPolygons& other) const {
+    return volume_.matrix() == other.volume_.matrix() &&
+           volume_.viewport() == other.volume_.viewport();
+  }
 
   /// Within which distance they touch others.
   const Touching& touching() const { return touching_; }
@@ -75,7 +72,7 @@ class EnteredPolygons {
   void begin_run(const Matrix& matrix);
 
   Touching touching_;
-  Viewed viewed_;
+  ViewVolume volume_;
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
   std::vector<std::uint32_t> first_;    // corner of each polygon

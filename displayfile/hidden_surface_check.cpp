@@ -34,6 +34,7 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
   const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
                           pieces.depth};
+  const double moved = viewed.boundary_error();
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
   return std::make_shared<SortedScene>(SortedScene{{std::move(ordered)},
@@ -43,7 +44,8 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                    counts,
                                                    options.hidden_lines,
                                                    options.intersections,
-                                                   options.shadows});
+                                                   options.shadows,
+                                                   moved});
 }
 
 /// What `sort` returns, which has every point in its tables at least.

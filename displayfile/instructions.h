@@ -72,8 +72,8 @@ class Instructions {
 
   /// Keeps the polygons that follow as the application entered them, beside their instructions:
   /// each enter_polygon is followed by one call of what this returns.
-  EnteredPolygons& keep_entered(const Touching& touching, const EnteredPolygons::Viewed& viewed) {
-    return as_entered_.emplace(touching, viewed);
+  EnteredPolygons& keep_entered(const Touching& touching, const ViewVolume& volume) {
+    return as_entered_.emplace(touching, volume);
   }
   EnteredPolygons* keeping_entered() { return as_entered_ ? &*as_entered_ : nullptr; }
   /// The polygons as they were entered; null if they are not kept, of each one.

@@ -67,7 +67,8 @@ class RetainedViews::Part {
     sorted->hidden_lines = lines_.hidden_lines;
     sorted->intersections = lines_.intersections;
     sorted->counts = counts();
-    sorted->boundary_error = boundary_error(ViewRounding(view, volume), *scene);
+    sorted->boundary_error =
+        boundary_error(ViewRounding(view, volume), *scene) + scene->boundary_error();
     SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
     append_lines(*scene, lines_, order);
     sorted->parts.push_back(
@@ -238,7 +239,7 @@ void RetainedViews::take() {
   } else if (!visible.segments().empty()) {
     const RetainedScene::Segment& first = visible.segments().front();
     for (const RetainedScene::Segment& segment : visible.segments()) {
-      if (image_of(segment) == image_of(first)) continue;
+      if (ImageMatrix(image_of(segment)) == ImageMatrix(image_of(first))) continue;
       throw Error(fmt::format(
           "segments {} and {} have different image transformations, which act after viewing: "
           "expected each segment to be sorted on its own",

@@ -44,9 +44,10 @@ bool is_solid(const Attributes& attributes) {
 
 }  // namespace
 
-struct SceneViewer::Touching {
-  std::shared_ptr<const PolygonsAsEntered> polygons;
+struct SceneViewer::Entered {
+  std::shared_ptr<const PolygonsAsEntered> polygons;  // null: not taken yet
   double reach = 0.0, in_world = 0.0;
+  bool may_touch = false;
   std::shared_ptr<const TouchingPlanes> planes;  // null: not found yet
 };
 
@@ -363,7 +364,8 @@ SceneViewer::SceneViewer(const RetainedScene& scene, const DisplayFile& attribut
 bool SceneViewer::bring_up_to_date() {
   if (scene_ != &taken_.scene()) {
     viewed_.planes_.reset();
-    if (touching_ != nullptr) touching_->polygons.reset();
+    viewed_.as_entered_.reset();
+    if (entered_ != nullptr) entered_->polygons.reset();
   }
   scene_ = &taken_.scene();
   attributes_ = &taken_.attributes();
@@ -390,11 +392,11 @@ void SceneViewer::take_up_scene() {
   blocks_.clear();
   parts_.clear();
   shows_shadows_ = shows_lines_ = is_lit_ = false;
-  const bool may_touch =
+  entered_ = std::make_shared<Entered>();
+  entered_->may_touch =
       std::ranges::any_of(scene.segments(), [](const RetainedScene::Segment& segment) {
-        return segment.touching.kind != displayfile::Touching::Kind::off;
+        return segment.touching.kind != Touching::Kind::off;
       });
-  touching_ = may_touch ? std::make_shared<Touching>() : nullptr;
   corners_ = all.all_corners();
   selects_lines_ = scene.selects_lines();
   all_edges_drawn_ = !selects_lines_ && std::ranges::find(all.visible, 0) == all.visible.end();
@@ -510,6 +512,7 @@ const ViewedScene& SceneViewer::view(const Wanted& wanted) {
     });
   }
   view_texts(volume);
+  find_entered(volume);
   find_radius(volume);
   last_ = wanted;
   return viewed_;
@@ -533,28 +536,30 @@ void SceneViewer::find_primitives(const RetainedScene& scene, const ViewedScene&
   }
 }
 
+void SceneViewer::take_what_was_entered() {
+  if (entered_->polygons != nullptr) return;
+  auto polygons = std::make_shared<PolygonsAsEntered>();
+  polygons->add(*scene_);
+  entered_->reach = polygons->reach() * scene_->longest_column();
+  entered_->in_world = scene_->largest_in_world();
+  entered_->polygons = std::move(polygons);
+}
+
 void SceneViewer::begin_planes() {
-  if (touching_ == nullptr) return viewed_.planes_.reset();
   if (viewed_.planes_ != nullptr) return viewed_.planes_->are_found.store(false);
-  if (touching_->polygons == nullptr) {
-    auto polygons = std::make_shared<PolygonsAsEntered>();
-    polygons->add(*scene_);
-    touching_->reach = polygons->reach() * scene_->longest_column();
-    touching_->in_world = scene_->largest_in_world();
-    touching_->polygons = std::move(polygons);
-  }
+  take_what_was_entered();
   viewed_.planes_ = std::make_shared<ViewedScene::Planes>();
-  viewed_.planes_->reach = touching_->reach;
-  viewed_.planes_->find_touching = [touching = touching_] {
-    if (touching->planes == nullptr) {
-      TouchingPlanes planes = touching->polygons->planes();
+  viewed_.planes_->reach = entered_->reach;
+  viewed_.planes_->find_touching = [entered = entered_] {
+    if (entered->planes == nullptr) {
+      TouchingPlanes planes = entered->polygons->planes();
       planes.keep_members_alone();
-      touching->planes = std::make_shared<const TouchingPlanes>(std::move(planes));
+      entered->planes = std::make_shared<const TouchingPlanes>(std::move(planes));
     }
-    return touching->planes;
+    return entered->planes;
   };
-  viewed_.planes_->polygon_of = [touching = touching_](std::uint32_t number) {
-    return touching->polygons->polygon(number);
+  viewed_.planes_->polygon_of = [entered = entered_](std::uint32_t number) {
+    return entered->polygons->polygon(number);
   };
   viewed_.planes_->polygon_of_item = [scene = scene_, corners = corners_](std::uint32_t first) {
     return first < corners ? scene->primitive_of_corner(first) : ViewedScene::kNotEntered;
@@ -566,20 +571,45 @@ void SceneViewer::begin_planes() {
   };
 }
 
+void SceneViewer::find_entered(const ViewVolume& volume) {
+  take_what_was_entered();
+  if (viewed_.as_entered_ == nullptr) {
+    viewed_.as_entered_ = std::make_shared<ViewedScene::AsEntered>();
+    viewed_.as_entered_->polygon_of = [entered = entered_](std::uint32_t number) {
+      return entered->polygons->polygon(number);
+    };
+    viewed_.as_entered_->polygons_of_items = [scene = scene_, corners = corners_](
+                                                 const ViewedScene& viewed,
+                                                 std::vector<std::uint32_t>& primitives) {
+      find_primitives(*scene, viewed, corners, primitives);
+    };
+  }
+  ViewedScene::AsEntered& all = *viewed_.as_entered_;
+  all.own_volume = volume;
+  all.polygons.clear();
+  all.images.clear();
+  double longest = 1.0;
+  for (const SegmentNow& segment : segments_) {
+    all.images.push_back(&segment.image);
+    if (segment.visible) longest = std::max(longest, ViewedScene::longest_of(segment.image));
+  }
+  all.radius = longest * ViewedScene::radius_in(volume.matrix(), entered_->in_world, 0.0,
+                                                viewed_.largest_depth());
+}
+
 /// Where the planes were found for another view already, they are had for little.
 void SceneViewer::find_radius(const ViewVolume& volume) {
-  if (touching_ == nullptr) return;
   if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved
-  const double radius = ViewedScene::radius_in(volume.matrix(), touching_->in_world,
-                                               touching_->reach, viewed_.largest_depth());
-  viewed_.planes_->radius_of_ends = radius;
+  const double radius = ViewedScene::radius_in(volume.matrix(), entered_->in_world, entered_->reach,
+                                               viewed_.largest_depth());
+  viewed_.planes_->radius_of_ends = entered_->may_touch ? radius : 0.0;
   for (const SegmentNow& segment : segments_) {
-    if (!segment.visible) continue;
+    if (!segment.visible || !entered_->may_touch) continue;
     viewed_.planes_->radius_of_ends =
         std::max(viewed_.planes_->radius_of_ends, radius * ViewedScene::longest_of(segment.image));
   }
-  const bool looks_for_them = touching_->planes == nullptr && !has_images();
-  viewed_.planes_->radius = looks_for_them ? ViewedScene::small_radius(radius) : 0.0;
+  const bool looks_for_them = entered_->planes == nullptr && !has_images();
+  viewed_.set_radius(*viewed_.planes_, radius, looks_for_them);
   if (viewed_.planes_->radius == 0.0) viewed_.planes();  // while the scene is where it is
 }
 
@@ -630,7 +660,7 @@ void SceneViewer::take_parts(Take&& take) {
     if (!segments_[segment].visible) continue;
     viewed_.segments_.push_back({scene_->segments()[segment].name, viewed_.items()});
     const auto same_image = std::ranges::find_if(segments_, [&](const SegmentNow& other) {
-      return other.visible && other.image == segments_[segment].image;
+      return other.visible && ImageMatrix(other.image) == ImageMatrix(segments_[segment].image);
     });
     viewed_.looks_.push_back(
         {viewed_.items(), static_cast<std::uint32_t>(same_image - segments_.begin())});

@@ -87,7 +87,9 @@ class SceneViewer {
     ImageTransformation image = {};
   };
   void take_up_scene();
+  void take_what_was_entered();
   void begin_planes();
+  void find_entered(const ViewVolume& volume);
   void find_radius(const ViewVolume& volume);
   static void find_primitives(const RetainedScene& scene, const ViewedScene& viewed,
                               std::size_t corners, std::vector<std::uint32_t>& primitives);
@@ -103,9 +105,9 @@ class SceneViewer {
   const RetainedScene* scene_ = nullptr;  // in the view at hand, as the next
   const DisplayFile* attributes_ = nullptr;
   std::uint64_t palette_ = 0;  // of all its viewed scenes
-  /// Which of the scene's polygons touch, found once for all views; null: none do.
-  struct Touching;
-  std::shared_ptr<Touching> touching_;
+  /// The scene's polygons as they were entered, and which of them touch, found once for all views.
+  struct Entered;
+  std::shared_ptr<Entered> entered_;
   std::vector<Point3> welded_;      // points, if the application shared none
   std::span<const Point3> points_;  // in world coordinates
   std::size_t corners_ = 0;         // of the retained scene

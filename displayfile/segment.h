@@ -69,8 +69,8 @@ class Segment {
   }
   /// Keeps the polygons entered from here on as the application entered them, too
   /// (displayfile/entered_polygons.h). Nothing was entered yet.
-  void keep_entered(const Touching& touching, const EnteredPolygons::Viewed& viewed) {
-    writable().keep_entered(touching, viewed);
+  void keep_entered(const Touching& touching, const ViewVolume& volume) {
+    writable().keep_entered(touching, volume);
   }
   /// What is to be called after each polygon that is entered; null if they are not kept.
   EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }

@@ -54,7 +54,8 @@ struct SortedScene {
   bool intersections = false;                    ///< SortOptions::intersections
   bool shadows = false;                          ///< SortOptions::shadows
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
-  /// a cut's own coordinates: where the cuts were made before viewing. Device coordinates.
+  /// a cut's own coordinates: by viewing, and where the cuts were made before it. Device
+  /// coordinates.
   double boundary_error = 0.0;
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to

@@ -109,7 +109,8 @@ struct ViewedScene::Collector {
   }
 };
 
-/// The largest of all sources. That of planes is 0 if it is not small.
+/// The largest of all sources; of ends, of those in which something may touch. That of planes is 0
+/// if it is not small.
 void ViewedScene::find_radius(Planes& planes) const {
   bool has_images = false;
   for (const Source& source : sources_) {
@@ -121,12 +122,18 @@ void ViewedScene::find_radius(Planes& planes) const {
   }
   for (const Source& source : sources_) {
     const EnteredPolygons* const kept = source.instructions->as_entered();
-    if (kept == nullptr) continue;
+    if (kept == nullptr || kept->touching().kind == Touching::Kind::off) continue;
     const double radius =
-        radius_in(kept->viewed().matrix, kept->largest_in_world(), planes.reach, largest_depth_);
+        radius_in(kept->volume().matrix(), kept->largest_in_world(), planes.reach, largest_depth_);
     planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
   }
-  planes.radius = has_images ? 0.0 : small_radius(planes.radius_of_ends);
+  set_radius(planes, planes.reach > 0.0 ? planes.radius_of_ends : as_entered_->radius, !has_images);
+}
+
+void ViewedScene::set_radius(Planes& planes, double of_planes, bool are_looked_for) const {
+  constexpr double kLittle = 0x1p-40;
+  planes.are_close = planes.reach == 0.0 || (of_planes > 0.0 && of_planes <= kLittle);
+  planes.radius = are_looked_for ? small_radius(of_planes) : 0.0;
 }
 
 /// Where the radius is larger, all planes are looked for at once.
@@ -234,6 +241,8 @@ std::span<const Primitives::PlanePoints> ViewedScene::planes() const {
 
 void ViewedScene::find_planes(Planes& found) const {
   found.of_items.clear();
+  found.founders.clear();
+  found.elsewhere.clear();
   const std::shared_ptr<const TouchingPlanes> touching = found.find_touching();
   if (touching->touching() == 0) return;
   if (found.polygons_of_items) {
@@ -258,6 +267,13 @@ void ViewedScene::find_planes(Planes& found) const {
       if (support_vertices({vertices.data(), vertices.size()}).edge_on) continue;
       found.in_plane.push_back(found.item_of[polygon]);
     }
+    if (found.in_plane.empty()) continue;
+    found.founders.resize(items(), kNotEntered);
+    found.elsewhere.resize(items(), 0);
+    for (const Item item : found.in_plane) {
+      found.founders[item] = members.front();
+      found.elsewhere[item] = found.polygons[item] == members.front() ? 0 : 1;
+    }
     if (looks_.size() > 1) std::ranges::stable_sort(found.in_plane, {}, look);
     const std::uint32_t founder =
         members.front() < found.item_of.size() ? found.item_of[members.front()] : kNone;
@@ -266,7 +282,7 @@ void ViewedScene::find_planes(Planes& found) const {
              look(found.in_plane[end]) == look(found.in_plane[first])) {
         ++end;
       }
-      share_plane(std::span(found.in_plane).subspan(first, end - first), founder, found.of_items);
+      share_plane(std::span(found.in_plane).subspan(first, end - first), founder, found);
     }
   }
 }
@@ -287,7 +303,7 @@ bool is_nearly_edge_on(const Plane& plane) {
 /// entered stands for it; or else, if that is not in the scene or little of it, from which the
 /// plane would be known badly elsewhere, the one that is seen largest.
 void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
-                              std::vector<Primitives::PlanePoints>& of_items) const {
+                              Planes& found) const {
   if (in_plane.size() < 2) return;
   const auto area = [&](Item item) {
     constexpr double kOfFounder = 16.0;
@@ -299,8 +315,11 @@ void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint
   Primitives::PlanePoints plane;
   for (std::size_t k = 0; k < 3; ++k) plane[k] = point_number(items_[largest].first + index[k]);
   if (is_nearly_edge_on({points_[plane[0]], points_[plane[1]], points_[plane[2]]})) return;
-  if (of_items.empty()) of_items.resize(items(), {Primitives::kOwnPlane, 0, 0});
-  for (const Item item : in_plane) of_items[item] = plane;
+  if (found.of_items.empty()) found.of_items.resize(items(), {Primitives::kOwnPlane, 0, 0});
+  for (const Item item : in_plane) {
+    found.of_items[item] = plane;
+    if (largest == founder) found.elsewhere[item] = 0;
+  }
 }
 
 std::uint32_t ViewedScene::look_of(Item item) const {
@@ -531,7 +550,9 @@ std::uint32_t ViewedScene::look_of_source(const EnteredPolygons& kept,
   std::uint32_t number = 0;
   for (const Source& source : sources_) {
     const EnteredPolygons* const other = source.instructions->as_entered();
-    if (other != nullptr && other->viewed() == kept.viewed() && source.image == image) break;
+    const bool is_alike = other != nullptr && other->is_viewed_like(kept) &&
+                          ImageMatrix(source.image) == ImageMatrix(image);
+    if (is_alike) break;
     ++number;
   }
   return number;
@@ -542,18 +563,65 @@ void ViewedScene::finish(bool in_place) {
   points_ = in_place ? sources_.front().instructions->stored_points() : own_points_;
   if (!entered_of_item_.empty()) {
     entered_of_item_.resize(items_.size(), kNotEntered);
-    planes_ = std::make_shared<Planes>();
     PolygonsAsEntered polygons;
     for (const Source& source : sources_) {
       if (const auto* kept = source.instructions->as_entered()) polygons.add(*kept);
     }
-    planes_->polygon_of = [polygons](std::uint32_t number) { return polygons.polygon(number); };
+    const auto polygon_of = [polygons](std::uint32_t number) { return polygons.polygon(number); };
+    find_entered(polygon_of);
+    planes_ = std::make_shared<Planes>();
+    planes_->polygon_of = polygon_of;
     planes_->find_touching = [polygons] {
       return std::make_shared<const TouchingPlanes>(polygons.planes());
     };
     find_radius(*planes_);
   }
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);
+}
+
+void ViewedScene::find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of) {
+  as_entered_ = std::make_shared<AsEntered>();
+  as_entered_->polygon_of = polygon_of;
+  for (const Source& source : sources_) {
+    const EnteredPolygons* const kept = source.instructions->as_entered();
+    as_entered_->volumes.push_back(kept == nullptr ? nullptr : &kept->volume());
+    as_entered_->images.push_back(&source.image);
+    if (kept == nullptr) continue;
+    const double radius =
+        radius_in(kept->volume().matrix(), kept->largest_in_world(), 0.0, largest_depth_);
+    as_entered_->radius = std::max(as_entered_->radius, radius * longest_of(source.image));
+  }
+}
+
+ViewedScene::EnteredItem ViewedScene::as_entered(Item item) const {
+  if (viewing_radius() == 0.0) return {{std::span<const Point3>()}};
+  std::uint32_t number = kNotEntered;
+  if (!as_entered_->polygons_of_items) {
+    number = entered_of_item_[item];
+  } else {
+    const std::lock_guard in_turn(as_entered_->in_turn);
+    if (as_entered_->polygons.size() != items()) {
+      as_entered_->polygons_of_items(*this, as_entered_->polygons);
+    }
+    number = as_entered_->polygons[item];
+  }
+  return in_view_of(number, item);
+}
+
+ViewedScene::EnteredItem ViewedScene::plane_as_entered(Item item) const {
+  if (viewing_radius() == 0.0) return {{std::span<const Point3>()}};
+  planes();
+  const bool shares =
+      planes_ != nullptr && !planes_->founders.empty() && planes_->founders[item] != kNotEntered;
+  return shares ? in_view_of(planes_->founders[item], item) : as_entered(item);
+}
+
+ViewedScene::EnteredItem ViewedScene::in_view_of(std::uint32_t number, Item item) const {
+  if (number == kNotEntered) return {{std::span<const Point3>()}};
+  const std::uint32_t look = look_of(item);
+  const AsEntered& all = *as_entered_;
+  return {all.polygon_of(number), all.own_volume ? &*all.own_volume : all.volumes[look],
+          all.images[look]};
 }
 
 bool ViewedScene::is_of(const DisplayFile& display_file) const {

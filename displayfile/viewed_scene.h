@@ -10,16 +10,19 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "clip/point_row.h"
+#include "clip/view_volume.h"
 #include "displayfile/instructions.h"
 #include "displayfile/item_ranks.h"
 #include "displayfile/style.h"
 #include "displayfile/vertex_shading.h"
 #include "displayfile/vertex_values.h"
+#include "hidden/entered_polygon.h"
 #include "hidden/exact/plane.h"
 #include "hidden/primitives.h"
 #include "hidden/touching_planes.h"
@@ -164,8 +167,41 @@ class ViewedScene {
   /// plane as entered are apart in the scene, in each coordinate. Which fills lie in one plane is
   /// looked for where two are that close. 0 if nothing touches, or the planes are found.
   double touching_radius() const { return planes_ == nullptr ? 0.0 : planes_->radius; }
+  /// Viewing rounded coordinates by at most so much, each but the depth. 0 if they are as they were
+  /// entered, or so far off that nothing can be told.
+  double viewing_radius() const { return as_entered_ == nullptr ? 0.0 : as_entered_->radius; }
+  /// How far boundaries may lie from where they are as entered, along x and along y: a vertex is
+  /// off by viewing_radius, and a clipped one lies close to its side.
+  double boundary_error() const { return 8.0 * viewing_radius(); }
+  /// How an item's polygon was entered, and how it is viewed.
+  struct EnteredItem {
+    EnteredPolygon polygon;
+    const ViewVolume* volume = nullptr;
+    const ImageTransformation* image = nullptr;
+    bool is_known() const { return polygon.points.size() >= 3; }
+  };
+  /// Without points if that is not known: of lines, and of scenes without viewing_radius.
+  EnteredItem as_entered(Item item) const;
+  /// The polygon whose plane the item's lies in as it was entered: its own if it shares none.
+  EnteredItem plane_as_entered(Item item) const;
+  /// The number of how the item is viewed, the same for those that are viewed alike.
+  std::uint32_t look_of(Item item) const;
   /// Primitives::touching.
   double touching_of_ends() const { return planes_ == nullptr ? 0.0 : planes_->radius_of_ends; }
+  /// What bounds how far a point of a fill's plane as entered may be from the fill's own plane, in
+  /// each coordinate, if that is little; or else the planes that are far from it are
+  /// plane_is_elsewhere.
+  double plane_radius() const {
+    const bool has_little = planes_ != nullptr && planes_->are_close;
+    return std::max({viewing_radius(), touching_radius(), has_little ? touching_of_ends() : 0.0});
+  }
+  /// The item's polygon lies in another's plane as entered, and neither its own nor shared_plane is
+  /// close to that one.
+  bool plane_is_elsewhere(Item item) const {
+    if (planes_ == nullptr || planes_->are_close) return false;
+    planes();
+    return !planes_->elsewhere.empty() && planes_->elsewhere[item] != 0;
+  }
   Plane plane_through(const Primitives::PlanePoints& plane) const {
     return {points_[plane[0]], points_[plane[1]], points_[plane[2]]};
   }
@@ -254,23 +290,44 @@ class ViewedScene {
     double reach = 0.0;   ///< in world coordinates, the largest
     double radius = 0.0;  ///< touching_radius
     double radius_of_ends = 0.0;
+    bool are_close =
+        false;  ///< a polygon in another's plane is little off it: radius_of_ends, or 0
     std::mutex in_turn;
     std::atomic<bool> are_found = false;
-    std::vector<Primitives::PlanePoints> of_items;           ///< empty: none lie in one plane
+    std::vector<Primitives::PlanePoints> of_items;  ///< empty: none lie in one plane
+    /// Of each item, as entered: that whose plane it lies in, kNotEntered where that is its own;
+    /// empty if all are.
+    std::vector<std::uint32_t> founders;
+    std::vector<std::uint8_t> elsewhere;  ///< of the same items: that polygon does not stand for it
     std::vector<std::uint32_t> polygons, item_of, in_plane;  // memory of find_planes
   };
-  std::uint32_t look_of(Item item) const;
+  /// What was entered, for all items.
+  struct AsEntered {
+    double radius = 0.0;  ///< viewing_radius
+    std::function<EnteredPolygon(std::uint32_t)> polygon_of;
+    /// As in Planes.
+    std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items;
+    /// By look; one volume: it is that of all.
+    std::vector<const ViewVolume*> volumes;
+    std::vector<const ImageTransformation*> images;
+    std::optional<ViewVolume> own_volume;
+    std::mutex in_turn;
+    std::vector<std::uint32_t> polygons;  // of the items, once polygons_of_items was called
+  };
   bool is_certainly_apart(Item a, Item b) const;
   /// By how much a coordinate of a point of a plane may be off it, as entered within the reach and
   /// viewed; from the view's matrix and bounds of world coordinates and of the reach there.
   static double radius_in(const glm::dmat4& view, double in_world, double reach,
                           double largest_depth);
   static double small_radius(double radius);
+  void set_radius(Planes& planes, double of_planes, bool are_looked_for) const;
   static double longest_of(const ImageTransformation& image);
   void find_radius(Planes& planes) const;
+  EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
+  void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
   void find_planes(Planes& found) const;
   void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
-                   std::vector<Primitives::PlanePoints>& of_items) const;
+                   Planes& found) const;
   std::uint32_t look_of_source(const EnteredPolygons& kept, const ImageTransformation& image) const;
   void collect(std::span<const Segment* const> segments);
   void collect(const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
@@ -367,6 +424,7 @@ class ViewedScene {
   /// The number of how the items from one on are viewed: by which view, viewport and image.
   std::vector<Run<std::uint32_t>> looks_;
   std::shared_ptr<Planes> planes_;  // null: none touch
+  std::shared_ptr<AsEntered> as_entered_;
   std::span<const Point3> points_;  // the source's own, or else own_points_
   std::vector<Point3> own_points_;
   std::vector<std::uint32_t> corners_;      // their points; empty: these in a row

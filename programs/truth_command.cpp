@@ -45,10 +45,12 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       .add_option("--depth", depth, "depth as .npy: of the fill seen, rounded once, -inf for none")
       ->type_name("DEPTH.npy");
   command
-      .add_option("--from", from,
-                  "display-file, whose coordinates viewing has rounded; world: viewing in exact "
-                  "arithmetic too; or entered: modelling transformations too, and polygons that "
-                  "touch lie in one plane. The last two print how many pixels of the first differ")
+      .add_option(
+          "--from", from,
+          "what pixels are judged from. entered, unless it is set: the points and matrices "
+          "that were entered, by which polygons that touch lie in one plane; world: world "
+          "coordinates; display-file: its coordinates, which viewing has rounded. The first "
+          "two, if set, print how many pixels of the last differ")
       ->type_name("display-file|world|entered");
   add_touching_option(command, touching);
   command
@@ -79,12 +81,12 @@ int TruthCommand::run() {
   inputs = input_names(inputs);
   const From from_what = judged_from();
   const bool retains = from_what != From::display_file;
-  if (ids.empty() && !retains && !wants_lines()) {
+  if (ids.empty() && (from.empty() || !retains) && !wants_lines()) {
     throw Error(
         "truth: --ids is required: expected a file for the item buffer, or --seen-lines or "
         "--hidden for lines");
   }
-  if (retains && wants_lines()) {
+  if (!from.empty() && retains && wants_lines()) {
     throw Error(fmt::format(
         "--from {}: lines are judged in display-file coordinates: expected --ids alone", from));
   }
@@ -120,7 +122,7 @@ int TruthCommand::run() {
   int status = 0;
   if (lines_file) write_seen_lines(file, lines_file->stream());
   if (!hidden.empty()) status = judge_lines(file, judging, report);
-  if (!ids.empty() || retains) {
+  if (!ids.empty() || (!from.empty() && retains)) {
     const Picture picture = true_picture(system, retained, from_what, report);
     for (const auto& array : arrays) array->write(picture);
   }
@@ -143,23 +145,27 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
     Progress progress(fmt::format("the truth of {} {}polygons", file.polygons(), what));
     return judge([&](std::size_t done, std::size_t polygons) { progress.update(done, polygons); });
   };
-  Picture picture = with_progress("", [&](const WorkProgress& progress) {
-    const bool is_wanted = judged_from == From::display_file;
-    return truth(file, width, height, !depth.empty() && is_wanted, progress);
-  });
-  if (judged_from == From::display_file) return picture;
+  const auto of_display_file = [&](bool with_depth) {
+    return with_progress("", [&](const WorkProgress& progress) {
+      return truth(file, width, height, with_depth, progress);
+    });
+  };
+  if (judged_from == From::display_file) return of_display_file(!depth.empty());
   std::size_t touching_polygons = 0;
-  Picture before_viewing = with_progress(from + " ", [&](const WorkProgress& progress) {
-    if (judged_from == From::world) {
-      return world_truth(retained, file, width, height, !depth.empty(), progress);
-    }
-    EnteredTruth entered =
-        entered_truth(retained, file, width, height, !depth.empty(), std::nullopt, progress);
-    touching_polygons = entered.touching;
-    return std::move(entered.picture);
-  });
-  report += fmt::format("{} of {} pixels differ: there the rounding of viewing decides\n",
-                        different_pixels(picture, before_viewing), picture.ids.size());
+  Picture before_viewing =
+      with_progress(from.empty() ? from : from + " ", [&](const WorkProgress& progress) {
+        if (judged_from == From::world) {
+          return world_truth(retained, file, width, height, !depth.empty(), progress);
+        }
+        EnteredTruth entered =
+            entered_truth(retained, file, width, height, !depth.empty(), std::nullopt, progress);
+        touching_polygons = entered.touching;
+        return std::move(entered.picture);
+      });
+  if (from.empty()) return before_viewing;
+  report += fmt::format("{} of {} pixels differ from the display file, which viewing rounded\n",
+                        different_pixels(of_display_file(false), before_viewing),
+                        before_viewing.ids.size());
   if (judged_from == From::entered) {
     report += fmt::format("polygons in the planes of others: {}\n", touching_polygons);
   }
@@ -217,6 +223,7 @@ std::ostream& TruthCommand::reports() const {
 }
 
 TruthCommand::From TruthCommand::judged_from() const {
+  if (from.empty()) return ids.empty() ? From::display_file : From::entered;
   constexpr std::array<std::string_view, 3> kWords{"display-file", "world", "entered"};
   const auto* const word = std::ranges::find(kWords, from);
   if (word == kWords.end()) {

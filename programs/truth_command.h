@@ -25,7 +25,7 @@ struct TruthCommand {
   std::string ids;    ///< not written if empty
   std::string depth;  ///< not written if empty
 
-  std::string from = "display-file";
+  std::string from;
   std::optional<std::string> touching;
 
   std::string seen_lines;  ///< not written if empty

@@ -87,7 +87,7 @@ TEST_F(TruthCommand, JudgesLines) {
   expect_error("truth t.draw --ids x.npy --line-samples 9", "expected --hidden");
 }
 
-TEST_F(TruthCommand, FromWorldCountsWhatTheRoundingOfViewingDecides) {
+TEST_F(TruthCommand, FromWorldCountsWhatTheRoundingOfViewingChanges) {
   write("view.draw", "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\n");
   write("apart.draw",
         "open-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
@@ -96,7 +96,7 @@ TEST_F(TruthCommand, FromWorldCountsWhatTheRoundingOfViewingDecides) {
         "set-touching off\nopen-segment 1\npolygon-abs-3 -1 0 1  1 0 1  1 0 -1  -1 0 -1\n"
         "polygon-abs-3 -0.7 0 0.6  0.9 0 0.7  0.3 0 -0.8\nclose-segment\n");
   EXPECT_EQ(run("truth view.draw apart.draw --from world --size 64x64"), 0) << err_;
-  EXPECT_EQ(out_, "0 of 4096 pixels differ: there the rounding of viewing decides\n");
+  EXPECT_EQ(out_, "0 of 4096 pixels differ from the display file, which viewing rounded\n");
   EXPECT_EQ(
       run("truth view.draw together.draw --from world --size 64x64 --ids w.npy --depth z.npy"), 0);
   EXPECT_GT(std::stoi(out_), 10) << out_;
@@ -141,8 +141,11 @@ TEST_F(TruthCommand, FromEnteredPolygonsThatTouchLieInOnePlane) {
                   "--hidden " +
                   method),
               0);
-    EXPECT_EQ(run("compare e.npy b.npy"), 1) << method;
+    EXPECT_EQ(run("compare e.npy b.npy"), 0) << method;  // it is exactly in that plane
   }
+  EXPECT_EQ(run("truth view.draw both.draw --size 64x64 --ids default.npy"), 0) << err_;
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(run("compare e.npy default.npy"), 0);
   expect_error("truth view.draw --from entered --touching on", "expected auto, off or LENGTH");
   expect_error("truth view.draw --from world --touching off",
                "--touching: expected --from display-file or entered");

@@ -72,6 +72,22 @@ DepthComparison::Difference::Difference(const Plane& a, const Plane& b) {
   slope_x = difference(-p.normal.x, -q.normal.x);
   slope_y = difference(-p.normal.y, -q.normal.y);
   constant = difference(dot(p.normal, p.through), dot(q.normal, q.through));
+  make_near();
+}
+
+/// With z = -(a x + b y + d) / c.
+DepthComparison::Difference::Difference(const PlaneInPicture& a, const PlaneInPicture& b) {
+  const bool turned = a.c.sign() != b.c.sign();
+  const auto difference = [&](const ExactNumber& of_a, const ExactNumber& of_b) {
+    return turned ? of_a * b.c - of_b * a.c : of_b * a.c - of_a * b.c;
+  };
+  slope_x = difference(a.a, b.a);
+  slope_y = difference(a.b, b.b);
+  constant = difference(a.d, b.d);
+  make_near();
+}
+
+void DepthComparison::Difference::make_near() {
   if (is_zero()) return;
   const std::int64_t largest =
       std::max({exponent_of(slope_x), exponent_of(slope_y), exponent_of(constant)});

@@ -4,6 +4,7 @@
 
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/exact_number.h"
+#include "hidden/exact/plane_in_picture.h"
 
 namespace displayfile {
 
@@ -18,6 +19,8 @@ class DepthComparison {
   DepthComparison() = default;
   /// Neither plane may be edge-on.
   DepthComparison(const Plane& a, const Plane& b) : a_(a), b_(b) {}
+  /// It is ready.
+  DepthComparison(const PlaneInPicture& a, const PlaneInPicture& b) { difference_.emplace(a, b); }
 
   /// The order at a pixel's centre; the planes in device coordinates.
   int order(const PixelCentre& centre) {
@@ -61,6 +64,8 @@ class DepthComparison {
   /// A positive multiple of za - zb at (x, y): slope_x x + slope_y y + constant.
   struct Difference {
     Difference(const Plane& a, const Plane& b);
+    Difference(const PlaneInPicture& a, const PlaneInPicture& b);
+    void make_near();
     bool is_zero() const;  ///< one plane
     int filtered(const Position& at) const;
     int exact(const PixelCentre& centre) const;

@@ -30,8 +30,7 @@ class EnteredFills : public OutputDevice {
   void fill(const DrawnPolygon& polygon) override {
     if (support_vertices(polygon.vertices).edge_on) return;  // which is no fill of the scene
     ++fill_;
-    const Plane plane = scene_.plane_in_common(fill_);
-    nearest_.enter(polygon, plane);
+    nearest_.enter(polygon, fill_, scene_.plane_in_common(fill_));
   }
   void edges(const DrawnPolygon&) override {}
   void line(const DrawnLine&) override {}
@@ -215,8 +214,9 @@ std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) {
 
 template <class Show>
 void SortedPainter::for_each_nearest(const PixelSet& centres, Show&& show) const {
-  NearestAtCentres nearest(centres, band_.size(), band_.shadows);
   const std::shared_ptr<const ViewedScene> scene = scene_of(display_file_);
+  FillsAsEntered fills(*scene, band_.size());
+  NearestAtCentres nearest(centres, band_.size(), fills, band_.shadows);
   EnteredFills entered(display_file_, *scene, nearest);
   interpret(display_file_, entered, Pass::fills, Order::entered);
   nearest.show(show);

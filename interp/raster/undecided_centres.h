@@ -8,9 +8,10 @@
 #include "hidden/exact/plane.h"
 #include "interp/output_device.h"
 #include "interp/raster/pixel_shade.h"
+#include "interp/scan/boundary_centres.h"
 #include "interp/scan/pixel_set.h"
 #include "interp/scan/scan_convert.h"
-#include "interp/visibility/close_planes.h"
+#include "interp/visibility/fills_as_entered.h"
 
 namespace displayfile {
 
@@ -18,16 +19,6 @@ namespace displayfile {
 // polygon's boundary, or so close to it that rounding a cut's vertices decides on which side. Those
 // centres are noted while painting, and decided afterwards from the polygons as entered
 // (interp/raster/undecided_centres.md).
-
-/// How far a polygon's boundary may lie from where it would be had no vertex been rounded, along x
-/// and along y; in pixels, with what the tests for closeness lose to rounding. Device coordinates.
-Point2 boundary_error(std::span<const Point3> polygon, const PictureSize& size);
-
-/// Adds the centres closer to the polygon's boundary than that in the rows of its vertices: what
-/// ScanConverter::watch leaves out, since a side does not cross the rows that it only touches. If
-/// the error is not small against a pixel, all centres that the polygon may cover.
-void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
-                           const PictureSize& size, PixelSet& noted);
 
 /// What is seen at some pixel centres by the definition of truth, exactly: the polygons are
 /// entered whole, in the order of entry.
@@ -44,33 +35,32 @@ class NearestAtCentres {
     painted,  ///< the one entered last
   };
 
-  /// Null: no shadows are seen.
-  NearestAtCentres(const PixelSet& centres, const PictureSize& size,
+  /// The set and the fills must stay. Null: no shadows are seen.
+  NearestAtCentres(const PixelSet& centres, const PictureSize& size, FillsAsEntered& fills,
                    const Shadows* shadows = nullptr);
 
   /// The polygons that follow, until the next layer begins, cover those before.
   void begin_layer(Layer layer);
 
-  /// A polygon that is not edge-on, whose depth is that of the plane: its own, or that in which it
-  /// lies with others as entered.
-  void enter(const DrawnPolygon& polygon, const Plane& plane);
+  /// A polygon that is a fill of the scene, whose depth is shown as that of the plane: its own, or
+  /// that in which it lies with others as entered.
+  void enter(const DrawnPolygon& polygon, FillsAsEntered::Fill fill, const Plane& plane);
 
   /// Calls show(row, column, seen) for each centre; seen is null if no polygon covers it.
   template <class Show>
   void show(Show&& show) const {
-    std::size_t k = 0;
-    centres_.for_each([&](int row, int column) {
-      const Owner owner = owner_[k++];
+    centres_.for_each([&](int row, int column, Owner owner) {
       show(row, column, owner == kNone ? nullptr : &owners_[owner].seen);
     });
   }
 
  private:
   /// A polygon that is seen at some centre, by its place in owners_.
-  using Owner = std::uint32_t;
-  static constexpr Owner kNone = ~Owner{0};
+  using Owner = NotedCentres::Owner;
+  static constexpr Owner kNone = NotedCentres::kNone;
   struct Owned {
     Seen seen;
+    FillsAsEntered::Fill fill;
     std::uint32_t layer;
     std::size_t centres;  ///< that it owns; with none its place is free
   };
@@ -78,24 +68,19 @@ class NearestAtCentres {
     int row, first, end;
   };
 
-  ScanConverter::Region rows_with_centres(std::span<const Point3> polygon) const;
-  void enter_run(const Run& run, const Seen& polygon, Owner& own);
-  bool is_seen(Owner other, int row, int column);
-  Owner take_place(const Seen& polygon);
+  void enter_run(const Run& run, const Seen& polygon, FillsAsEntered::Fill fill, Owner& own);
+  bool is_seen(Owner other, FillsAsEntered::Fill fill, int row, int column);
+  Owner take_place(const Seen& polygon, FillsAsEntered::Fill fill);
 
-  const PixelSet& centres_;
+  const PixelSet& set_;
   PictureSize size_;
+  FillsAsEntered& fills_;
   const Shadows* shadows_;
-  std::vector<std::size_t> row_start_;  // of each row's centres in the two that follow
-  std::vector<std::int32_t> column_;
-  std::vector<Owner> owner_;
+  NotedCentres centres_;
   std::vector<Owned> owners_;
   std::vector<Owner> free_;
   Layer layer_ = Layer::nearest;
   std::uint32_t layers_ = 0;
-  ScanConverter converter_;
-
-  ClosePlanes close_;  // the one being entered, and what it was last compared with
 };
 
 }  // namespace displayfile

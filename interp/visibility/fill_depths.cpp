@@ -1,5 +1,7 @@
 #include "interp/visibility/fill_depths.h"
 #include "clip/rectangle.h"
+#include "hidden/exact/entered_outline.h"
+#include "hidden/exact/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +45,43 @@ double distance_of_depths(std::span<const Point3> vertices, const PixelDepth& de
   return most + other.error(plane, size.width, size.height, dx + 1.0, dy + 1.0);
 }
 
+/// The same of the plane that the item lies in as it was entered.
+double distance_from_entered(const ViewedScene& scene, ViewedScene::Item item,
+                             const PixelDepth& depth, const PictureSize& size) {
+  const ViewedScene::EnteredItem of_plane = scene.plane_as_entered(item);
+  if (!of_plane.is_known()) return 0.0;
+  const auto plane = EnteredView(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
+  if (!plane || plane->is_edge_on()) return 0.0;  // then it has its own
+  PixelDepth entered;
+  entered.z0 = rounded_quotient(-plane->d, plane->c);
+  entered.dz_dx = rounded_quotient(-plane->a, plane->c) / size.width;
+  entered.dz_dy = rounded_quotient(-plane->b, plane->c) / size.height;
+  double most = 0.0, largest = std::abs(entered.z0);
+  for (const Point3& v : scene.points(item)) {
+    const double x = v.x * size.width, y = v.y * size.height;
+    most = std::max(most, std::abs(depth.at_point(x, y) - entered.at_point(x, y)));
+    largest = std::max(largest, std::abs(entered.dz_dx * x) + std::abs(entered.dz_dy * y));
+  }
+  return most + 16.0 * kUnit * largest;
+}
+
 }  // namespace
 
-double touching_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
+double rounding_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
                       const PictureSize& size) {
   constexpr double kOfThreePoints = 8.0;
-  if (const double radius = scene.touching_radius(); radius > 0.0) {
-    const double slopes = std::abs(depth.dz_dx) * size.width + std::abs(depth.dz_dy) * size.height;
-    return kOfThreePoints * radius * (1.0 + slopes);
+  const ViewedScene::Item item = scene.item_of(fill);
+  const double radius = scene.plane_radius();
+  const double slopes = std::abs(depth.dz_dx) * size.width + std::abs(depth.dz_dy) * size.height;
+  const double by_radius = radius > 0.0 ? kOfThreePoints * radius * (1.0 + slopes) : 0.0;
+  if (scene.touching_radius() > 0.0) return by_radius;
+  if (scene.plane_is_elsewhere(item)) {
+    return by_radius + distance_from_entered(scene, item, depth, size);
   }
-  const Primitives::PlanePoints* const shared = scene.shared_plane(scene.item_of(fill));
-  if (shared == nullptr) return 0.0;
-  return distance_of_depths(scene.vertices(fill), depth, scene.plane_through(*shared), size);
+  const Primitives::PlanePoints* const shared = scene.shared_plane(item);
+  if (shared == nullptr) return by_radius;
+  return by_radius +
+         distance_of_depths(scene.vertices(fill), depth, scene.plane_through(*shared), size);
 }
 
 FillDepth::FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
@@ -63,7 +90,7 @@ FillDepth::FillDepth(const ViewedScene& scene, ViewedScene::Fill fill, const Pic
   depth = PixelDepth(plane, size.width, size.height);
   error = roundoff ? error_of_roundoff(*roundoff)
                    : depth_bound(scene.vertices(fill), plane, depth, size).error +
-                         touching_error(scene, fill, depth, size);
+                         rounding_error(scene, fill, depth, size);
 }
 
 FillDepths::FillDepths(const ViewedScene& scene, const PictureSize& size,

@@ -23,11 +23,12 @@ struct FillDepth {
   static double error_of_roundoff(double roundoff) { return roundoff / 4.0; }
 };
 
-/// Bounds how far the depth of a fill that lies in a plane with others as entered may be from that
-/// of a plane that is the same for all of them, over the polygon. With a radius
-/// (ViewedScene::touching_radius) its support vertices are off by that in each coordinate, and a
-/// place in the polygon is a combination of them by weights of no more than a few.
-double touching_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
+/// Bounds how far the depth of a fill may be from where it is as entered, over the polygon, and
+/// where it lies in a plane with others from that of a plane that is the same for all of them. With
+/// a radius (ViewedScene::viewing_radius, touching_radius) its support vertices are off by that in
+/// each coordinate, and a place in the polygon is a combination of them by weights of no more than
+/// a few.
+double rounding_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
                       const PictureSize& size);
 
 /// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a

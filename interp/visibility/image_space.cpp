@@ -5,6 +5,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "interp/visibility/decided_centres.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "interp/visibility/ray_cast.h"
 #include "interp/visibility/scan_line.h"
@@ -72,7 +73,10 @@ std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
     throw Error("hidden-surface method '" + std::string(name_of(method)) +
                 "' does not work in image space");
   }
-  return entry->make();
+  const bool is_exact = std::ranges::any_of(
+      kExactMethods, [&](const ImageSpaceEntry& exact) { return exact.method == method; });
+  if (!is_exact || method == HiddenMethod::z_buffer) return entry->make();
+  return std::make_unique<MethodAsEntered>(entry->make());
 }
 
 }  // namespace displayfile

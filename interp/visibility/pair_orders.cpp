@@ -43,10 +43,34 @@ PairOrder PairOrders::order_if_often(Fill earlier, Fill later) {
 
 /// As they were entered, or as exact arithmetic found them.
 bool PairOrders::are_in_one_plane(Pair& pair, Fill earlier, Fill later) {
-  if (coplanar_.are(earlier, later)) return true;
+  return coplanar_.are(earlier, later) || share_plane_as_entered(pair, earlier, later);
+}
+
+bool PairOrders::share_plane_as_entered(Pair& pair, Fill earlier, Fill later) {
   if (pair.are_apart) return false;
   pair.are_apart = !scene_->are_in_one_plane(earlier, later);
   return !pair.are_apart;
+}
+
+/// Where viewing may decide, whatever is known of the pair in the scene's coordinates.
+std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill later,
+                                                const PixelCentre& centre) {
+  if (scene_->viewing_radius() == 0.0 || pair.is_not_known) return std::nullopt;
+  if (share_plane_as_entered(pair, earlier, later)) return 0;
+  if (pair.as_entered == kNone) {
+    if (!as_entered_.are_close(earlier, later, centre)) return std::nullopt;
+    const auto comparison = as_entered_.comparison(earlier, later);
+    pair.is_not_known = !comparison;
+    if (!comparison) return std::nullopt;
+    pair.as_entered = static_cast<std::uint32_t>(comparisons_.size());
+    comparisons_.push_back(*comparison);
+    if (comparison->is_one_plane()) {
+      pair.looked_for = true;
+      pair.order = Order::second;
+      ++times_learnt_;
+    }
+  }
+  return comparisons_[pair.as_entered].order(centre);
 }
 
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
@@ -83,6 +107,7 @@ PairOrder PairOrders::order_of_extents(Fill earlier, Fill later,
 
 bool PairOrders::later_is_seen(Fill earlier, Fill later, const PixelCentre& centre) {
   Pair& asked = pairs_(earlier, later);
+  if (const auto order = order_as_entered(asked, earlier, later, centre)) return *order <= 0;
   if (asked.order != Order::varies) return asked.order == Order::second;
   if (asked.is_ready) return comparisons_[asked.comparison].order(centre) <= 0;
   DepthComparison comparison = comparison_of(earlier, later);

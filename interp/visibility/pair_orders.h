@@ -8,6 +8,7 @@
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/depth_comparison.h"
 #include "interp/visibility/coplanar_fills.h"
+#include "interp/visibility/depths_as_entered.h"
 #include "interp/visibility/pair_table.h"
 
 namespace displayfile {
@@ -22,7 +23,7 @@ class PairOrders {
  public:
   using Fill = ViewedScene::Fill;
 
-  explicit PairOrders(const ViewedScene& scene) : scene_(&scene) {}
+  explicit PairOrders(const ViewedScene& scene) : scene_(&scene), as_entered_(scene) {}
 
   /// Takes another scene, and forgets all pairs; memory stays.
   void take(const ViewedScene& scene) {
@@ -30,6 +31,7 @@ class PairOrders {
     pairs_.forget();
     comparisons_.clear();
     coplanar_.forget();
+    as_entered_.take(scene);
   }
 
   /// Which of two fills is seen wherever both cover a centre: the `first`, entered first, or the
@@ -58,16 +60,21 @@ class PairOrders {
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
     bool are_apart = false;            ///< in no plane both, as they were entered
+    std::uint32_t as_entered = kNone;  ///< their planes as entered: a place in comparisons_
+    bool is_not_known = false;         ///< as entered
     bool is_ready = false;             ///< more is known than the filter tells,
     std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
 
-    Pair forgotten() const { return {.comparison = comparison}; }
+    Pair forgotten() const { return {.as_entered = kNone, .comparison = comparison}; }
   };
   /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
   static constexpr int kOften = 2, kVeryOften = 8;
 
   bool are_in_one_plane(Pair& pair, Fill earlier, Fill later);
+  bool share_plane_as_entered(Pair& pair, Fill earlier, Fill later);
+  std::optional<int> order_as_entered(Pair& pair, Fill earlier, Fill later,
+                                      const PixelCentre& centre);
   DepthComparison comparison_of(Fill earlier, Fill later) const;
   Order find_order(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);
   Order order_of_extents(Fill earlier, Fill later, const DepthComparison& comparison) const;
@@ -77,6 +84,7 @@ class PairOrders {
   PairTable<Pair> pairs_;
   std::vector<DepthComparison> comparisons_;
   CoplanarFills coplanar_;
+  DepthsAsEntered as_entered_;
   std::size_t times_learnt_ = 0;
 };
 

@@ -13,6 +13,7 @@ namespace displayfile {
 Picker::Picker(std::shared_ptr<const ViewedScene> scene, const PictureSize& size, int threads)
     : scene_(std::move(scene)), size_(size), threads_(threads) {
   fills_.prepare({*scene_, size_, std::nullopt}, threads_);
+  decided_.find(*scene_, size_, threads_);
 }
 
 std::optional<Pick> Picker::pick(double x, double y, double reach) {
@@ -23,7 +24,8 @@ std::optional<Pick> Picker::pick(double x, double y, double reach) {
   }
   if (!(x >= 0.0 && x < size_.width && y >= 0.0 && y < size_.height)) return std::nullopt;
   const int column = static_cast<int>(x), row = size_.height - 1 - static_cast<int>(y);
-  const ViewedScene::Fill fill = fills_.seen_at(column, row);
+  const auto decided = decided_.at(row, column);
+  const ViewedScene::Fill fill = decided ? *decided : fills_.seen_at(column, row);
   if (reach > 0.0 && scene_->has_lines()) {
     if (!lines_) lines_.emplace(*scene_, size_, threads_);
     if (const auto line = lines_->nearest({column + 0.5, row + 0.5}, reach, fill)) {

@@ -6,6 +6,7 @@
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/pick.h"
+#include "interp/visibility/decided_centres.h"
 #include "interp/visibility/line_picker.h"
 #include "interp/visibility/ray_cast.h"
 
@@ -31,6 +32,7 @@ class Picker {
   PictureSize size_;
   int threads_;
   RayCast fills_;
+  DecidedCentres decided_;
   std::optional<LinePicker> lines_;  // made when they are first asked for
 };
 

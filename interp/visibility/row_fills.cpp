@@ -32,14 +32,16 @@ int first_column_after(double x, int width) {
 /// A triangle whose plane is that of its corners.
 bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
   if (scene.sides(fill) != 3) return false;
-  return scene.touching_radius() > 0.0 || scene.shared_plane(scene.item_of(fill)) == nullptr;
+  if (scene.touching_radius() > 0.0) return true;
+  const ViewedScene::Item item = scene.item_of(fill);
+  return scene.shared_plane(item) == nullptr && !scene.plane_is_elsewhere(item);
 }
 
-/// Where fills are compared in their own planes: of those that are no steeper the touching_error is
-/// within kOfTouching, as the radius is at most 2^-43.
-constexpr double kSteepest = 0x1p18, kOfTouching = 0x1p-21;
-bool is_not_too_steep(double dz_dx, double dz_dy, const PictureSize& size) {
-  return std::abs(dz_dx) * size.width + std::abs(dz_dy) * size.height <= kSteepest;
+/// Where fills are compared in their own planes: of those that are no steeper than kOfSlopes over
+/// the radius the rounding_error is within kOfRounding.
+constexpr double kOfSlopes = 0x1p-25, kOfRounding = 0x1p-21;
+bool is_no_steeper(double dz_dx, double dz_dy, const PictureSize& size, double steepest) {
+  return std::abs(dz_dx) * size.width + std::abs(dz_dy) * size.height <= steepest;
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ int turn_if_convex(std::span<const Point3> vertices) {
 class RowFills::Triangles {
  public:
   Triangles(RowFills& fills, const ViewedScene& scene, const PictureSize& size)
-      : fills_(fills), scene_(scene), size_(size), touches_(scene.touching_radius() > 0.0) {}
+      : fills_(fills), scene_(scene), size_(size) {}
 
   void add(Fill fill) {
     const auto corners = scene_.corners_of_triangle(fill);
@@ -75,7 +77,7 @@ class RowFills::Triangles {
     if (waiting_ == TriangleBlock::kMost) make();
   }
   void make() {
-    make_row_triangles(block_, waiting_, size_, fills_.error_of_certain_, made_);
+    make_row_triangles(block_, waiting_, size_, fills_.error_of_certain_, made_, fills_.slack_);
     for (int i = 0; i < waiting_; ++i) take(i);
     waiting_ = 0;
   }
@@ -93,8 +95,8 @@ class RowFills::Triangles {
     made.column_end = made_.column_end[i];
     made.turned_away = is(made_.turned_away, i);
     made.certain = is(made_.is_certain, i);
-    if (touches_ && made.certain) {
-      made.certain = is_not_too_steep(made_.dz_dx[i], made_.dz_dy[i], size_);
+    if (fills_.are_rounded_ && made.certain) {
+      made.certain = is_no_steeper(made_.dz_dx[i], made_.dz_dy[i], size_, fills_.steepest_);
     }
     made.left = made.right = 0;
     made.z = made_.z[i];  // of no meaning where it is not certain
@@ -125,20 +127,19 @@ class RowFills::Triangles {
   RowFills& fills_;
   const ViewedScene& scene_;
   PictureSize size_;
-  bool touches_;
   int waiting_ = 0;
   Fill fill_[TriangleBlock::kMost] = {};
   TriangleBlock block_{};
   RowTriangles made_{};
 };
 
-void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads,
+void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threads, bool as_entered,
                     const std::function<void(const Batch&)>& made) {
   fills_.reserve(scene.most_fills() + 1);
   fills_.resize(scene.end());
   depth_error_ = static_cast<float>(kDepthError * std::max(1.0, scene.largest_depth()));
-  touches_ = scene.touching_radius() > 0.0;
-  error_of_certain_ = static_cast<double>(depth_error_) - (touches_ ? kOfTouching : 0.0);
+  find_slack(scene, size, as_entered);
+  error_of_certain_ = static_cast<double>(depth_error_) - (are_rounded_ ? kOfRounding : 0.0);
   batches_ = batches_of(scene);
   edges_.resize(scene.many_sided_corners());
   in_parallel(threads, batches(), [&](std::size_t k) {
@@ -146,6 +147,28 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
     make(scene, size, now);
     made(now);
   });
+}
+
+/// A coordinate near a picture is no more than twice its side in size.
+void RowFills::find_slack(const ViewedScene& scene, const PictureSize& size, bool as_entered) {
+  const double viewing = as_entered ? scene.viewing_radius() : 0.0;
+  const double radius = as_entered ? scene.plane_radius() : scene.touching_radius();
+  are_rounded_ = radius > 0.0;
+  steepest_ = are_rounded_ ? kOfSlopes / radius : 0.0;
+  slack_ = {};
+  if (viewing == 0.0) return;
+  const double part = 128.0 * kUnit + scene.boundary_error();
+  slack_ = {part * size.width, part * size.height};
+}
+
+/// A vertex is so close to a row of centres that viewing may have moved it over them.
+bool RowFills::is_close_to_rows(const PointRow& vertices, const PictureSize& size) const {
+  constexpr double kAlways = 0.25;
+  if (slack_.row == 0.0) return false;
+  return slack_.row > kAlways || std::ranges::any_of(vertices, [&](const Point3& v) {
+           const double y = v.y * size.height;
+           return std::abs(y - std::floor(y) - 0.5) <= slack_.row;
+         });
 }
 
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Batch& batch) {
@@ -167,17 +190,20 @@ static_assert(sizeof(RowFill) == 64);
 void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   RowFill& made = fills_[fill];
   made = {};
-  if (has_own_plane(scene, fill) && make_triangle(scene, size, fill)) return;
   const auto vertices = scene.vertices(fill);
+  const bool is_close = is_close_to_rows(vertices, size);
+  if (!is_close && has_own_plane(scene, fill) && make_triangle(scene, size, fill)) return;
   const Rectangle extent = bounding_rectangle(vertices);
   const double left = extent.x_min * size.width, right = extent.x_max * size.width;
   const double width = size.width;
   // The columns of the centres between its left and its right, with what rounding can do.
-  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - 0.5);
-  const double end = std::ceil(right + std::abs(right) * 0x1p-50 - 0.5);
+  const double first = std::ceil(left - std::abs(left) * 0x1p-50 - slack_.column - 0.5);
+  const double end = std::ceil(right + std::abs(right) * 0x1p-50 + slack_.column - 0.5);
   if (!(first < end && first < width && end > 0.0)) return;
-  const int row_begin = first_row_above(extent.y_min, size.height);
-  const int row_end = first_row_above(extent.y_max, size.height);
+  // The sides of one that is close to a row are looked at one by one there, and beside it.
+  const int beside = is_close ? 1 : 0;
+  const int row_begin = std::max(first_row_above(extent.y_min, size.height) - beside, 0);
+  const int row_end = std::min(first_row_above(extent.y_max, size.height) + beside, size.height);
   if (row_begin >= row_end) return;
   made.column = static_cast<int>(std::clamp(first, 0.0, width - 1.0));
   made.column_end = static_cast<int>(std::min(end, width));
@@ -191,10 +217,10 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const double largest =
       std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
   const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest +
-                       touching_error(scene, fill, depth, size);
+                       rounding_error(scene, fill, depth, size);
   set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
 
-  if (vertices.size() > kMostSides) return;
+  if (vertices.size() > kMostSides || is_close) return;
   if (vertices.size() > 3) made.edges = scene.many_sided_corners_before(fill);
   const int turn = turn_if_convex(vertices);
   if (turn != 0) make_edges(vertices, size, turn, made);
@@ -204,7 +230,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
 void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
                          const PictureSize& size, RowFill& made) const {
   made.certain = range.error <= error_of_certain_ && range.largest <= kLargestDepth &&
-                 (!touches_ || is_not_too_steep(dz_dx, dz_dy, size));
+                 (!are_rounded_ || is_no_steeper(dz_dx, dz_dy, size, steepest_));
   if (!made.certain) return;
   made.z = static_cast<float>(z);
   made.dz_dx = static_cast<float>(dz_dx);
@@ -225,8 +251,10 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   if (!(left >= -width && right <= 2.0 * width && bottom >= -height && top <= 2.0 * height)) {
     return false;
   }
-  const int first = first_column_after(left - std::abs(left) * kColumnError, size.width);
-  const int end = first_column_after(right + std::abs(right) * kColumnError, size.width);
+  const int first =
+      first_column_after(left - std::abs(left) * kColumnError - slack_.column, size.width);
+  const int end =
+      first_column_after(right + std::abs(right) * kColumnError + slack_.column, size.width);
   if (first == end) return true;
   const int rows[3] = {first_row_above(p->y, size.height), first_row_above(q->y, size.height),
                        first_row_above(r->y, size.height)};
@@ -262,9 +290,15 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   return true;
 }
 
+/// How far viewing may have moved a crossing.
+double RowFills::of_viewing(double slope) const {
+  return slack_.column + 2.0 * std::abs(slope) * slack_.row;
+}
+
 /// As make_edges. A side that crosses no row of centres bounds none.
 void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
-                                      const int (&rows)[3], bool counterclockwise, RowFill& made) {
+                                      const int (&rows)[3], bool counterclockwise,
+                                      RowFill& made) const {
   RowEdge* const edges = made.own_edges;
   const double all_rows = made.row_end - made.row_begin;
   RowEdge on_right[2];
@@ -279,7 +313,8 @@ void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3]
     const double of_double = 16.0 * kUnit *
                              (std::abs(x[from]) + std::abs(x[k]) + std::abs(slope) * heights) *
                              (2.0 + all_rows / std::abs(rise));
-    error = std::max(error, of_double + kEdgeUnit * (std::abs(at) + std::abs(slope) * all_rows));
+    const double of_single = kEdgeUnit * (std::abs(at) + std::abs(slope) * all_rows);
+    error = std::max(error, of_double + of_single + of_viewing(slope));
     const RowEdge edge{static_cast<float>(at), static_cast<float>(slope)};
     if ((rise > 0.0) == counterclockwise) {
       on_right[right++ & 1] = edge;
@@ -319,7 +354,8 @@ void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& s
     const double of_double = 16.0 * kUnit *
                              (std::abs(ax) + std::abs(bx) + std::abs(slope) * heights) *
                              (2.0 + rows / std::abs(rise));
-    error = std::max(error, of_double + kEdgeUnit * (std::abs(x) + std::abs(slope) * rows));
+    const double of_single = kEdgeUnit * (std::abs(x) + std::abs(slope) * rows);
+    error = std::max(error, of_double + of_single + of_viewing(slope));
     const bool on_right = (rise > 0.0) == (turn > 0);
     edges[on_right ? sides - ++right : left++] = {static_cast<float>(x), static_cast<float>(slope)};
   }

@@ -8,6 +8,7 @@
 
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
+#include "interp/visibility/row_triangles.h"
 
 namespace displayfile {
 
@@ -47,7 +48,9 @@ class RowFills {
   };
   /// Makes them ready, in place of those before, on up to so many threads. `made` is called for
   /// each batch when it is ready, by the thread that made it.
-  void make(const ViewedScene& scene, const PictureSize& size, int threads,
+  /// `as_entered`: what is drawn with them is the picture as entered, so that viewing's rounding
+  /// counts as an error.
+  void make(const ViewedScene& scene, const PictureSize& size, int threads, bool as_entered,
             const std::function<void(const Batch&)>& made);
   std::size_t batches() const { return batches_; }
   Batch batch(std::size_t number) const {
@@ -84,9 +87,12 @@ class RowFills {
   };
   void set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
                  const PictureSize& size, RowFill& made) const;
+  void find_slack(const ViewedScene& scene, const PictureSize& size, bool as_entered);
+  bool is_close_to_rows(const PointRow& vertices, const PictureSize& size) const;
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
-  static void make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
-                                     const int (&rows)[3], bool counterclockwise, RowFill& made);
+  void make_edges_of_triangle(const double (&x)[3], const double (&y)[3], const int (&rows)[3],
+                              bool counterclockwise, RowFill& made) const;
+  double of_viewing(double slope) const;
   void make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                   RowFill& made);
 
@@ -95,7 +101,11 @@ class RowFills {
   std::size_t batches_ = 0;
   float depth_error_ = 0.0F;
   double error_of_certain_ = 0.0;  // no more than depth_error_
-  bool touches_ = false;           // fills are compared in their own planes, and some may touch
+  /// Fills are compared in their own planes, and the depths of some may be off by rounding before:
+  /// by little where their slopes are no more than `steepest_`.
+  bool are_rounded_ = false;
+  double steepest_ = 0.0;
+  RowSlack slack_;
 };
 
 /// 1 or -1 if the polygon goes once around and turns one way only, counterclockwise or clockwise; 0

@@ -32,8 +32,12 @@ HWY_INLINE Doubles sum(Doubles a, Doubles b) { return hn::Add(a, b); }
 /// Some of a block's triangles, as many as a vector has doubles, from the i-th on.
 class Made {
  public:
-  Made(const TriangleBlock& block, int i, const PictureSize& size)
-      : i_(i), width_(all(size.width)), height_(all(size.height)) {
+  Made(const TriangleBlock& block, int i, const PictureSize& size, const RowSlack& slack)
+      : i_(i),
+        width_(all(size.width)),
+        height_(all(size.height)),
+        column_slack_(all(slack.column)),
+        row_slack_(all(slack.row)) {
     for (int k = 0; k < 3; ++k) {
       x_[k] = times(hn::Load(kDoubles, block.x[k] + i), width_);
       y_[k] = hn::Load(kDoubles, block.y[k] + i);
@@ -58,7 +62,9 @@ class Made {
     const Doubles t = hn::Sub(times(y, height_), all(0.5)), row = hn::Floor(t);
     const Doubles twice = times(y, times(height_, two)), centre = sum(times(row, two), one);
     const Doubles next = sum(centre, two);
-    needs_more_ = hn::Or(needs_more_, hn::Or(hn::Eq(twice, centre), hn::Eq(twice, next)));
+    const Doubles close = times(two, row_slack_);
+    const auto is_close = [&](Doubles at) { return hn::Le(hn::Abs(hn::Sub(twice, at)), close); };
+    needs_more_ = hn::Or(needs_more_, hn::Or(is_close(centre), is_close(next)));
     const DoubleMask is_here = hn::And(hn::Lt(twice, centre), hn::Ge(row, hn::Zero(kDoubles)));
     const Doubles later = hn::IfThenElse(hn::Lt(twice, next), sum(row, one), sum(row, two));
     const Doubles found = hn::Min(hn::IfThenElse(is_here, row, later), height_);
@@ -82,8 +88,10 @@ class Made {
                          hn::Not(hn::And(near(left, right, width_), near(bottom, top, height_))));
     across_ = hn::Max(hn::Sub(right, left), hn::Sub(top, bottom));
     const Doubles of_columns = all(row_bounds::kColumnError);
-    column_ = first_column_after(hn::Sub(left, times(hn::Abs(left), of_columns)));
-    column_end_ = first_column_after(sum(right, times(hn::Abs(right), of_columns)));
+    column_ =
+        first_column_after(hn::Sub(left, sum(times(hn::Abs(left), of_columns), column_slack_)));
+    column_end_ =
+        first_column_after(sum(right, sum(times(hn::Abs(right), of_columns), column_slack_)));
     row_begin_ = least(row_[0], row_[1], row_[2]);
     row_end_ = most(row_[0], row_[1], row_[2]);
     put(hn::Or(hn::Eq(column_, column_end_), hn::Eq(row_begin_, row_end_)), made.covers_none);
@@ -150,7 +158,10 @@ class Made {
                 sum(all(2.0), hn::Div(all_rows, hn::Abs(rise))));
       const Doubles of_single =
           times(all(row_bounds::kEdgeUnit), sum(hn::Abs(at), times(hn::Abs(slope), all_rows)));
-      error = hn::IfThenElse(crosses, hn::Max(error, sum(of_double, of_single)), error);
+      const Doubles of_viewing =
+          sum(column_slack_, times(hn::Abs(slope), times(all(2.0), row_slack_)));
+      error = hn::IfThenElse(crosses, hn::Max(error, sum(sum(of_double, of_single), of_viewing)),
+                             error);
       const DoubleMask rises = hn::Gt(rise, hn::Zero(kDoubles));
       put(crosses, made.crosses[k]);
       put(hn::Not(hn::Xor(rises, is_counterclockwise_)), made.on_right[k]);
@@ -175,18 +186,18 @@ class Made {
   }
 
   int i_;
-  Doubles width_, height_;
+  Doubles width_, height_, column_slack_, row_slack_;
   Doubles x_[3], y_[3], z_[3], row_[3];  // in pixels but for z
   Doubles column_, column_end_, row_begin_, row_end_, across_;
   DoubleMask is_counterclockwise_, needs_more_ = hn::FirstN(kDoubles, 0);
 };
 
 void MakeRowTriangles(const TriangleBlock& block, int n, const PictureSize& size,
-                      double depth_error, RowTriangles& made) {
+                      double depth_error, RowTriangles& made, const RowSlack& slack) {
   made.needs_more = made.covers_none = made.is_certain = made.turned_away = made.has_sides = 0;
   for (int k = 0; k < 3; ++k) made.crosses[k] = made.on_right[k] = 0;
   for (int i = 0; i < n; i += static_cast<int>(hn::Lanes(kDoubles))) {
-    Made(block, i, size).make(depth_error, made);
+    Made(block, i, size, slack).make(depth_error, made);
   }
 }
 
@@ -197,8 +208,8 @@ HWY_AFTER_NAMESPACE();
 namespace displayfile {
 
 void make_row_triangles(const TriangleBlock& block, int n, const PictureSize& size,
-                        double depth_error, RowTriangles& made) {
-  DISPLAYFILE_WIDEST_FORM(MakeRowTriangles)(block, n, size, depth_error, made);
+                        double depth_error, RowTriangles& made, const RowSlack& slack) {
+  DISPLAYFILE_WIDEST_FORM(MakeRowTriangles)(block, n, size, depth_error, made, slack);
 }
 
 }  // namespace displayfile

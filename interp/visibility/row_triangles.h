@@ -30,10 +30,16 @@ struct RowTriangles {
   std::uint32_t on_right[3];  ///< side k
 };
 
+/// How far, in pixels, viewing may have moved a boundary (interp/visibility/z_buffer.md): what is
+/// that close to a row of centres needs more, and sides and columns are that much less certain.
+struct RowSlack {
+  double column = 0.0, row = 0.0;
+};
+
 /// Makes the first n triangles of the block ready for a picture of that size, as
 /// RowFills::make_triangle does one by one, in vectors of doubles: the widest that the processor
 /// has. `depth_error` bounds what a certain one may be off by.
 void make_row_triangles(const TriangleBlock& block, int n, const PictureSize& size,
-                        double depth_error, RowTriangles& made);
+                        double depth_error, RowTriangles& made, const RowSlack& slack = {});
 
 }  // namespace displayfile

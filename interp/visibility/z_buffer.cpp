@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "hidden/parallel.h"
+#include "interp/scan/boundary_centres.h"
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/fill_depths.h"
+#include "interp/visibility/fills_as_entered.h"
 #include "interp/visibility/pair_orders.h"
 #include "interp/visibility/z_buffer_band.h"
 
@@ -64,6 +66,7 @@ class DepthDecisions : public BandDecisions {
     size_ = request.size;
     roundoff_ = request.roundoff;
     fill_ = own_fill_ = ViewedScene::kBackground;
+    notes_ = decides_as_entered(request);
     known_.take(request.scene, request.size);
     orders_.take(request.scene);
   }
@@ -80,11 +83,31 @@ class DepthDecisions : public BandDecisions {
 
   std::span<const Span> spans(int row_begin, int row_end) override {
     spans_.clear();
-    converter_.scan_convert(scene_->vertices(fill_), {size_, row_begin, row_end},
-                            [&](int row, int first, int end) {
-                              spans_.push_back({row, first, end});
-                            });
+    const auto take = [&](int row, int first, int end) { spans_.push_back({row, first, end}); };
+    const PointRow vertices = scene_->vertices(fill_);
+    const std::span<const Point3> polygon{vertices.data(), vertices.size()};
+    const ScanConverter::Region region{size_, row_begin, row_end};
+    if (!notes_) {
+      converter_.scan_convert(polygon, region, take);
+    } else {
+      note_and_scan(polygon, region, take);
+    }
     return spans_;
+  }
+
+  /// Of the band that begins no centres are noted yet.
+  void begin_band() { noted_ = PixelSet(size_.width, rows_.row_begin, rows_.row_end); }
+  /// Decides those that were, close to boundaries of the band's fills, as entered.
+  void decide_noted(const FillsOfBand& fills) {
+    if (noted_.empty()) return;
+    in_order_.resize(fills.towards.size() + fills.turned_away.size());
+    std::ranges::merge(fills.towards, fills.turned_away, in_order_.begin());
+    FillsAsEntered(*scene_, size_).decide(noted_, in_order_, [&](int row, int column, Fill fill) {
+      rows_.fill[rows_.index(row, column)] = fill;
+    });
+  }
+  static bool decides_as_entered(const ImageSpaceMethod::Request& request) {
+    return !request.roundoff && request.scene.viewing_radius() > 0.0;
   }
 
   DepthDifference difference_from(Fill other) override {
@@ -119,6 +142,18 @@ class DepthDecisions : public BandDecisions {
 
  private:
   using Order = PairOrders::Order;
+
+  template <class Take>
+  void note_and_scan(std::span<const Point3> polygon, const ScanConverter::Region& region,
+                     Take&& take) {
+    const Point2 error = boundary_error(polygon, size_) +
+                         scene_->boundary_error() * Point2(size_.width, size_.height);
+    note_rows_of_vertices(polygon, error, size_, noted_);
+    const auto rows = converter_.begin(polygon, region);
+    if (rows.first == rows.end) return;
+    converter_.watch(error);
+    converter_.scan(take, [&](int row, int first, int end) { noted_.add(row, first, end); });
+  }
 
   /// A difference in single precision is 1 at most.
   static constexpr float kNothingKnown = 1.0F;
@@ -208,6 +243,9 @@ class DepthDecisions : public BandDecisions {
   PairOrders orders_;
   ScanConverter converter_;
   std::vector<Span> spans_;
+  bool notes_ = false;  // centres where viewing may decide
+  PixelSet noted_{0, 0, 0};
+  std::vector<Fill> in_order_;
 };
 
 }  // namespace
@@ -260,7 +298,7 @@ ZBuffer::~ZBuffer() = default;
 void ZBuffer::prepare(const Request& request, int threads) {
   request_.emplace(request);
   bands_of_batches_.resize(bands() * RowFills::batches_of(request.scene));
-  fills_.make(request.scene, request.size, threads,
+  fills_.make(request.scene, request.size, threads, DepthDecisions::decides_as_entered(request),
               [&](const RowFills::Batch& batch) { count_in_bands(batch); });
   sort_into_bands(threads);
   for (const auto& worker : workers_->at_rest) worker->take(request, fills_);
@@ -354,7 +392,9 @@ void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
     const BandRows& rows = worker->rows;
     worker->begin(std::max(row_begin, k * kRowsOfABand), std::min(row_end, (k + 1) * kRowsOfABand),
                   first, end);
+    worker->decisions->begin_band();
     draw(fills_, of_band(band), rows, *worker->decisions, worker->scratch);
+    worker->decisions->decide_noted(of_band(band));
     const auto tell = [&](int row, int from, int to, const Fill* shown) {
       if (from < to) seen(row, from, {shown, static_cast<std::size_t>(to - from)});
     };

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "clip/transformation.h"
+#include "clip/view_volume.h"
+#include "hidden/entered_polygon.h"
+#include "hidden/exact/exact_number.h"
+#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane_in_picture.h"
+
+namespace displayfile {
+
+/// A polygon's outline in the picture, in exact numbers: vertices in order, each (x / w, y / w) in
+/// device coordinates. Empty if nothing of it is inside of the view volume.
+struct EnteredOutline {
+  struct Vertex {
+    ExactNumber x, y, w;  ///< w is positive
+    Point2 near;          ///< the nearest doubles
+  };
+  std::vector<Vertex> vertices;
+};
+
+/// How polygons of a segment come from the points that were entered into the picture, as
+/// interp/truth/entered_truth.md defines it: modelling matrix, view, viewport and image
+/// transformation are the doubles that they hold, and products of these are exact; so is clipping.
+/// The doubles of a display file are the same, rounded.
+class EnteredView {
+ public:
+  EnteredView(const ViewVolume& volume, const ImageTransformation& image);
+
+  /// Makes the outline of a polygon. False, and no outline, if some of it inside of the window is
+  /// not in front of the eye, which no view volume allows whose matrix is within range.
+  bool outline(const EnteredPolygon& polygon, EnteredOutline& outline);
+
+  /// True if these are the polygon's points in the picture, and nothing was rounded on the way: the
+  /// outline is then theirs. Not always found out.
+  bool are_unrounded(const EnteredPolygon& polygon, std::span<const Point3> device) const;
+
+  /// The polygon's support plane; none if its vertices are in line.
+  std::optional<PlaneInPicture> plane(const EnteredPolygon& polygon) const;
+
+ private:
+  /// In the homogeneous unit cube, with view-plane z and one of the same factor.
+  struct Vertex {
+    ExactNumber x, y, w, view_z, unit;
+  };
+  enum class Side : std::uint8_t { back, front, eye, left, right, bottom, top };
+
+  static std::array<ExactNumber, 3> in_world(const Point3& entered, const glm::dmat4x3* modelling);
+  static ExactNumber along(const std::array<ExactNumber, 4>& row,
+                           const std::array<ExactNumber, 3>& world);
+  Vertex viewed(const Point3& entered, const glm::dmat4x3* modelling) const;
+  ExactNumber inside(Side side, const Vertex& v) const;
+  void clip(Side side);
+
+  ViewVolume volume_;
+  bool has_image_;
+  std::array<std::array<ExactNumber, 4>, 4> matrix_;      // rows of X, Y, W and view-plane z
+  std::array<ExactNumber, 4> of_z_;                       // the row of Z
+  std::array<std::array<ExactNumber, 3>, 2> to_picture_;  // of X, Y, W to device x and y
+  ExactNumber front_z_, back_z_, nearest_w_;
+  std::vector<Side> sides_;  // that clip
+  std::vector<Vertex> polygon_, clipped_;
+  std::vector<ExactNumber> distances_;
+};
+
+/// Scan conversion of outlines by the rule of interp/scan/scan_convert.h, every decision exact.
+class OutlineRows {
+ public:
+  OutlineRows(const EnteredOutline& outline, const PictureSize& size);
+
+  /// Calls fill_span(row, first, end) for each run of covered pixels in the rows row_begin <= row <
+  /// row_end, row by row from the bottom, left to right.
+  template <class FillSpan>
+  void scan(int row_begin, int row_end, FillSpan&& fill_span) {
+    for (int row = row_begin; row < row_end; ++row) {
+      find_columns(row);
+      for (std::size_t k = 0; k + 1 < columns_.size(); k += 2) {
+        if (columns_[k] < columns_[k + 1]) fill_span(row, columns_[k], columns_[k + 1]);
+      }
+    }
+  }
+
+ private:
+  /// A side that crosses the rows first_row <= row < end_row.
+  struct Side {
+    std::int32_t first_row, end_row;
+    double x, y, dx_dy, error;  ///< of a crossing, in pixels: the lower end and the change a row
+    ExactVector line;           ///< through both ends; positive on the left of going up
+  };
+  std::int32_t first_row_above(const EnteredOutline::Vertex& v) const;
+  void add_side(const EnteredOutline::Vertex& low, const EnteredOutline::Vertex& high,
+                std::int32_t first_row, std::int32_t end_row);
+  void find_columns(int row);
+  std::int32_t column(const Side& side, int row) const;
+
+  PictureSize size_;
+  std::vector<Side> sides_;
+  std::vector<std::int32_t> columns_;
+};
+
+}  // namespace displayfile

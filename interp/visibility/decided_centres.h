@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "interp/visibility/image_space.h"
+
+namespace displayfile {
+
+/// The pixel centres of a picture where viewing's rounding may decide what is seen, and what is
+/// seen there as the application entered the scene (interp/visibility/fills_as_entered.md).
+class DecidedCentres {
+ public:
+  struct Decided {
+    int column;
+    ViewedScene::Fill fill;
+  };
+
+  /// Those of a scene, which need not stay, in place of those before. On up to so many threads.
+  void find(const ViewedScene& scene, const PictureSize& size, int threads);
+  void forget() { rows_.clear(); }
+  bool empty() const { return rows_.empty(); }
+
+  /// Those of a row in the columns first <= i < end, left to right.
+  std::span<const Decided> in_row(int row, int first, int end) const;
+  std::optional<ViewedScene::Fill> at(int row, int column) const {
+    const auto here = in_row(row, column, column + 1);
+    return here.empty() ? std::nullopt : std::optional(here.front().fill);
+  }
+
+ private:
+  std::vector<std::vector<Decided>> rows_;  // none: there are no such centres
+};
+
+/// A method of image space whose pictures are right as the application entered the scene: it finds
+/// what is seen by the scene's coordinates, and the decided centres are shown as they were decided.
+class MethodAsEntered : public ImageSpaceMethod {
+ public:
+  explicit MethodAsEntered(std::unique_ptr<ImageSpaceMethod> method) : method_(std::move(method)) {}
+
+  void prepare(const Request& request, int threads) override;
+  void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
+  int rows_at_a_time() const override { return method_->rows_at_a_time(); }
+
+ private:
+  std::unique_ptr<ImageSpaceMethod> method_;
+  DecidedCentres decided_;
+};
+
+}  // namespace displayfile

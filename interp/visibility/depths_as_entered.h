@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/depth_comparison.h"
+#include "hidden/exact/entered_outline.h"
+#include "hidden/exact/pixel_centre.h"
+#include "interp/visibility/fill_depths.h"
+
+namespace displayfile {
+
+/// The ways into the picture of a scene's items, each made when it is first needed.
+class ViewsAsEntered {
+ public:
+  EnteredView& of(const ViewedScene::EnteredItem& item, std::uint32_t look) {
+    return views_.try_emplace(look, *item.volume, *item.image).first->second;
+  }
+  void forget() { views_.clear(); }
+
+ private:
+  std::unordered_map<std::uint32_t, EnteredView> views_;  // by look
+};
+
+/// Which of two fills is nearer, by the planes as they were entered, where viewing's rounding may
+/// decide it (interp/visibility/fills_as_entered.md). For one thread.
+class DepthsAsEntered {
+ public:
+  using Fill = ViewedScene::Fill;
+
+  explicit DepthsAsEntered(const ViewedScene& scene) : scene_(&scene) {}
+  /// Takes another scene.
+  void take(const ViewedScene& scene) {
+    scene_ = &scene;
+    views_.forget();
+    depths_.clear();
+    planes_.clear();
+  }
+
+  /// The depths of two fills that share no plane are so close at a centre that viewing may decide
+  /// which is nearer.
+  bool are_close(Fill one, Fill other, const PixelCentre& centre);
+  /// The comparison of their planes as entered; none if one is not known.
+  std::optional<DepthComparison> comparison(Fill one, Fill other);
+
+ private:
+  /// A fill's depth, with how much it changes over the picture.
+  struct Depth {
+    FillDepth rounded;
+    double slopes = 0.0;
+  };
+  Depth& depth_of(Fill fill, const PictureSize& size);
+  const PlaneInPicture* plane_of(Fill fill);
+
+  const ViewedScene* scene_;
+  ViewsAsEntered views_;
+  PictureSize size_{0, 0};  // of the depths
+  std::unordered_map<Fill, Depth> depths_;
+  std::unordered_map<Fill, std::optional<PlaneInPicture>> planes_;
+};
+
+}  // namespace displayfile

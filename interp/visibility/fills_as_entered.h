@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "displayfile/viewed_scene.h"
+#include "hidden/exact/entered_outline.h"
+#include "hidden/exact/pixel_centre.h"
+#include "interp/scan/boundary_centres.h"
+#include "interp/scan/pixel_set.h"
+#include "interp/scan/scan_convert.h"
+#include "interp/visibility/depths_as_entered.h"
+#include "interp/visibility/pair_orders.h"
+
+namespace displayfile {
+
+/// The fills of a scene at some of the pixel centres, by what the application entered
+/// (interp/visibility/fills_as_entered.md): which centres a fill covers, and which of two is seen.
+/// Viewing rounds, so close to a boundary, or to where two planes meet, the scene's coordinates say
+/// otherwise. For one thread.
+class FillsAsEntered {
+ public:
+  using Fill = ViewedScene::Fill;
+
+  FillsAsEntered(const ViewedScene& scene, const PictureSize& size);
+
+  /// The scene's coordinates are not what was entered: viewing rounded them.
+  bool are_rounded() const { return scene_.viewing_radius() > 0.0; }
+
+  /// How far a polygon's boundary may lie from where it is as entered, along x and along y, in
+  /// pixels, with what tests for closeness lose.
+  Point2 boundary_error(std::span<const Point3> polygon) const;
+
+  /// Adds the centres in the set's rows that are so close to the fill's boundary.
+  void note_boundary(Fill fill, PixelSet& noted);
+
+  /// Calls fill_span(row, first, end) for runs of covered pixels of the region. Those of the noted
+  /// centres are covered as entered.
+  template <class FillSpan>
+  void scan(Fill fill, const ScanConverter::Region& region, const PixelSet& noted,
+            FillSpan&& fill_span) {
+    if (!is_close(fill, region, noted)) {
+      for (const Run& run : runs_) fill_span(run.row, run.first, run.end);
+    } else {
+      OutlineRows(outline_, size_).scan(region.row_begin, region.row_end, fill_span);
+    }
+  }
+
+  /// True if the later of two fills is seen at a centre that both cover.
+  bool later_is_seen(Fill earlier, Fill later, int column, int row) {
+    return orders_.later_is_seen(earlier, later, PixelCentre(column, row, size_));
+  }
+
+  /// Calls show(row, column, fill) for each of the centres, with the fill that is seen there: one
+  /// of these, which are in order of entry, or the background.
+  template <class Show>
+  void decide(const PixelSet& centres, std::span<const Fill> fills, Show&& show);
+  /// Of all fills of the scene.
+  template <class Show>
+  void decide(const PixelSet& centres, Show&& show);
+
+ private:
+  struct Run {
+    int row, first, end;
+  };
+  bool is_close(Fill fill, const ScanConverter::Region& region, const PixelSet& noted);
+  bool is_close_to_vertices(std::span<const Point3> polygon, const Point2& error,
+                            const PixelSet& noted) const;
+  void enter(Fill fill, const PixelSet& centres, NotedCentres& noted);
+
+  const ViewedScene& scene_;
+  PictureSize size_;
+  ViewsAsEntered views_;
+  PairOrders orders_;
+  ScanConverter converter_;
+  std::vector<Run> runs_;
+  EnteredOutline outline_;
+};
+
+template <class Show>
+void FillsAsEntered::decide(const PixelSet& centres, std::span<const Fill> fills, Show&& show) {
+  NotedCentres noted(centres, size_);
+  for (const Fill fill : fills) enter(fill, centres, noted);
+  noted.for_each([&](int row, int column, NotedCentres::Owner owner) {
+    show(row, column, owner == NotedCentres::kNone ? ViewedScene::kBackground : owner);
+  });
+}
+
+template <class Show>
+void FillsAsEntered::decide(const PixelSet& centres, Show&& show) {
+  NotedCentres noted(centres, size_);
+  for (Fill fill = 1; fill < scene_.end(); ++fill) enter(fill, centres, noted);
+  noted.for_each([&](int row, int column, NotedCentres::Owner owner) {
+    show(row, column, owner == NotedCentres::kNone ? ViewedScene::kBackground : owner);
+  });
+}
+
+}  // namespace displayfile

@@ -179,6 +179,22 @@ class Touching(unittest.TestCase):
         self.assertEqual(len(program_oracle.item_buffer(text, 4, 4).doubtful), 2)
         self.assertEqual(program_oracle.item_buffer(program(SQUARE, inner(0)), 4, 4).doubtful, [])
 
+    def test_at_the_reach_exactly_it_touches_and_is_not_doubtful(self):
+        for z, expected in (
+            (-(2.0**-49), "0000 0110 0110 0000"),
+            (-1.7763568394002509e-15, None),
+        ):
+            answer = program_oracle.item_buffer(program(SQUARE, inner(repr(z))), 4, 4)
+            self.assertEqual(answer.ids.tolist(), picture(expected) if expected else WHOLE)
+            self.assertEqual(answer.doubtful, [])
+
+    def test_one_view_that_clips_or_not_and_one_image_in_other_words_are_one(self):
+        again = ["close-segment", "set-front-plane-clipping on", "open-segment 2", inner(0)]
+        for after in ([], ["set-image-centre 2 0.3 0.4"], ["set-image-rotation 2 -360"]):
+            answer = program_oracle.item_buffer("\n".join([program(SQUARE, *again), *after]), 4, 4)
+            self.assertEqual(answer.ids.tolist(), picture("0000 0110 0110 0000"))
+            self.assertFalse(answer.undecided.any())
+
     def test_between_two_views_planes_are_compared_in_the_picture(self):
         again = [
             "close-segment",

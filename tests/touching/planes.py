@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
+IDENTITY = tuple(tuple(float(i == j) for j in range(4)) for i in range(3))
 FLATNESS = 1e-7  # farther off a plane, relative to the polygon's size, is not known here
 
 
@@ -165,6 +166,8 @@ def farthest(polygon, plane, scale):
 def is_doubtful(ratio, polygon, plane):
     """Whether rounding a matrix another way could take it to the other side of the reach. Under one
     matrix a distance changes by its own rounding; under two, by a part of the reach."""
+    if polygon.matrix == plane.matrix == IDENTITY:
+        return False
     if polygon.matrix == plane.matrix:
         return abs(ratio - 1) < Fraction(1, 10**6)
     return Fraction(1, 2) < ratio < 2

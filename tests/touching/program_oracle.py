@@ -9,7 +9,7 @@ import argparse
 import sys
 
 sys.dont_write_bytecode = True
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
@@ -46,6 +46,9 @@ class Look:
         self.rows = [[int(Fraction(x) * 2**BITS) for x in row] for row in rows]
         self.view = view
         self.scale = scale
+        # What has equal numbers, whether it clips or not, is compared by the planes as entered.
+        unclipped = replace(view, front_clipping=False, back_clipping=False)
+        self.key = unclipped, exact_view.image_numbers(image)
         self.nearest_w = (scale << BITS) >> EYE
         self.window = None
         self.near_eye = exact_view.depth_at(view, 2.0 ** (2 - EYE)) if view.perspective else None
@@ -254,14 +257,10 @@ class Painter:
 
 
 def looks_of(program, width, height, scale):
-    """Of each segment its Look. Equal views with equal matrices of their images are one."""
-    made, looks = {}, {}
-    for name, s in program.segments.items():
-        key = s.view, exact_view.image_numbers(s.image)
-        if key not in made:
-            made[key] = Look(s.view, s.image, width, height, scale)
-        looks[name] = made[key]
-    return looks
+    """Of each segment its Look."""
+    return {
+        name: Look(s.view, s.image, width, height, scale) for name, s in program.segments.items()
+    }
 
 
 def item_buffer(text, width, height):
@@ -297,9 +296,9 @@ def item_buffer(text, width, height):
                 painter.undecided |= covered | doubt
             if (area < 0) != look.mirrored:
                 continue
-        key = found.founder[number], id(look)
+        key = found.founder[number], look.key
         if key not in in_picture:
-            origin = program.polygons[key[0]].matrix, id(look)
+            origin = program.polygons[key[0]].matrix, look.key
             points = [look.view_point(v) for v in found.points[number]]
             in_picture[key] = DepthPlane.through(points, origin)
         plane = in_picture[key]

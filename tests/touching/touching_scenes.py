@@ -52,6 +52,7 @@ class Scene:
         self.at = (0, 0, 0)  # where the part's own coordinates are in the scene's
         self.offset = (0, 0, 0)  # of all coordinates
         self.before = []  # lines before the first segment
+        self.same_image = False  # of all segments, written in several ways
 
     def polygon(self, *points):
         points = [[a + b for a, b in zip(p, self.offset)] for p in points]
@@ -346,12 +347,11 @@ def placed_parts(scene):
         wide, high, deep = sizes(s)
         turned = s.chance(40)
         scene.routine("save-transformation-3")
+        scale = Decimal(1)
         if s.chance(30):
-            scene.routine("scale-3", *[s.decimal(0.5, 1.5, 1)] * 3)
-            high *= Decimal(scene.lines[-1].split()[1])
-            scale = Decimal(scene.lines[-1].split()[1])
-        else:
-            scale = Decimal(1)
+            scale = s.decimal(0.5, 1.5, 1)
+            scene.routine("scale-3", scale * s.choice((1, 1, -1)), scale, scale)
+            high *= scale
         if turned:
             scene.routine("rotate-y-3", s.decimal(-180, 180))
         scene.routine("translate-3", x, y, z)
@@ -444,6 +444,53 @@ def barely_apart(scene):
         scene.polygon(*layer)
 
 
+def about_the_reach(scene):
+    """Layers on a floor that are some units of the last place of the largest coordinate apart, of
+    which 16 are the reach."""
+    s = scene.source
+    scene.offset = (0, 0, 0)
+    scene.floor(s.decimal(-1, 0))
+    y = scene.low[1]
+    for k in range(s.randint(2, 5)):
+        layer = y + s.choice((-1, 1)) * s.choice((1, 3, 6, 9, 12, 15, 17, 20, 24)) * 2.0**-52
+        half = 1.8 - 0.2 * k
+        scene.polygon(
+            (-half, layer, -half + s.uniform(-0.3, 0.3)),
+            (-half + s.uniform(-0.3, 0.3), layer, half),
+            (half, layer, half + s.uniform(-0.3, 0.3)),
+            (half + s.uniform(-0.3, 0.3), layer, -half),
+        )
+
+
+def same_image(scene):
+    """A rug on a floor and a box on it, in segments whose image transformations are one, in other
+    words."""
+    scene.same_image = True
+    s = scene.source
+    y = s.decimal(-1, 0)
+    scene.floor(y)
+    rug(scene, y)
+    x, z = corner(s)
+    wide, high, deep = sizes(s)
+    scene.box((x, y, z), (x + wide, y + high, z + deep))
+
+
+def image_in_other_words(s, names):
+    """Lines of one image transformation for all the segments, by other numbers for each."""
+    x, y = s.decimal(0, 0.5), s.decimal(0, 0.5)
+    angle = s.randint(-720, 720) * Decimal("0.25")  # a double, to which 360 is added exactly
+    turns = s.chance(60)
+    lines = []
+    for name in names:
+        if turns:
+            lines.append(f"set-image-rotation {name} {angle + 360 * s.randint(-1, 1):f}")
+        else:  # nothing but the centre, which moves nothing
+            lines.append(f"set-image-centre {name} {words([s.decimal(0, 1), s.decimal(0, 1)])}")
+        if turns:
+            lines.append(f"set-image-translation {name} {words([x, y])}")
+    return lines
+
+
 KINDS = {
     f.__name__.replace("_", "-"): f
     for f in (
@@ -461,6 +508,8 @@ KINDS = {
         tiles,
         within_length,
         barely_apart,
+        about_the_reach,
+        same_image,
     )
 }
 
@@ -648,7 +697,8 @@ def program(kind, perspective, modelled, seed, number):
         lines.append(viewport(s))
     if varied and s.chance(25):
         lines.append("set-back-face-removal on")
-    parts = in_segments(s, scene.lines) if varied and s.chance(60) else [scene.lines]
+    several = scene.same_image or (varied and s.chance(60))
+    parts = in_segments(s, scene.lines) if several else [scene.lines]
     lines += model
     for name, part in enumerate(parts, 1):
         lines += [f"open-segment {name}", *part, "close-segment"]
@@ -661,7 +711,9 @@ def program(kind, perspective, modelled, seed, number):
             "close-segment",
         ]
         parts.append([])
-    if varied and s.chance(35):
+    if scene.same_image:
+        lines += image_in_other_words(s, range(1, len(parts) + 1))
+    elif varied and s.chance(35):
         same = s.chance(50)  # of all segments, or of each its own
         image = image_transformation(s, "NAME")
         for name in range(1, len(parts) + 1):

@@ -395,6 +395,24 @@ def tiles(scene):
         figure(scene, place, *anywhere(s, Decimal(-1), end, Decimal(-1), end))
 
 
+def panelled_slope(scene):
+    """Panels side by side on a slope in decimals, and figures that go across their joints. Where the
+    largest panel's plane, continued, is farther than the reach, panels have planes of their own."""
+    s = scene.source
+    foot, a, b = s.decimal(-1, 1), s.decimal(-1.5, 1.5), s.decimal(-1.5, 1.5)
+    place = lambda x, z: (x, foot + a * x + b * z, z)
+    x, near, far = Decimal("-1.5"), s.decimal(-1.5, -1), s.decimal(1, 1.5)
+    scene.offset = tuple(s.choice((-1, 1)) * s.decimal(2, 90, 1) for _ in range(3))
+    most = s.choice((0.05, 0.2, 0.9))
+    for _ in range(s.randint(6, 14)):
+        right = x + s.decimal(0.02, most)
+        scene.polygon(place(x, near), place(right, near), place(right, far), place(x, far))
+        x = right
+    x = max(x, Decimal("-0.5"))
+    for _ in range(s.randint(2, 5)):
+        figure(scene, place, *anywhere(s, Decimal("-1.5"), x, near, far))
+
+
 def within_length(scene):
     """A rug that is off the floor, and windows that are off the walls of a box, by less than a
     length within which polygons touch."""
@@ -506,6 +524,7 @@ KINDS = {
         rug_draw,
         placed_parts,
         tiles,
+        panelled_slope,
         within_length,
         barely_apart,
         about_the_reach,

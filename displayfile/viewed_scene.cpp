@@ -138,7 +138,7 @@ void ViewedScene::set_radius(Planes& planes, double of_planes, bool are_looked_f
 
 /// Where the radius is larger, all planes are looked for at once.
 double ViewedScene::small_radius(double radius) {
-  constexpr double kLargest = 0x1p-43;
+  constexpr double kLargest = 0x1p-37;  // fills steeper than 4096 are not certain then
   return radius <= kLargest ? radius : 0.0;
 }
 

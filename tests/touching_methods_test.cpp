@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -88,6 +89,48 @@ TEST(TouchingMethods, BoxesOnAFloor) {
 TEST(TouchingMethods, WindowsFlushInWalls) {
   expect_no_wrong_pixel(test::enter_flush_windows, false);
   expect_no_wrong_pixel(test::enter_flush_windows, true);
+}
+
+/// A wall that is seen nearly edge-on, so that the picture has one column of it, and two windows in
+/// it: one is as far in front of it as the reach is, the other behind. All are triangles. `steep`:
+/// depth over width.
+void enter_steep_wall(double reach, double steep, GraphicsSystem& g) {
+  const double middle = (kSize / 2 + 0.5) / kSize, half = 1.0 / steep;
+  const auto rectangle = [&](double low, double high, double off) {
+    const double depth = off * std::sqrt(1.0 + steep * steep);
+    const Point3 a(middle - half, low, depth - 1.0), b(middle + half, low, depth + 1.0);
+    const Point3 c(b.x, high, b.z), d(a.x, high, a.z);
+    g.polygon_abs_3({a, b, c});
+    g.polygon_abs_3({a, c, d});
+  };
+  g.set_window(0.0, 1.0, 0.0, 1.0);
+  g.set_line_style({LineStyle::Kind::none});
+  g.set_touching({Touching::Kind::length, reach});
+  g.open_segment(1);
+  rectangle(0.1, 0.9, 0.0);
+  rectangle(0.2, 0.45, -0.9 * reach);
+  rectangle(0.55, 0.8, 0.9 * reach);
+  g.close_segment();
+}
+
+TEST(TouchingMethods, WindowsInAWallThatIsSeenNearlyEdgeOn) {
+  for (const double reach : {0x1p-46, 0x1p-42, 0x1p-40, 0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20}) {
+    for (const double steep : {0x1p6, 0x1p10, 0x1p13, 0x1p18}) {
+      SCOPED_TRACE(fmt::format("reach {}, steep {}", reach, steep));
+      Retained retained;
+      enter_steep_wall(reach, steep, retained.system);
+      const EnteredTruth truth = entered_truth(retained.scene, retained.system.display_file(),
+                                               kSize, kSize, false, std::nullopt);
+      EXPECT_EQ(truth.touching, 5u);
+      const auto seen = [&](int id) { return std::ranges::count(truth.picture.ids, id); };
+      EXPECT_GT(seen(2) + seen(3), 10);
+      EXPECT_GT(seen(4) + seen(5), 10);
+      for (const HiddenMethod method : kMethods) {
+        EXPECT_EQ(wrong_pixels(ids_by(retained.system, method), truth.picture), 0u)
+            << name_of(method);
+      }
+    }
+  }
 }
 
 /// A program of the gallery is right in every pixel, by every method, though so many of its

@@ -239,6 +239,11 @@ std::span<const Primitives::PlanePoints> ViewedScene::planes() const {
   return planes_->of_items;
 }
 
+bool ViewedScene::is_edge_on(Item item) const {
+  const PointRow vertices = points(item);
+  return support_vertices({vertices.data(), vertices.size()}).edge_on;
+}
+
 void ViewedScene::find_planes(Planes& found) const {
   found.of_items.clear();
   found.founders.clear();
@@ -258,14 +263,14 @@ void ViewedScene::find_planes(Planes& found) const {
     found.item_of[polygon] = item;
   }
   const auto look = [this](Item item) { return look_of(item); };
+  const bool are_fills = fill_item_.empty() && fills_ == items();  // none is edge-on
   for (std::size_t k = 0; k < touching->shared_planes(); ++k) {
     const auto members = touching->members(k);
     found.in_plane.clear();
     for (const std::uint32_t polygon : members) {
       if (polygon >= found.item_of.size() || found.item_of[polygon] == kNone) continue;
-      const PointRow vertices = points(found.item_of[polygon]);
-      if (support_vertices({vertices.data(), vertices.size()}).edge_on) continue;
-      found.in_plane.push_back(found.item_of[polygon]);
+      const Item item = found.item_of[polygon];
+      if (are_fills || !is_edge_on(item)) found.in_plane.push_back(item);
     }
     if (found.in_plane.empty()) continue;
     found.founders.resize(items(), kNotEntered);
@@ -309,7 +314,14 @@ void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint
     constexpr double kOfFounder = 16.0;
     return std::abs(newell_c(points(item))) * (item == founder ? kOfFounder : 1.0);
   };
-  const Item largest = *std::ranges::max_element(in_plane, {}, area);
+  Item largest = in_plane.front();
+  double most = area(largest);
+  for (const Item item : in_plane.subspan(1)) {
+    const double here = area(item);
+    if (!(here > most)) continue;
+    largest = item;
+    most = here;
+  }
   const PointRow vertices = points(largest);
   const auto index = support_vertices({vertices.data(), vertices.size()}).index;
   Primitives::PlanePoints plane;

@@ -325,6 +325,7 @@ class ViewedScene {
   void find_radius(Planes& planes) const;
   EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
+  bool is_edge_on(Item item) const;
   void find_planes(Planes& found) const;
   void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                    Planes& found) const;

@@ -142,16 +142,22 @@ void TouchingPlanes::Search::enter(std::uint32_t polygons) {
     if (modelling.is_singular() && modelling.puts_in_line(corners[0], corners[1], corners[2])) {
       continue;
     }
-    world.clear();
-    for (const Point3& v : points) {
-      world.push_back(modelling.apply(v));
-      magnitude_ = std::max(magnitude_, modelling.magnitude(v));
-      low_ = glm::min(low_, world.back());
-      high_ = glm::max(high_, world.back());
+    std::span<const Point3> in_world = points;
+    if (!modelling.is_identity()) {
+      world.clear();
+      for (const Point3& v : points) {
+        world.push_back(modelling.apply(v));
+        magnitude_ = std::max(magnitude_, modelling.magnitude(v));
+      }
+      in_world = world;
+    }
+    for (const Point3& v : in_world) {
+      low_ = glm::min(low_, v);
+      high_ = glm::max(high_, v);
     }
     own_.push_back({corners, i, number});
     sides_.push_back(static_cast<std::uint32_t>(points.size()));
-    area_.push_back(glm::length(newell_normal(world)));
+    area_.push_back(glm::length(newell_normal(in_world)));
   }
 }
 
@@ -370,7 +376,8 @@ void TouchingPlanes::Search::found(std::uint32_t own) {
 /// Takes a founded plane if it is the first so far that the polygon lies in.
 void TouchingPlanes::Search::consider(std::uint32_t plane, std::uint32_t own) {
   if (!comes_before(plane, first_plane_ == kNone ? own : first_plane_)) return;
-  if (!passes_near(known_[plane]) || !passes_near(known_closely(plane))) return;
+  if (!passes_near(known_[plane])) return;
+  if (!known_[plane].is_close && !passes_near(known_closely(plane))) return;
   if (touches(own, plane)) first_plane_ = plane;
 }
 
@@ -399,8 +406,7 @@ bool TouchingPlanes::Search::touches(std::uint32_t own, std::uint32_t plane) {
   const EnteredPlane& of = ready(plane);
   const Modelling& modelling = result_.modellings_[own_[own].modelling];
   const auto is_reached = [&](const Point3& v) { return of.reaches(v, modelling); };
-  if (!std::ranges::all_of(own_[own].corners, is_reached)) return false;
-  if (sides_[own] == 3) return true;
+  if (sides_[own] == 3) return std::ranges::all_of(own_[own].corners, is_reached);
   const EnteredPolygon polygon = polygon_of_(own_[own].polygon);
   return std::ranges::all_of(polygon.points, is_reached);
 }

@@ -17,7 +17,9 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-double largest(const Point3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+double largest(const Point3& p) {
+  return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
+}
 
 double largest(const std::array<DoubleDouble, 3>& p) {
   return std::max({std::abs(p[0].high), std::abs(p[1].high), std::abs(p[2].high)});
@@ -36,6 +38,23 @@ std::array<DoubleDouble, 3> cross(const std::array<DoubleDouble, 3>& a,
 DoubleDouble dot(const std::array<DoubleDouble, 3>& a, const std::array<DoubleDouble, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+
+/// Vectors times a power of two. Each coordinate is rounded once at most, as by ldexp, which takes
+/// many times as long.
+class Scaling {
+ public:
+  /// By 1 / 2^exponent, which is the exponent of a double other than 0.
+  explicit Scaling(int exponent)
+      : factor_(std::ldexp(1.0, std::min(-exponent, kMost))),
+        rest_(std::ldexp(1.0, std::max(-exponent - kMost, 0))) {}
+
+  double operator()(double x) const { return x * factor_ * rest_; }
+  Point3 operator()(const Point3& v) const { return v * factor_ * rest_; }
+
+ private:
+  static constexpr int kMost = 1023;
+  double factor_, rest_;
+};
 
 /// The length, off by less than 2^-49 of it; no square overflows or vanishes.
 double length(const Point3& v) {
@@ -83,12 +102,13 @@ bool is_zero_determinant(const glm::dmat4& matrix) {
   return dot(exact(a), cross(exact(b), exact(c))).sign() == 0;
 }
 
-/// The index of the point of which the measure is greatest, the first of equal ones.
+/// The index of the point of which the measure is greatest, the first of equal ones. That of the
+/// first point is 0, and none is less.
 template <class Measure>
 std::size_t index_of_greatest(std::span<const Point3> points, const Measure& measure) {
   std::size_t greatest = 0;
-  double most = -1.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  double most = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
     const double here = measure(points[i]);
     if (here > most) {
       most = here;
@@ -116,12 +136,7 @@ bool Modelling::is_of(const glm::dmat4x3* matrix) const {
   return matrix == nullptr ? is_identity_ : glm::dmat4(*matrix) == matrix_;
 }
 
-Point3 Modelling::apply(const Point3& p) const {
-  return is_identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
-}
-
-double Modelling::magnitude(const Point3& p) const {
-  if (is_identity_) return 0.0;
+double Modelling::largest_sum(const Point3& p) const {
   const auto of_row = [&](int r) {
     return std::abs(matrix_[0][r] * p.x) + std::abs(matrix_[1][r] * p.y) +
            std::abs(matrix_[2][r] * p.z) + std::abs(matrix_[3][r]);
@@ -182,13 +197,10 @@ std::optional<std::array<std::size_t, 3>> support_of_entered(std::span<const Poi
     q = index_of_greatest(v, [&](const Point3& i) { return largest(i - p); });
     int exponent = 0;
     std::frexp(largest(v[q] - p), &exponent);
-    const auto scaled = [&](const Point3& i) {
-      const Point3 d = i - p;
-      return Point3(std::ldexp(d.x, -exponent), std::ldexp(d.y, -exponent),
-                    std::ldexp(d.z, -exponent));
-    };
-    const Point3 to_q = scaled(v[q]);
-    r = index_of_greatest(v, [&](const Point3& i) { return largest(glm::cross(to_q, scaled(i))); });
+    const Scaling scaled(exponent);
+    const Point3 to_q = scaled(v[q] - p);
+    r = index_of_greatest(
+        v, [&](const Point3& i) { return largest(glm::cross(to_q, scaled(i - p))); });
   }
   if (!are_in_line(p, v[q], v[r])) return std::array<std::size_t, 3>{0, q, r};
   for (r = 0; v.size() > 3 && r < v.size(); ++r) {
@@ -223,10 +235,10 @@ void EnteredPlane::find_normal(double error) {
   if (!(most > 0.0 && most <= std::numeric_limits<double>::max())) return;
   int exponent = 0;
   std::frexp(most, &exponent);
-  const Point3 scaled(std::ldexp(cross_[0].high, -exponent), std::ldexp(cross_[1].high, -exponent),
-                      std::ldexp(cross_[2].high, -exponent));
+  const Scaling scaling(exponent);
+  const Point3 scaled = scaling(Point3(cross_[0].high, cross_[1].high, cross_[2].high));
   const double length = glm::length(scaled);
-  const double off = 4.0 * std::ldexp(error, -exponent) / length;
+  const double off = 4.0 * scaling(error) / length;
   if (!(off <= 0.25)) return;
   normal_ = scaled / length;
   direction_error_ = off + kTiny;

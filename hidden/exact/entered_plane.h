@@ -37,11 +37,13 @@ class Modelling {
   const Reach& reach() const { return reach_; }
 
   /// World coordinates in doubles, as the system computes them.
-  Point3 apply(const Point3& p) const;
+  Point3 apply(const Point3& p) const {
+    return is_identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
+  }
   /// The largest sum of the magnitudes that are added up for a coordinate of the point in the
   /// world; 0 under the identity. Each coordinate of apply(p) is off by at most 3.01 roundings of
   /// it.
-  double magnitude(const Point3& p) const;
+  double magnitude(const Point3& p) const { return is_identity_ ? 0.0 : largest_sum(p); }
   /// World coordinates as sums of two doubles, off by at most 13 u^2 magnitude(p), u = 2^-53.
   std::array<DoubleDouble, 3> apply_closely(const Point3& p) const;
   ExactVector apply_exactly(const Point3& p) const;
@@ -51,6 +53,8 @@ class Modelling {
   ExactNumber exact_longest_squared() const;
 
  private:
+  double largest_sum(const Point3& p) const;
+
   glm::dmat4 matrix_;
   bool is_identity_, is_singular_;
   double entered_reach_;

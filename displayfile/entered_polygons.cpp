@@ -82,10 +82,15 @@ void EnteredPolygons::reserve_more(std::size_t polygons, std::size_t corners) {
   make_room(corners_, corners);
 }
 
+/// Where little would be gained, copying the array is not worth it.
 void EnteredPolygons::shrink_to_fit() {
+  const auto shrink = [](auto& array) {
+    if (array.capacity() - array.size() > array.size() / 8) array.shrink_to_fit();
+  };
   number_of_shared_ = {};
-  for (auto* array : {&corners_, &first_}) array->shrink_to_fit();
-  points_.shrink_to_fit();
+  shrink(corners_);
+  shrink(first_);
+  shrink(points_);
 }
 
 void EnteredPolygons::begin_polygon(const Matrix* modelling) {

@@ -73,6 +73,7 @@ void GraphicsSystem::close(Segment& segment) {
   if (selected) segment.take_instructions(std::move(*selected));
   if (sorted) segment.set_sorted(std::move(sorted));
   segment.put_off = put_off;
+  if (EnteredPolygons* const kept = segment.keeping_entered()) kept->shrink_to_fit();
   segment.close();
 }
 

@@ -145,10 +145,12 @@ void TouchingPlanes::Search::enter(std::uint32_t polygons) {
     std::span<const Point3> in_world = points;
     if (!modelling.is_identity()) {
       world.clear();
+      Point3 most(0.0);
       for (const Point3& v : points) {
         world.push_back(modelling.apply(v));
-        magnitude_ = std::max(magnitude_, modelling.magnitude(v));
+        most = glm::max(most, glm::abs(v));
       }
+      magnitude_ = std::max(magnitude_, modelling.magnitude(most));
       in_world = world;
     }
     for (const Point3& v : in_world) {
@@ -170,7 +172,8 @@ void TouchingPlanes::Search::find_planes() {
   find_linked();
   if (linked_.empty()) return;
   std::ranges::sort(linked_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
-  ready_.resize(std::min<std::size_t>(256, own_.size()));
+  constexpr std::size_t kMostReady = 1024;
+  ready_.resize(std::min(kMostReady, own_.size()));
   for (const std::uint32_t own : linked_) find_plane(own);
 }
 

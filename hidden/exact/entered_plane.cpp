@@ -46,7 +46,7 @@ class Scaling {
   /// By 1 / 2^exponent, which is the exponent of a double other than 0.
   explicit Scaling(int exponent)
       : factor_(std::ldexp(1.0, std::min(-exponent, kMost))),
-        rest_(std::ldexp(1.0, std::max(-exponent - kMost, 0))) {}
+        rest_(-exponent > kMost ? std::ldexp(1.0, -exponent - kMost) : 1.0) {}
 
   double operator()(double x) const { return x * factor_ * rest_; }
   Point3 operator()(const Point3& v) const { return v * factor_ * rest_; }

@@ -136,19 +136,24 @@ std::uint64_t WorkCount::allocations_of(std::span<const std::string_view> parts)
   return sum;
 }
 
+namespace {
+
+/// The beginning of a command line: names are written out, as `read` expects.
+std::vector<std::string> by_callgrind(const std::filesystem::path& file) {
+  return {"valgrind",          "--quiet",
+          "--tool=callgrind",  "--compress-strings=no",
+          "--compress-pos=no", "--callgrind-out-file=" + file.string()};
+}
+
+}  // namespace
+
 std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
                                      const std::string& function, std::size_t calls) {
   const TemporaryFolder folder;
   const std::filesystem::path parts = folder.path() / "part";
-  std::vector<std::string> command{"valgrind",
-                                   "--quiet",
-                                   "--tool=callgrind",
-                                   "--compress-strings=no",
-                                   "--compress-pos=no",
-                                   "--toggle-collect=" + function,
-                                   "--dump-after=" + function,
-                                   "--callgrind-out-file=" + parts.string(),
-                                   std::filesystem::read_symlink("/proc/self/exe").string()};
+  std::vector<std::string> command = by_callgrind(parts);
+  command.insert(command.end(), {"--toggle-collect=" + function, "--dump-after=" + function,
+                                 std::filesystem::read_symlink("/proc/self/exe").string()});
   command.insert(command.end(), arguments.begin(), arguments.end());
   run_alone(command);
   std::vector<WorkCount> counts;
@@ -159,6 +164,17 @@ std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
     }
   }
   return counts;
+}
+
+WorkCount counted_run(const std::vector<std::string>& command) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "run";
+  std::vector<std::string> line = by_callgrind(file);
+  line.insert(line.end(), command.begin(), command.end());
+  run_alone(line);
+  WorkCount counted = read(file);
+  if (counted.functions.empty()) throw Error("callgrind counted nothing");
+  return counted;
 }
 
 }  // namespace displayfile::bench

@@ -35,4 +35,9 @@ struct WorkCount {
 std::vector<WorkCount> counted_calls(const std::vector<std::string>& arguments,
                                      const std::string& function, std::size_t calls);
 
+/// Runs a command by callgrind, and gives what it executed from its start to its end. What it
+/// prints is left out. Throws Error, which says why, if nothing can be counted or the command
+/// fails.
+WorkCount counted_run(const std::vector<std::string>& command);
+
 }  // namespace displayfile::bench

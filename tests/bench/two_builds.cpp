@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 #include "programs/bench/process.h"
 #include "programs/bench/side_by_side.h"
 #include "programs/bench/temporary_folder.h"
 #include "programs/scenes/generated_scenes.h"
-#include "programs/scenes/scene.h"
+#include "tests/bench/scene_program.h"
 
 namespace displayfile::bench {
 namespace {
@@ -78,7 +76,7 @@ class TwoBuilds {
  private:
   void compare(const GeneratedScene& scene, std::size_t polygons) {
     const std::string program = folder_.file("scene.draw");
-    write(scene.make(polygons, wanted_.seed), program);
+    write_program(scene.make(polygons, wanted_.seed), program);
     Least start[2];
     for (int round = 0; round < wanted_.rounds; ++round) {
       start[0].take(started(wanted_.before, program, folder_));
@@ -108,14 +106,6 @@ class TwoBuilds {
     } catch (const Error& error) {
       fmt::print("  {}\n", error.what());
     }
-  }
-
-  static void write(const Scene& scene, const std::string& path) {
-    std::ofstream file(path);
-    Recorder recorder(file);
-    GraphicsSystem system;
-    system.set_recorder(&recorder);
-    enter(scene, system);
   }
 
   /// Memory includes what starting takes, since a build may start with less of it. Throws Error if

@@ -33,7 +33,7 @@ using test::wrong_pixels;
 /// Views of which the matrix rounds, that put a grid's points on to centres or nearly.
 void view_on_grid(Source& s, GraphicsSystem& g) {
   constexpr std::array<double, 4> kHalfSides{1.5, 3.0, 5.0, 3.5};
-  const double half = kHalfSides[s.below(4)];
+  const double half = kHalfSides[static_cast<std::size_t>(s.below(4))];
   g.set_window(-half, half, -half, half);
   switch (s.below(5)) {
     case 0: break;
@@ -75,7 +75,7 @@ std::vector<Point3> polygon_on_grid(Source& s, double step) {
 void enter_polygons(Source& s, GraphicsSystem& g) {
   constexpr std::array<double, 4> kSteps{1.0, 0.5, 0.1, 0.3};
   g.set_touching(s.below(3) == 0 ? Touching{Touching::Kind::off} : Touching{});
-  const double step = kSteps[s.below(4)];
+  const double step = kSteps[static_cast<std::size_t>(s.below(4))];
   const int segments = s.below(3) == 0 ? 2 : 1;
   for (int segment = 1; segment <= segments; ++segment) {
     g.open_segment(segment);
@@ -110,7 +110,10 @@ std::vector<std::int32_t> picked_ids(const GraphicsSystem& g, int size) {
 }
 
 int scenes() { return from_environment("DISPLAYFILE_GRID_SCENES", 150 / test::kSlower); }
-int size_of(Source& s) { return std::array{10, 12, 14, 20, 30}[s.below(5)]; }
+int size_of(Source& s) {
+  constexpr std::array kSizes{10, 12, 14, 20, 30};
+  return kSizes[static_cast<std::size_t>(s.below(5))];
+}
 
 TEST(FillsAsEntered, NoPixelIsWrongByAnyMethodWhereCentresLieOnSides) {
   std::size_t decided_by_viewing = 0;

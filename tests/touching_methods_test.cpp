@@ -125,8 +125,8 @@ TEST(TouchingMethods, WindowsInAWallThatIsSeenNearlyEdgeOn) {
       const auto seen = [&](int id) { return std::ranges::count(truth.picture.ids, id); };
       EXPECT_GT(seen(2) + seen(3), 10);
       EXPECT_GT(seen(4) + seen(5), 10);
-      for (const HiddenMethod method : kMethods) {
-        EXPECT_EQ(wrong_pixels(ids_by(retained.system, method), truth.picture), 0u)
+      for (const HiddenMethod method : test::kSurfaceMethods) {
+        EXPECT_EQ(wrong_pixels(ids_by(retained.system, method, kSize), truth.picture), 0u)
             << name_of(method);
       }
     }

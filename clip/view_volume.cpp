@@ -71,7 +71,8 @@ Projectors projectors(const View& view, const glm::dmat4& view_plane) {
 }  // namespace
 
 ViewVolume::ViewVolume(const View& view)
-    : view_plane_(view_plane_transformation(view)),
+    : view_(view),
+      view_plane_(view_plane_transformation(view)),
       viewport_(view.viewport),
       perspective_(view.projection == View::Projection::perspective),
       front_z_(view.distance - view.front),

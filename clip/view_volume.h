@@ -65,6 +65,8 @@ class ViewVolume {
   /// device coordinates, scaled so that the largest is 1 or -1. W is 0 in a parallel view.
   HomogeneousPoint infinitely_far(const Point3& direction) const;
 
+  /// What it is of.
+  const View& view() const { return view_; }
   /// World coordinates to view-plane coordinates: the origin is the view reference point
   /// moved by the view distance along the normal; z grows toward the viewer.
   const glm::dmat4& view_plane() const { return view_plane_; }
@@ -85,6 +87,7 @@ class ViewVolume {
     return low == 0.0 && high == 1.0 ? t : (1.0 - t) * low + t * high;
   }
 
+  View view_;
   glm::dmat4 view_plane_;
   glm::dmat4 world_to_volume_;
   Rectangle viewport_;

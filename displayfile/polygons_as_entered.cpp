@@ -24,8 +24,7 @@ double largest_coordinate(const PointRow& points) {
 void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
   const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
   const auto end = first + static_cast<std::uint32_t>(polygons.size());
-  const bool may_touch = polygons.touching().kind != Touching::Kind::off;
-  add({first, end, &polygons, nullptr, 0, may_touch}, polygons.touching(), polygons.largest());
+  add({first, end, &polygons, nullptr, 0, true}, polygons.touching(), polygons.largest());
 }
 
 void PolygonsAsEntered::add(const RetainedScene& scene) {
@@ -48,25 +47,15 @@ void PolygonsAsEntered::add(const Part& part, const Touching& touching, double l
 
 TouchingPlanes PolygonsAsEntered::planes() const {
   const std::uint32_t polygons = parts_.empty() ? 0 : parts_.back().end;
-  // Where nothing may touch, those are in one plane that lie in it exactly.
-  const bool exactly = std::ranges::none_of(parts_, &Part::may_touch);
-  const auto that_may_touch = [this, exactly](std::uint32_t number) -> EnteredPolygon {
-    const Part& part = part_of(number);
-    if (!part.may_touch && !exactly) return {std::span<const Point3>()};
-    return polygon(part, number);
-  };
-  return {polygons, that_may_touch, reach_};
+  return {polygons, [this](std::uint32_t number) { return polygon(number); }, reach_};
 }
 
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
-  return polygon(part_of(number), number);
-}
-
-EnteredPolygon PolygonsAsEntered::polygon(const Part& part, std::uint32_t number) {
+  const Part& part = part_of(number);
   const std::uint32_t i = number - part.first;
   if (part.polygons != nullptr) return {part.polygons->points(i), part.polygons->modelling(i)};
   const std::uint32_t primitive = part.first_of_scene + i;
-  if ((*part.scene)[primitive].is_line()) return {std::span<const Point3>()};
+  if (!part.may_touch || (*part.scene)[primitive].is_line()) return {std::span<const Point3>()};
   if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};
   return {part.scene->entered_points(primitive), &part.scene->modelling_matrix(primitive)};
 }

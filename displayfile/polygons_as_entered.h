@@ -18,13 +18,12 @@ class PolygonsAsEntered {
  public:
   /// Those of a segment, which are numbered on from those before.
   void add(const EnteredPolygons& polygons);
-  /// The primitives of a scene, each numbered as there if nothing was added before.
+  /// The primitives of a scene, each numbered as there if nothing was added before. Those of
+  /// segments in which nothing may touch, and lines, have no points.
   void add(const RetainedScene& scene);
 
-  /// Polygons that may not touch, beside others that may, lie in no other's plane. Throws
-  /// LimitReached where the thread's budget is used up.
+  /// Throws LimitReached where the thread's budget is used up.
   TouchingPlanes planes() const;
-  /// Lines have no points.
   EnteredPolygon polygon(std::uint32_t number) const;
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 
@@ -37,7 +36,6 @@ class PolygonsAsEntered {
     bool may_touch;
   };
   const Part& part_of(std::uint32_t number) const;
-  static EnteredPolygon polygon(const Part& part, std::uint32_t number);
   void add(const Part& part, const Touching& touching, double largest);
 
   std::vector<Part> parts_;

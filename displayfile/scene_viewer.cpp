@@ -546,6 +546,7 @@ void SceneViewer::take_what_was_entered() {
 }
 
 void SceneViewer::begin_planes() {
+  if (!entered_->may_touch) return viewed_.planes_.reset();
   if (viewed_.planes_ != nullptr) return viewed_.planes_->are_found.store(false);
   take_what_was_entered();
   viewed_.planes_ = std::make_shared<ViewedScene::Planes>();
@@ -572,6 +573,7 @@ void SceneViewer::begin_planes() {
 }
 
 void SceneViewer::find_entered(const ViewVolume& volume) {
+  if (!entered_->may_touch) return viewed_.as_entered_.reset();
   take_what_was_entered();
   if (viewed_.as_entered_ == nullptr) {
     viewed_.as_entered_ = std::make_shared<ViewedScene::AsEntered>();
@@ -599,12 +601,13 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
 
 /// Where the planes were found for another view already, they are had for little.
 void SceneViewer::find_radius(const ViewVolume& volume) {
+  if (!entered_->may_touch) return;
   if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved
   const double radius = ViewedScene::radius_in(volume.matrix(), entered_->in_world, entered_->reach,
                                                viewed_.largest_depth());
-  viewed_.planes_->radius_of_ends = entered_->may_touch ? radius : 0.0;
+  viewed_.planes_->radius_of_ends = radius;
   for (const SegmentNow& segment : segments_) {
-    if (!segment.visible || !entered_->may_touch) continue;
+    if (!segment.visible) continue;
     viewed_.planes_->radius_of_ends =
         std::max(viewed_.planes_->radius_of_ends, radius * ViewedScene::longest_of(segment.image));
   }

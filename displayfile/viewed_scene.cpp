@@ -109,7 +109,7 @@ struct ViewedScene::Collector {
   }
 };
 
-/// The largest of all sources; of ends, of those in which something may touch. That of planes is 0
+/// The largest of all sources. That of planes is 0
 /// if it is not small.
 void ViewedScene::find_radius(Planes& planes) const {
   bool has_images = false;
@@ -122,12 +122,12 @@ void ViewedScene::find_radius(Planes& planes) const {
   }
   for (const Source& source : sources_) {
     const EnteredPolygons* const kept = source.instructions->as_entered();
-    if (kept == nullptr || kept->touching().kind == Touching::Kind::off) continue;
+    if (kept == nullptr) continue;
     const double radius =
         radius_in(kept->volume().matrix(), kept->largest_in_world(), planes.reach, largest_depth_);
     planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
   }
-  set_radius(planes, planes.reach > 0.0 ? planes.radius_of_ends : as_entered_->radius, !has_images);
+  set_radius(planes, planes.radius_of_ends, !has_images);
 }
 
 void ViewedScene::set_radius(Planes& planes, double of_planes, bool are_looked_for) const {

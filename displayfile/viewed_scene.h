@@ -168,7 +168,7 @@ class ViewedScene {
   /// looked for where two are that close. 0 if nothing touches, or the planes are found.
   double touching_radius() const { return planes_ == nullptr ? 0.0 : planes_->radius; }
   /// Viewing rounded coordinates by at most so much, each but the depth. 0 if they are as they were
-  /// entered, or so far off that nothing can be told.
+  /// entered, if that was not kept (`set-touching off`), or if nothing can be told from them.
   double viewing_radius() const { return as_entered_ == nullptr ? 0.0 : as_entered_->radius; }
   /// How far boundaries may lie from where they are as entered, along x and along y: a vertex is
   /// off by viewing_radius, and a clipped one lies close to its side.

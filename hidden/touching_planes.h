@@ -27,9 +27,8 @@ class TouchingPlanes {
 
   TouchingPlanes() = default;
   /// The polygons are 0 to `polygons` - 1, in order of entry. `reach` is before the modelling
-  /// transformation (entered_reach of hidden/touching.h); with 0 those touch that lie in a plane
-  /// exactly. Coordinates in the world are finite. Throws LimitReached where the budget in force is
-  /// used up.
+  /// transformation (entered_reach of hidden/touching.h); with 0 nothing touches. Coordinates in
+  /// the world are finite. Throws LimitReached where the budget in force is used up.
   TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);
 
   /// The polygon whose support plane the polygon lies in: itself where it touches no other's, or

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "interp/renderer.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/slower.h"
@@ -25,7 +26,7 @@ constexpr std::array kMethods{HiddenMethod::z_buffer,    HiddenMethod::scan_line
                               HiddenMethod::depth_sort,  HiddenMethod::map};
 
 void expect_depths_of_the_truth(const GraphicsSystem& system) {
-  const Picture right = truth(system.display_file(), kSize, kSize, true);
+  const Picture right = truth_as_entered(system.display_file(), kSize, kSize, true);
   const auto is_right = [&](double depth, std::size_t k) {
     return std::abs(depth - right.depth[k]) <= 1e-12 * std::max(1.0, std::abs(right.depth[k]));
   };

@@ -74,7 +74,6 @@ std::vector<Point3> polygon_on_grid(Source& s, double step) {
 /// Polygons on a grid, some turned, in one segment or two.
 void enter_polygons(Source& s, GraphicsSystem& g) {
   constexpr std::array<double, 4> kSteps{1.0, 0.5, 0.1, 0.3};
-  g.set_touching(s.below(3) == 0 ? Touching{Touching::Kind::off} : Touching{});
   const double step = kSteps[static_cast<std::size_t>(s.below(4))];
   const int segments = s.below(3) == 0 ? 2 : 1;
   for (int segment = 1; segment <= segments; ++segment) {

@@ -12,6 +12,7 @@
 
 #include "clip/error.h"
 #include "interp/renderer.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/line_picker.h"
 #include "programs/scenes/generated_scenes.h"
@@ -36,7 +37,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Every pixel of a picture picked, against the item buffer of the truth.
 void expect_picks_of_the_truth(const GraphicsSystem& system, int width, int height) {
   const DrawOptions options{.width = width, .height = height};
-  const Picture right = truth(system.display_file(), width, height, true);
+  const Picture right = truth_as_entered(system.display_file(), width, height, true);
   Renderer renderer;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

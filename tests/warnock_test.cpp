@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "interp/scan/scan_convert.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/scenes/hard_cases.h"
@@ -371,7 +372,7 @@ TEST(WarnockAreas, FillTheRows) {
 /// Empty if both forms show the fills of the truth, in bands of any height.
 std::string wrong(const DisplayFile& file, const PictureSize& size) {
   const ViewedScene scene(file);
-  const Picture expected = truth(file, size.width, size.height, false);
+  const Picture expected = truth_as_entered(file, size.width, size.height, false);
   for (const Finish finish : {Finish::at_pixels, Finish::early}) {
     Warnock warnock(finish);
     warnock.prepare({scene, size, {}}, 1);

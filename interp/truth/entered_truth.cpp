@@ -1,9 +1,12 @@
 #include "interp/truth/entered_truth.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "displayfile/entered_polygons.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_planes.h"
@@ -78,6 +81,64 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
   };
   return {retained_picture(retained, display_file, width, height, depth, progress, view_of),
           planes.touching()};
+}
+
+namespace {
+
+/// Enters a segment's polygons, as they were entered, into a retained scene.
+struct PolygonsRetained {
+  const EnteredPolygons& kept;
+  RetainedScene& scene;
+  Attributes attributes{};
+  std::int32_t pick_id = -1;
+  std::size_t next = 0;
+
+  void fill(const FillStyle& style) { attributes.fill = style; }
+  void line_style(const LineStyle&) {}
+  void pick(int id) { pick_id = id; }
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3>, std::span<const std::int32_t>) {
+    const PointRow entered = kept.points(next);
+    const glm::dmat4x3* const modelling = kept.modelling(next);
+    ++next;
+    std::vector<Point3> world(entered.begin(), entered.end());
+    if (modelling != nullptr) {
+      for (Point3& p : world) p = Point3(*modelling * glm::dvec4(p, 1.0));
+    }
+    const std::span<const Point3> as_entered(entered.data(), entered.size());
+    scene.enter_polygon({world, {}, Point3(0.0), {}, pick_id, as_entered, modelling}, attributes);
+  }
+};
+
+/// What the visible segments keep of what was entered; nothing if one of them keeps none.
+std::optional<RetainedScene> scene_as_entered(const DisplayFile& display_file) {
+  RetainedScene scene;
+  for (const Segment* segment : display_file.visible_segments()) {
+    const EnteredPolygons* const kept = segment->entered()->as_entered();
+    if (kept == nullptr) return std::nullopt;
+    scene.open_segment(segment->name(), kept->volume().view(), kept->touching());
+    segment->entered()->walk(PolygonsRetained{*kept, scene});
+    scene.close_segment({});
+  }
+  return scene;
+}
+
+}  // namespace
+
+Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
+                         const WorkProgress& progress) {
+  Picture picture = truth(display_file, width, height, depth, progress);
+  const std::optional<RetainedScene> scene = scene_as_entered(display_file);
+  if (!scene) return picture;
+  const Picture entered =
+      entered_truth(*scene, display_file, width, height, depth, std::nullopt, progress).picture;
+  for (std::size_t k = 0; k < picture.ids.size(); ++k) {
+    if (picture.ids[k] == entered.ids[k]) continue;
+    picture.ids[k] = entered.ids[k];
+    if (depth) picture.depth[k] = entered.depth[k];
+  }
+  return picture;
 }
 
 }  // namespace displayfile

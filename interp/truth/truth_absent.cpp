@@ -30,6 +30,10 @@ EnteredTruth entered_truth(const RetainedScene&, const DisplayFile&, int, int, b
   refuse_truth();
 }
 
+Picture truth_as_entered(const DisplayFile&, int, int, bool, const WorkProgress&) {
+  refuse_truth();
+}
+
 std::size_t different_pixels(const Picture&, const Picture&) { refuse_truth(); }
 
 JudgedLines judged_lines(const DisplayFile&, const LineJudging&) { refuse_truth(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "hidden/parallel.h"
 #include "interp/visibility/fills_as_entered.h"
@@ -11,28 +12,35 @@ namespace displayfile {
 void DecidedCentres::find(const ViewedScene& scene, const PictureSize& size, int threads) {
   forget();
   if (scene.viewing_radius() == 0.0) return;
-  rows_.resize(static_cast<std::size_t>(size.height));
   const auto bands = static_cast<std::size_t>(std::clamp(threads, 1, size.height));
-  in_parallel(threads, bands, [&](std::size_t band) {
+  if (bands_.size() < bands) bands_.resize(bands);
+  in_parallel(threads, bands, [&](std::size_t number) {
     const auto row = [&](std::size_t k) {
       return static_cast<int>(k * static_cast<std::size_t>(size.height) / bands);
     };
-    FillsAsEntered fills(scene, size);
-    PixelSet noted(size.width, row(band), row(band + 1));
-    for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) fills.note_boundary(fill, noted);
+    Band& band = bands_[number];
+    band.decided.clear();
+    PixelSet noted(size.width, row(number), row(number + 1));
+    for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
+      note_boundary(scene, fill, size, band.converter, noted);
+    }
     if (noted.empty()) return;
-    fills.decide(noted, [&](int at, int column, ViewedScene::Fill fill) {
-      rows_[static_cast<std::size_t>(at)].push_back({column, fill});
+    FillsAsEntered(scene, size).decide(noted, [&](int at, int column, ViewedScene::Fill fill) {
+      band.decided.push_back({at, column, fill});
     });
   });
+  for (std::size_t k = 0; k < bands; ++k) {
+    all_.insert(all_.end(), bands_[k].decided.begin(), bands_[k].decided.end());
+  }
 }
 
 std::span<const DecidedCentres::Decided> DecidedCentres::in_row(int row, int first, int end) const {
-  if (rows_.empty()) return {};
-  const auto& all = rows_[static_cast<std::size_t>(row)];
-  const auto from = std::ranges::lower_bound(all, first, {}, &Decided::column);
-  const auto to = std::ranges::lower_bound(all, end, {}, &Decided::column);
-  return {from, to};
+  const auto at = [&](int column) {
+    return std::ranges::lower_bound(all_, std::pair(row, column), {}, [](const Decided& decided) {
+      return std::pair(decided.row, decided.column);
+    });
+  };
+  return {at(first), at(end)};
 }
 
 void MethodAsEntered::prepare(const Request& request, int threads) {
@@ -48,8 +56,9 @@ void MethodAsEntered::draw_rows(int row_begin, int row_end, const SeenRun& seen)
     const auto here = decided_.in_row(row, first, first + static_cast<int>(fills.size()));
     if (here.empty()) return seen(row, first, fills);
     changed.assign(fills.begin(), fills.end());
-    for (const auto& [column, fill] : here)
-      changed[static_cast<std::size_t>(column - first)] = fill;
+    for (const DecidedCentres::Decided& one : here) {
+      changed[static_cast<std::size_t>(one.column - first)] = one.fill;
+    }
     seen(row, first, changed);
   };
   method_->draw_rows(row_begin, row_end, std::cref(decide));

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "interp/scan/scan_convert.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -15,14 +17,14 @@ namespace displayfile {
 class DecidedCentres {
  public:
   struct Decided {
-    int column;
+    std::int32_t row, column;
     ViewedScene::Fill fill;
   };
 
   /// Those of a scene, which need not stay, in place of those before. On up to so many threads.
   void find(const ViewedScene& scene, const PictureSize& size, int threads);
-  void forget() { rows_.clear(); }
-  bool empty() const { return rows_.empty(); }
+  void forget() { all_.clear(); }
+  bool empty() const { return all_.empty(); }
 
   /// Those of a row in the columns first <= i < end, left to right.
   std::span<const Decided> in_row(int row, int first, int end) const;
@@ -32,7 +34,13 @@ class DecidedCentres {
   }
 
  private:
-  std::vector<std::vector<Decided>> rows_;  // none: there are no such centres
+  /// What a thread looks for them with, kept from picture to picture.
+  struct Band {
+    ScanConverter converter;
+    std::vector<Decided> decided;
+  };
+  std::vector<Decided> all_;  // row by row, left to right
+  std::vector<Band> bands_;
 };
 
 /// A method of image space whose pictures are right as the application entered the scene: it finds

@@ -5,25 +5,26 @@
 
 namespace displayfile {
 
+Point2 boundary_error(const ViewedScene& scene, std::span<const Point3> polygon,
+                      const PictureSize& size) {
+  return boundary_error(polygon, size) + scene.boundary_error() * Point2(size.width, size.height);
+}
+
+void note_boundary(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
+                   ScanConverter& converter, PixelSet& noted) {
+  const PointRow row = scene.vertices(fill);
+  const std::span<const Point3> polygon{row.data(), row.size()};
+  const Point2 error = boundary_error(scene, polygon, size);
+  note_rows_of_vertices(polygon, error, size, noted);
+  const auto rows = converter.begin(polygon, {size, noted.row_begin(), noted.row_end()});
+  if (rows.first == rows.end) return;
+  converter.watch(error);
+  converter.scan([](int, int, int) {},
+                 [&](int at, int first, int end) { noted.add(at, first, end); });
+}
+
 FillsAsEntered::FillsAsEntered(const ViewedScene& scene, const PictureSize& size)
     : scene_(scene), size_(size), orders_(scene) {}
-
-Point2 FillsAsEntered::boundary_error(std::span<const Point3> polygon) const {
-  return displayfile::boundary_error(polygon, size_) +
-         scene_.boundary_error() * Point2(size_.width, size_.height);
-}
-
-void FillsAsEntered::note_boundary(Fill fill, PixelSet& noted) {
-  const PointRow row = scene_.vertices(fill);
-  const std::span<const Point3> polygon{row.data(), row.size()};
-  const Point2 error = boundary_error(polygon);
-  note_rows_of_vertices(polygon, error, size_, noted);
-  const auto rows = converter_.begin(polygon, {size_, noted.row_begin(), noted.row_end()});
-  if (rows.first == rows.end) return;
-  converter_.watch(error);
-  converter_.scan([](int, int, int) {},
-                  [&](int at, int first, int end) { noted.add(at, first, end); });
-}
 
 /// One of the noted centres is so close to the boundary that viewing may decide whether it is
 /// covered, and the outline as entered is at hand; otherwise runs_ are what is covered.
@@ -38,7 +39,7 @@ bool FillsAsEntered::is_close(Fill fill, const ScanConverter::Region& region,
     if (rows.first < rows.end) converter_.scan(take);
     return false;
   }
-  const Point2 error = boundary_error(polygon);
+  const Point2 error = boundary_error(scene_, polygon, size_);
   bool close = is_close_to_vertices(polygon, error, noted);
   if (rows.first < rows.end) {
     converter_.watch(error);

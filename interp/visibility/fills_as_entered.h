@@ -15,6 +15,16 @@
 
 namespace displayfile {
 
+/// How far the boundary of a scene's polygon may lie from where it is as entered, along x and along
+/// y, in pixels, with what tests for closeness lose.
+Point2 boundary_error(const ViewedScene& scene, std::span<const Point3> polygon,
+                      const PictureSize& size);
+
+/// Adds the centres in the set's rows that are so close to the fill's boundary. The converter is
+/// memory to work with.
+void note_boundary(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
+                   ScanConverter& converter, PixelSet& noted);
+
 /// The fills of a scene at some of the pixel centres, by what the application entered
 /// (interp/visibility/fills_as_entered.md): which centres a fill covers, and which of two is seen.
 /// Viewing rounds, so close to a boundary, or to where two planes meet, the scene's coordinates say
@@ -27,13 +37,6 @@ class FillsAsEntered {
 
   /// The scene's coordinates are not what was entered: viewing rounded them.
   bool are_rounded() const { return scene_.viewing_radius() > 0.0; }
-
-  /// How far a polygon's boundary may lie from where it is as entered, along x and along y, in
-  /// pixels, with what tests for closeness lose.
-  Point2 boundary_error(std::span<const Point3> polygon) const;
-
-  /// Adds the centres in the set's rows that are so close to the fill's boundary.
-  void note_boundary(Fill fill, PixelSet& noted);
 
   /// Calls fill_span(row, first, end) for runs of covered pixels of the region. Those of the noted
   /// centres are covered as entered.

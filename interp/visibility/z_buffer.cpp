@@ -146,8 +146,7 @@ class DepthDecisions : public BandDecisions {
   template <class Take>
   void note_and_scan(std::span<const Point3> polygon, const ScanConverter::Region& region,
                      Take&& take) {
-    const Point2 error = boundary_error(polygon, size_) +
-                         scene_->boundary_error() * Point2(size_.width, size_.height);
+    const Point2 error = boundary_error(*scene_, polygon, size_);
     note_rows_of_vertices(polygon, error, size_, noted_);
     const auto rows = converter_.begin(polygon, region);
     if (rows.first == rows.end) return;

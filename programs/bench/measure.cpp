@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hidden/exact/predicate_counts.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "programs/bench/counted_memory.h"
 #include "programs/bench/walk.h"
@@ -43,7 +44,7 @@ std::string key_text(const CellKey& key) {
 Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
   Picture all;
   for (const displayfile::Scene& view : views) {
-    append(truth(entered(view).display_file(), size, size, true), all);
+    append(truth_as_entered(entered(view).display_file(), size, size, true), all);
   }
   return all;
 }
@@ -55,7 +56,7 @@ Measurer::Scene::Scene(const BenchScene& s) : scene(s), file(s.make()) {
     views = walk(scene.n, scene.seed);
     truth = truth_of_walk(views, scene.size);
   } else {
-    truth = displayfile::truth(file, scene.size, scene.size, true);
+    truth = truth_as_entered(file, scene.size, scene.size, true);
   }
   reference = drawing(reference_contender(), 1);
   reference->draw_anew();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interp/opengl/osmesa.h"
+#include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "programs/bench/application_mesh.h"
 #include "programs/bench/counted_memory.h"
@@ -45,7 +46,7 @@ void count_memory(const ApplicationMesh& mesh, const PictureSize& size, MovingCa
 void count_wrong_pixels(const ApplicationMesh& mesh, const PictureSize& size, NewViews& ours,
                         MovingCamera& found) {
   for (const View& view : mesh.views) {
-    const Picture right = truth(ours.display_file(view), size.width, size.height, false);
+    const Picture right = truth_as_entered(ours.display_file(view), size.width, size.height, false);
     const Picture& drawn = ours.draw_items_of_new_view(view);
     for (std::size_t i = 0; i < right.ids.size(); ++i) {
       found.wrong_pixels += drawn.ids[i] != right.ids[i] ? 1 : 0;

@@ -307,7 +307,7 @@ TEST(GeneratedScenes, HaveTheSizeAskedForAndAreSeen) {
       EXPECT_NE(made.points, scene.make(n, 2).points) << scene.name;
     }
     const GraphicsSystem system = entered(scene.make(1000, 1));
-    const Picture right = truth(system.display_file(), 32, 32, false);
+    const Picture right = truth_as_entered(system.display_file(), 32, 32, false);
     long long seen = 0;
     for (std::int32_t id : right.ids) seen += id >= 0;
     EXPECT_GT(seen, 32 * 32 / 4) << scene.name;

@@ -11,7 +11,7 @@ namespace displayfile {
 
 Picture right_picture(const Scene& scene, JudgedFrom from, int size) {
   if (from == JudgedFrom::display_file) {
-    return truth(entered(scene).display_file(), size, size, false);
+    return truth_as_entered(entered(scene).display_file(), size, size, false);
   }
   RetainedScene retained;
   GraphicsSystem system;

@@ -238,8 +238,8 @@ TEST(ViewRenderer, ThreadsDoNotChangeTheScene) {
   }
 }
 
-/// From the third view on the same memory serves, but where centres lie on sides, as they do in views
-/// along the axes.
+/// From the third view on the same memory serves, but where centres lie on sides, as they do in
+/// views along the axes.
 TEST(ViewRenderer, AsksForNoMemoryFromTheThirdViewOn) {
   Retained retained;
   GraphicsSystem& g = retained.system;

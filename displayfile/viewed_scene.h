@@ -295,8 +295,8 @@ class ViewedScene {
     std::mutex in_turn;
     std::atomic<bool> are_found = false;
     std::vector<Primitives::PlanePoints> of_items;  ///< empty: none lie in one plane
-    /// Of each item, as entered: that whose plane it lies in, kNotEntered where that is its own;
-    /// empty if all are.
+    /// For each item the polygon, as entered, whose plane it lies in; kNotEntered where it shares
+    /// none. Empty if all are so.
     std::vector<std::uint32_t> founders;
     std::vector<std::uint8_t> elsewhere;  ///< of the same items: that polygon does not stand for it
     std::vector<std::uint32_t> polygons, item_of, in_plane;  // memory of find_planes

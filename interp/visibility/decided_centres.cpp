@@ -35,12 +35,14 @@ void DecidedCentres::find(const ViewedScene& scene, const PictureSize& size, int
 }
 
 std::span<const DecidedCentres::Decided> DecidedCentres::in_row(int row, int first, int end) const {
-  const auto at = [&](int column) {
-    return std::ranges::lower_bound(all_, std::pair(row, column), {}, [](const Decided& decided) {
-      return std::pair(decided.row, decided.column);
-    });
+  const auto before = [&](int column) {
+    const auto at = std::ranges::lower_bound(
+        all_, std::pair(row, column), {},
+        [](const Decided& decided) { return std::pair(decided.row, decided.column); });
+    return static_cast<std::size_t>(at - all_.begin());
   };
-  return {at(first), at(end)};
+  const std::size_t from = before(first);
+  return std::span(all_).subspan(from, before(end) - from);
 }
 
 void MethodAsEntered::prepare(const Request& request, int threads) {

@@ -59,7 +59,7 @@ class FillsAsEntered {
   /// of these, which are in order of entry, or the background.
   template <class Show>
   void decide(const PixelSet& centres, std::span<const Fill> fills, Show&& show);
-  /// Of all fills of the scene.
+  /// Does so with all fills of the scene.
   template <class Show>
   void decide(const PixelSet& centres, Show&& show);
 

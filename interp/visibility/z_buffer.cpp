@@ -95,7 +95,7 @@ class DepthDecisions : public BandDecisions {
     return spans_;
   }
 
-  /// Of the band that begins no centres are noted yet.
+  /// No centres are noted yet in the band that begins.
   void begin_band() { noted_ = PixelSet(size_.width, rows_.row_begin, rows_.row_end); }
   /// Decides those that were, close to boundaries of the band's fills, as entered.
   void decide_noted(const FillsOfBand& fills) {

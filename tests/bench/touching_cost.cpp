@@ -141,12 +141,12 @@ class TouchingCost {
       const std::filesystem::path folder =
           wanted_.keep.empty() ? folder_.path() : std::filesystem::path(wanted_.keep);
       all.push_back({std::string(name), (folder / fmt::format("{}.draw", name)).string(), touches});
-      // Of those each is cut by all others.
+      // Each of them is cut by all others.
       const std::size_t fewer = name == "planes" ? 50 : 1;
       write_program(make(wanted_.polygons / fewer, wanted_.seed), all.back().file);
     };
     for (const GeneratedScene& scene : generated_scenes()) {
-      // Of those the buildings' floors lie in one plane.
+      // The floors of the buildings lie in one plane.
       if (scene.name != "city" && scene.name != "village") add(scene.name, scene.make, false);
     }
     for (const std::string& mesh : wanted_.meshes) {

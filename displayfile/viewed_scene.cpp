@@ -109,8 +109,7 @@ struct ViewedScene::Collector {
   }
 };
 
-/// The largest of all sources. That of planes is 0
-/// if it is not small.
+/// The largest of all sources. That of planes is 0 if it is not small.
 void ViewedScene::find_radius(Planes& planes) const {
   bool has_images = false;
   for (const Source& source : sources_) {

@@ -57,13 +57,17 @@ std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill l
                                                 const PixelCentre& centre) {
   if (scene_->viewing_radius() == 0.0 || pair.is_not_known) return std::nullopt;
   if (share_plane_as_entered(pair, earlier, later)) return 0;
-  if (pair.as_entered == kNone) {
+  if (!pair.is_compared) {
     if (!as_entered_.are_close(earlier, later, centre)) return std::nullopt;
     const auto comparison = as_entered_.comparison(earlier, later);
     pair.is_not_known = !comparison;
     if (!comparison) return std::nullopt;
-    pair.as_entered = static_cast<std::uint32_t>(comparisons_.size());
-    comparisons_.push_back(*comparison);
+    pair.is_compared = true;
+    if (pair.as_entered == kNone) {
+      pair.as_entered = static_cast<std::uint32_t>(comparisons_.size());
+      comparisons_.emplace_back();
+    }
+    comparisons_[pair.as_entered] = *comparison;
     if (comparison->is_one_plane()) {
       pair.looked_for = true;
       pair.order = Order::second;

@@ -60,13 +60,14 @@ class PairOrders {
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
     bool are_apart = false;            ///< in no plane both, as they were entered
-    std::uint32_t as_entered = kNone;  ///< their planes as entered: a place in comparisons_
-    bool is_not_known = false;         ///< as entered
+    bool is_compared = false;          ///< their planes as entered are known,
+    bool is_not_known = false;         ///< or never will be;
+    std::uint32_t as_entered = kNone;  ///< this knows them: a place in comparisons_
     bool is_ready = false;             ///< more is known than the filter tells,
     std::uint8_t times_asked = 0;      ///< before it was
     std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
 
-    Pair forgotten() const { return {.as_entered = kNone, .comparison = comparison}; }
+    Pair forgotten() const { return {.as_entered = as_entered, .comparison = comparison}; }
   };
   /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
   static constexpr int kOften = 2, kVeryOften = 8;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "clip/flat_box.h"
+#include "clip/paper_box.h"
 #include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
 
@@ -55,7 +55,7 @@ struct Label {
 };
 
 /// Liang and Barsky's test: whether a line comes into a box.
-bool comes_into(const FlatBox& box, const Point2& from, const Point2& to) {
+bool comes_into(const PaperBox& box, const Point2& from, const Point2& to) {
   double first = 0.0, last = 1.0;
   for (int a = 0; a < 2; ++a) {
     const double along = to[a] - from[a];
@@ -74,7 +74,7 @@ bool comes_into(const FlatBox& box, const Point2& from, const Point2& to) {
 struct Axes {
   std::vector<std::array<Point3, 2>> lines;
   std::vector<Label> labels;
-  std::vector<FlatBox> boxes;  ///< of the labels
+  std::vector<PaperBox> boxes;  ///< of the labels
 };
 
 std::size_t letters(std::string_view text) {
@@ -187,7 +187,7 @@ class AxesOfBox {
     const Point2 away(0.0, seen(end).y >= seen(high ? edge.from : edge.to).y ? 1.0 : -1.0);
     for (double distance = kNearest; distance <= kFarthest; distance += kFarther) {
       Label placed = label(end, away, distance, std::string(name));
-      const FlatBox box = box_of(placed);
+      const PaperBox box = box_of(placed);
       const double right_by = std::max(0.0, picture().low.x - box.low.x);
       const double left_by = std::max(0.0, box.high.x - picture().high.x);
       placed.at = moved(placed.at, Point2(right_by - left_by, 0.0));
@@ -198,19 +198,19 @@ class AxesOfBox {
   }
 
   bool has_room(const Label& label, const Point2& around, const Axes& axes) const {
-    const FlatBox box = box_of(label).widened(around * size_);
+    const PaperBox box = box_of(label).widened(around * size_);
     return std::ranges::none_of(axes.boxes,
-                                [&](const FlatBox& other) { return box.overlaps(other); });
+                                [&](const PaperBox& other) { return box.overlaps(other); });
   }
-  FlatBox picture() const {
-    return FlatBox{Point2(0.0), Point2(system_.aspect_ratio(), 1.0)}.widened(
+  PaperBox picture() const {
+    return PaperBox{Point2(0.0), Point2(system_.aspect_ratio(), 1.0)}.widened(
         Point2(-0.5 * kGap * size_));
   }
   bool is_in_picture(const Label& label) const { return box_of(label).lies_in(picture()); }
 
   /// True if the letters come over an edge of the box.
   bool meets_box(const Label& label) const {
-    const FlatBox letters = box_of(label).widened(Point2(kGap * size_));
+    const PaperBox letters = box_of(label).widened(Point2(kGap * size_));
     for (int from = 0; from < 8; ++from) {
       for (int along = 0; along < 3; ++along) {
         const int to = from | (1 << along);
@@ -229,7 +229,7 @@ class AxesOfBox {
   }
 
   /// About: fonts differ.
-  FlatBox box_of(const Label& label) const {
+  PaperBox box_of(const Label& label) const {
     const double width = kLetterWidth * size_ * static_cast<double>(letters(label.text));
     const double before = label.alignment == TextStyle::Alignment::left    ? 0.0
                           : label.alignment == TextStyle::Alignment::right ? width

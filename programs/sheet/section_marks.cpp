@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/flat_box.h"
+#include "clip/paper_box.h"
 #include "programs/sheet/text_fit.h"
 
 namespace displayfile {
@@ -18,19 +18,19 @@ namespace {
 
 constexpr double kLetter = 3.5;  // height
 
-FlatBox box_around(std::span<const Point2> points) {
-  FlatBox box{points.front(), points.front()};
+PaperBox box_around(std::span<const Point2> points) {
+  PaperBox box{points.front(), points.front()};
   for (const Point2& p : points) box = {glm::min(box.low, p), glm::max(box.high, p)};
   return box;
 }
-double distance(const FlatBox& a, const FlatBox& b) {
+double distance(const PaperBox& a, const PaperBox& b) {
   const Point2 apart = glm::max(a.low - b.high, b.low - a.high);
   return glm::length(glm::max(apart, Point2(0.0)));
 }
 
-FlatBox box_of(const PlacedView& view) { return {view.low, view.high}; }
+PaperBox box_of(const PlacedView& view) { return {view.low, view.high}; }
 
-FlatBox box_of_text(const Point2& middle_of_baseline, const std::string& text) {
+PaperBox box_of_text(const Point2& middle_of_baseline, const std::string& text) {
   const double half = text_width(text, kLetter) / 2.0;
   return {middle_of_baseline - Point2(half, 0.0), middle_of_baseline + Point2(half, kLetter)};
 }
@@ -46,15 +46,15 @@ class Taken {
         {{frame_.high.x - block, frame_.low.y}, {frame_.high.x, frame_.low.y + kTitleHeight}});
     for (const PlacedView& view : views) boxes_.push_back(box_of(view));
   }
-  void add(const FlatBox& box) { boxes_.push_back(box); }
-  bool is_free(const FlatBox& box) const {
+  void add(const PaperBox& box) { boxes_.push_back(box); }
+  bool is_free(const PaperBox& box) const {
     return box.lies_in(frame_) &&
-           std::ranges::none_of(boxes_, [&](const FlatBox& other) { return box.overlaps(other); });
+           std::ranges::none_of(boxes_, [&](const PaperBox& other) { return box.overlaps(other); });
   }
 
  private:
-  FlatBox frame_{};
-  std::vector<FlatBox> boxes_;
+  PaperBox frame_{};
+  std::vector<PaperBox> boxes_;
 };
 
 /// An end of a cutting line: thick for a little, and an arrow that points along the direction in
@@ -72,7 +72,7 @@ struct CuttingEnd {
     const Point2 middle = end - kHead * seen;
     return {middle + kHalfHead * along, middle - kHalfHead * along};
   }
-  std::array<FlatBox, 3> boxes() const {
+  std::array<PaperBox, 3> boxes() const {
     constexpr double kBesideView = 1.5;
     const std::array line{end - (beyond - kBesideView) * along, end};
     const std::array arrow{end, tail(), barbs()[0], barbs()[1]};
@@ -93,7 +93,7 @@ struct CuttingLine {
     constexpr Point2 kClear(1.0);
     return std::ranges::all_of(ends, [&](const CuttingEnd& end) {
       return std::ranges::all_of(
-          end.boxes(), [&](const FlatBox& box) { return taken.is_free(box.widened(kClear)); });
+          end.boxes(), [&](const PaperBox& box) { return taken.is_free(box.widened(kClear)); });
     });
   }
   void draw(DrawingSheet& sheet) const {
@@ -103,7 +103,7 @@ struct CuttingLine {
   void take(Taken& taken) const {
     taken.add(box_around(std::array{ends[0].end, ends[1].end}));
     for (const CuttingEnd& end : ends) {
-      for (const FlatBox& box : end.boxes()) taken.add(box);
+      for (const PaperBox& box : end.boxes()) taken.add(box);
     }
   }
 };
@@ -196,7 +196,7 @@ void add_caption(std::size_t k, const std::array<PlacedView, 4>& views, const st
   constexpr Point2 kClear(2.5, 1.5);
   const std::vector<Point2> places = caption_places(views[k]);
   const auto fits = [&](const Point2& place) {
-    const FlatBox box = box_of_text(place, letters);
+    const PaperBox box = box_of_text(place, letters);
     const double own = distance(box, box_of(views[k]));
     for (std::size_t other = 0; other < views.size(); ++other) {
       if (other != k && distance(box, box_of(views[other])) <= own) return false;

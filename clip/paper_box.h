@@ -5,16 +5,16 @@
 namespace displayfile {
 
 /// A rectangle in a plane, between two corners: what letters take up, or a view on paper.
-struct FlatBox {
+struct PaperBox {
   Point2 low, high;
 
-  FlatBox widened(const Point2& by) const { return {low - by, high + by}; }
+  PaperBox widened(const Point2& by) const { return {low - by, high + by}; }
   /// True if they have more than sides in common.
-  bool overlaps(const FlatBox& other) const {
+  bool overlaps(const PaperBox& other) const {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
            other.low.y < high.y;
   }
-  bool lies_in(const FlatBox& other) const {
+  bool lies_in(const PaperBox& other) const {
     return low.x >= other.low.x && low.y >= other.low.y && high.x <= other.high.x &&
            high.y <= other.high.y;
   }

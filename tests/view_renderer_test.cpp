@@ -23,6 +23,7 @@
 #include "programs/scenes/hard_cases.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
+#include "tests/slower.h"
 
 namespace displayfile {
 namespace {
@@ -103,7 +104,7 @@ TEST(ViewRenderer, DrawsGeneratedScenes) {
 /// A height field that is finer than the pixels, entered with shared vertices or without, and with
 /// all that polygons can have.
 void enter_field(bool shared, GraphicsSystem& g) {
-  constexpr std::uint32_t kSide = 40;
+  constexpr std::uint32_t kSide = test::kSlower > 1 ? 12 : 40;
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;
   const auto at = [](std::uint32_t i, std::uint32_t j) { return j * (kSide + 1) + i; };

@@ -7,6 +7,7 @@
 
 #include "clip/memory.h"
 #include "displayfile/scene_lines.h"
+#include "hidden/sort/touching_vertices.h"
 
 namespace displayfile {
 
@@ -34,7 +35,8 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
   const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
                           pieces.depth};
-  const double moved = viewed.boundary_error();
+  double moved = viewed.boundary_error();
+  if (options.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
   return std::make_shared<SortedScene>(SortedScene{{std::move(ordered)},

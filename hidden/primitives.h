@@ -41,8 +41,9 @@ struct Primitives {
   /// The surfaces over grids that were entered, in order, for the perimeter method.
   std::span<const SurfaceMark> surfaces = {};
   /// By how much each coordinate of a point may be off that was entered in a plane: a line both of
-  /// whose ends are no farther from a plane lies in it (hidden/lines/end_on_plane.h). 0: nothing
-  /// touches but what coincides.
+  /// whose ends are no farther from a plane lies in it (hidden/lines/end_on_plane.h), and in the
+  /// sorts most vertices are on planes that are no farther (hidden/sort/touching_vertices.md). 0:
+  /// nothing touches but what coincides.
   double touching = 0.0;
 
   bool has_own_plane(std::size_t item) const {

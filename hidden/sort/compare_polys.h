@@ -6,6 +6,7 @@
 
 #include "clip/work_budget.h"
 #include "hidden/sort/polygon_table.h"
+#include "hidden/sort/touching_vertices.h"
 #include "hidden/sort/vertex_table.h"
 
 namespace displayfile {
@@ -87,15 +88,54 @@ class ComparePolys {
   PlaneSide compare(Index test, std::uint32_t plane, const Keep& keep) const {
     const auto& entry = table_[test];
     if (vertices_.in_one_plane(entry.plane, plane)) return PlaneSide::on;
-    bool front = false, back = false;
+    if (vertices_.touching() > 0.0) return compare_touching(test, plane, keep);
+    Signs signs;
     for (std::uint32_t i = 0; i < entry.sides; ++i) {
       const int sign = vertices_.side(table_.d.vertex(entry.start + i), plane);
       keep(i, sign);
+      signs.note(sign);
+    }
+    return signs.side();
+  }
+  struct Signs {
+    bool front = false, back = false;
+    void note(int sign) {
       front |= sign > 0;
       back |= sign < 0;
     }
-    if (front && back) return PlaneSide::both;
-    return front ? PlaneSide::front : (back ? PlaneSide::back : PlaneSide::on);
+    PlaneSide side() const {
+      if (front && back) return PlaneSide::both;
+      return front ? PlaneSide::front : (back ? PlaneSide::back : PlaneSide::on);
+    }
+  };
+
+  /// The same where viewing has moved vertices off planes that they were entered in: those near the
+  /// plane count as on it if the polygon goes far from it, and both ends of a line do
+  /// (hidden/sort/touching_vertices.md).
+  template <class Keep>
+  PlaneSide compare_touching(Index test, std::uint32_t number, const Keep& keep) const {
+    const auto& entry = table_[test];
+    const Plane& plane = vertices_.plane(number);
+    Signs signs;
+    double farthest = 0.0;
+    std::uint32_t near = 0;
+    for (std::uint32_t i = 0; i < entry.sides; ++i) {
+      const auto [size, sign, is_near] = vertices_.value(table_.d.vertex(entry.start + i), plane);
+      if (size > farthest) farthest = size;
+      near += is_near ? 1 : 0;
+      keep(i, is_near ? 0 : sign);
+      signs.note(is_near ? 0 : sign);
+    }
+    const bool goes_far = farthest > plane.reach * vertices_.touching() * kFarFromPlane;
+    if (near == 0 || goes_far || (near == 2 && entry.sides == 2)) return signs.side();
+    for (std::uint32_t i = 0; i < entry.sides; ++i) {
+      const std::uint32_t v = table_.d.vertex(entry.start + i);
+      if (!vertices_.value(v, plane).is_near) continue;
+      const int sign = vertices_.side(v, number);
+      keep(i, sign);
+      signs.note(sign);
+    }
+    return signs.side();
   }
 
   /// The half on the side of the first vertex off the plane goes to the E buffer, the other to

@@ -33,7 +33,7 @@ bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, co
   for (const std::uint32_t to : a.vertices) {
     const auto all_beyond = [&](int inside) {
       for (const std::uint32_t v : b.vertices) {
-        const int turn = table.turn(from, to, v);
+        const int turn = strictly ? table.turn(from, to, v) : table.turn_beyond(from, to, v);
         if (turn == inside || (strictly && turn == 0)) return false;
       }
       return true;

@@ -10,6 +10,7 @@
 #include "hidden/sort/compare_polys.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "hidden/sort/overlap.h"
+#include "hidden/sort/touching_vertices.h"
 
 namespace displayfile {
 
@@ -25,6 +26,7 @@ struct SortScene {
 
   SortScene(const Primitives& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
       : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
+    if (vertices_touch(items_.touching)) vertices.set_touching(items_.touching);
     save_items();
     find_shared_planes();
   }
@@ -66,19 +68,25 @@ struct SortScene {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }
 
-  /// A plane for each polygon that has one, in order of entry.
+  /// A plane for each polygon that has one, in order of entry: the one that it shares with others
+  /// (Primitives::planes), or else its own.
   static std::vector<Plane> planes_of(const Primitives& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());
-    for (const Primitives::Item& item : all.items) {
-      if (item.kind == Primitives::Kind::line) continue;
-      const PointRow points = all.points_of(item);
+    for (std::size_t i = 0; i < all.items.size(); ++i) {
+      if (all.items[i].kind == Primitives::Kind::line) continue;
+      const PointRow points = all.points_of(all.items[i]);
       const SupportVertices support = plane_vertices(points, space);
       if (support.edge_on) continue;
       const auto& [p, q, r] = support.index;
-      Plane plane(points[p], points[q], points[r]);
-      if (space == SortSpace::device && facing(plane) < 0)
-        plane = Plane(points[p], points[r], points[q]);
+      std::array through{points[p], points[q], points[r]};
+      if (!all.has_own_plane(i)) {
+        for (std::size_t k = 0; k < 3; ++k) through[k] = all.points[all.planes[i][k]];
+      }
+      Plane plane(through[0], through[1], through[2]);
+      if (space == SortSpace::device && facing(plane) < 0) {
+        plane = Plane(through[0], through[2], through[1]);
+      }
       planes.push_back(plane);
     }
     return planes;
@@ -100,8 +108,7 @@ struct SortScene {
     }
   }
 
-  /// Polygons that share a plane (Primitives::planes) keep their own, on which their vertices are
-  /// exactly, and count as lying in one.
+  /// Polygons that share a plane lie in it, whichever of them it is asked for by.
   void find_shared_planes() {
     if (items.planes.empty()) return;
     std::map<Primitives::PlanePoints, std::uint32_t> first_of;

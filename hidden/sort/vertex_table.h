@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,6 +59,23 @@ class VertexTable {
   }
 
   double tolerance() const { return policy_.tolerance(); }
+  /// What was entered in one place may be viewed so far apart, in each coordinate
+  /// (Primitives::touching).
+  void set_touching(double touching) { touching_ = touching; }
+  double touching() const { return touching_; }
+  /// A plane's value at a vertex, as doubles have it.
+  struct Value {
+    double size;
+    int sign;
+    bool is_near;  ///< the vertex is within `touching` of the plane, or may be
+  };
+  Value value(std::uint32_t v, const Plane& plane) const {
+    const NearPoint at = near(v);
+    const auto [value, bound] = plane_value(at.p, plane);
+    const double size = std::abs(value);
+    const double off = bound + plane.reach * (at.radius * kInflate + touching_);
+    return {size, decided_sign(value), !(size > off)};
+  }
   int side(std::uint32_t v, std::uint32_t plane) const {
     if (v < points_.size()) [[likely]]
       return policy_.side(points_[v], plane);
@@ -75,8 +93,32 @@ class VertexTable {
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return policy_.turn(a, b, c);
   }
-  /// True if none of the three turns that way from a to b.
+  /// The same as turn, but 0 also for what is about as close to the line as what touches.
+  int turn_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if (!(touching_ > 0.0)) [[likely]]
+      return turn(a, b, c);
+    if (a == b || b == c || a == c) return 0;
+    const NearPoint p = near(a), q = near(b), r = near(c);
+    const auto [determinant, bound] = orientation_value(p.p, q.p, r.p);
+    const double close = touching_ * taxicab(q.p, p.p);
+    const double off =
+        bound + (p.radius + q.radius + r.radius) * (taxicab(p.p, r.p) + taxicab(q.p, r.p));
+    if (!(off <= close)) return turn(a, b, c);
+    return std::abs(determinant) > 2.0 * close ? decided_sign(determinant) : 0;
+  }
+  /// True if none of the three turns that way from a to b, beyond what touches.
   bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c, int way) const {
+    if (touching_ > 0.0) {
+      const double close = touching_ * taxicab(a, b);
+      bool one_does = false, one_is_close = false;
+      for (const Point2& p : c) {
+        const auto [determinant, bound] = orientation_value(a, b, p);
+        const double value = way * determinant;
+        one_does |= value > 2.0 * close + bound;
+        one_is_close |= !(bound <= close);
+      }
+      if (one_does || !one_is_close) return !one_does;
+    }
     return policy_.none_turns(a, b, c, way);
   }
   /// What has exactly the vertex's x and y, if that is known; valid until the next vertex is made.
@@ -114,6 +156,10 @@ class VertexTable {
   }
 
  private:
+  template <class Point>
+  static double taxicab(const Point& a, const Point& b) {
+    return std::abs(a.x - b.x) + std::abs(a.y - b.y);
+  }
   std::uint32_t keep(const Vertex& v) {
     made_.push_back(v);
     return static_cast<std::uint32_t>(points_.size() + made_.size() - 1);
@@ -135,6 +181,7 @@ class VertexTable {
   mutable std::vector<Vertex> made_;
   std::vector<Plane> planes_;
   std::vector<std::uint32_t> counts_as_;  // of planes; empty: none is shared
+  double touching_ = 0.0;
   Policy policy_;
 };
 

@@ -103,9 +103,12 @@ double RetainedScene::off_plane(std::uint32_t i) const {
   const SupportVertices support = spread_vertices(polygon);
   if (support.edge_on) return 0.0;
   const auto& [p, q, r] = support.index;
-  const Plane plane(polygon[p], polygon[q], polygon[r]);
+  return off_plane(i, Plane(polygon[p], polygon[q], polygon[r]));
+}
+
+double RetainedScene::off_plane(std::uint32_t i, const Plane& plane) const {
   double most = 0.0;
-  for (const Point3& v : polygon) most = std::max(most, std::abs(plane_value(v, plane).value));
+  for (const Point3& v : points(i)) most = std::max(most, std::abs(plane_value(v, plane).value));
   return most / glm::length(plane.normal);
 }
 

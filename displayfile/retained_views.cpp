@@ -41,6 +41,14 @@ class RetainedViews::Part {
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
       off_plane_.push_back(world_.off_plane(i));
     }
+    const std::span<const Point3> points = world_.primitives(items_).points;
+    for (std::size_t item = 0; item < shared_planes_.size(); ++item) {
+      const auto& [p, q, r] = shared_planes_[item];
+      if (p == Primitives::kOwnPlane) continue;
+      const Plane plane(points[p], points[q], points[r]);
+      double& off = off_plane_[primitive_of_[item]];
+      off = std::max(off, world_.off_plane(primitive_of_[item], plane));
+    }
   }
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;

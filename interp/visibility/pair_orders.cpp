@@ -1,10 +1,11 @@
 #include "interp/visibility/pair_orders.h"
-#include "clip/rectangle.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
+
+#include "clip/rectangle.h"
 
 namespace displayfile {
 
@@ -47,9 +48,15 @@ bool PairOrders::are_in_one_plane(Pair& pair, Fill earlier, Fill later) {
 }
 
 bool PairOrders::share_plane_as_entered(Pair& pair, Fill earlier, Fill later) {
-  if (pair.are_apart) return false;
-  pair.are_apart = !scene_->are_in_one_plane(earlier, later);
-  return !pair.are_apart;
+  if (pair.are_apart || pair.share_plane) return pair.share_plane;
+  pair.share_plane = scene_->are_in_one_plane(earlier, later);
+  pair.are_apart = !pair.share_plane;
+  if (pair.share_plane) {
+    pair.looked_for = true;
+    pair.order = Order::second;
+    ++times_learnt_;
+  }
+  return pair.share_plane;
 }
 
 /// Where viewing may decide, whatever is known of the pair in the scene's coordinates.

@@ -59,7 +59,8 @@ class PairOrders {
   struct Pair {
     Order order = Order::varies;
     bool looked_for = false;           ///< the order
-    bool are_apart = false;            ///< in no plane both, as they were entered
+    bool share_plane = false;          ///< as they were entered,
+    bool are_apart = false;            ///< or do not
     bool is_compared = false;          ///< their planes as entered are known,
     bool is_not_known = false;         ///< or never will be;
     std::uint32_t as_entered = kNone;  ///< this knows them: a place in comparisons_

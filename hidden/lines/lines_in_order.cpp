@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <optional>
 
+#include "hidden/exact/precision_policies.h"
 #include "hidden/line_kinds.h"
 #include "hidden/lines/chains.h"
 #include "hidden/lines/grid_surface.h"
@@ -62,10 +64,15 @@ class ItemsAndIntersections {
 class ChainWriter {
  public:
   ChainWriter(const ItemsAndIntersections& items, std::span<const LineToDraw> lines,
-              std::span<const std::uint32_t> groups, SortedPieces& all)
-      : items_(items), primitives_(items.primitives()), lines_(lines), groups_(groups), all_(all) {}
+              double least_length, std::span<const std::uint32_t> groups, SortedPieces& all)
+      : items_(items),
+        primitives_(items.primitives()),
+        lines_(lines),
+        least_length_(least_length),
+        groups_(groups),
+        all_(all) {}
 
-  /// Pieces in order of names, but for those whose rounded ends are one point in the projection.
+  /// Pieces in order of names, but for those that would be dots.
   void add(std::span<const VisiblePiece> pieces) {
     links_.clear();
     links_.reserve(pieces.size());
@@ -82,7 +89,7 @@ class ChainWriter {
       }
       const LineEnds ends(primitives_, name);
       const Point3 from = ends.at(piece.from), to = ends.at(piece.to);
-      if (Point2(from) == Point2(to)) continue;
+      if (glm::distance(Point2(from), Point2(to)) <= least_length_) continue;
       const std::uint64_t group = groups_.empty() ? 0 : groups_[item];
       links_.push_back({from, to, (group << 8) | drawn.kinds});
       drawn_.push_back(drawn);
@@ -114,6 +121,7 @@ class ChainWriter {
   const ItemsAndIntersections& items_;
   Primitives primitives_;
   std::span<const LineToDraw> lines_;
+  double least_length_;
   std::span<const std::uint32_t> groups_;
   SortedPieces& all_;
   std::vector<ChainLink> links_;
@@ -159,7 +167,7 @@ SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint3
   const std::vector<VisiblePiece> intersections = seen_intersections(all, found.seen);
   SortedPieces pieces;
   pieces.first_stroke = 0;
-  ChainWriter writer(all, found.lines, groups, pieces);
+  ChainWriter writer(all, found.lines, found.least_length, groups, pieces);
   if (hidden_lines == HiddenLines::dashed) {
     writer.add(uncovered_pieces_of(found, all, intersections));
     pieces.hidden.assign(pieces.pieces.size(), 1);
@@ -185,6 +193,10 @@ FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> pic
                               .progress = options.progress,
                               .surface = known},
                              found.intersections);
+  if (!options.precision.exact) {
+    found.least_length =
+        Roundoff::relative({items.points, {}}, options.precision.roundoff).roundoff();
+  }
   return found;
 }
 

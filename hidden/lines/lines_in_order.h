@@ -16,6 +16,8 @@ struct FoundLines {
   std::vector<LineToDraw> lines;                ///< by item and corner
   std::vector<IntersectionLine> intersections;  ///< none if they are not wanted
   SeenLines seen;                               ///< of both
+  /// With a ROUNDOFF, what it is as a length in the projection: shorter pieces are rounding's.
+  double least_length = 0.0;
 };
 
 /// All lines that are drawn (lines_to_draw: of items that have no line style no side may be
@@ -29,8 +31,8 @@ FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> pic
 /// is not seen and not covered (uncovered_pieces). They are in order of chains (chains_of); pieces
 /// of different kinds are not joined, nor are those of items of different `groups`; empty: all are
 /// of one. The ends of a line are the item's own points; others are computed from those and
-/// rounded. A piece whose ends become one point in the projection is left out, which would be drawn
-/// as a dot.
+/// rounded. A piece whose ends become one point in the projection, or that is no longer than
+/// least_length, is left out, which would be drawn as a dot.
 ///
 /// A piece of a side that polygons share is the first's that draws it, has all kinds that it is
 /// drawn as (SortedPieces::visible of its second point), and names the item of the lowest of their

@@ -169,6 +169,41 @@ TEST(TouchingLines, WellBehindAreHiddenWhateverIsFarAway) {
   }
 }
 
+/// A ROUNDOFF lets through what rounding makes of touching lines, but no strokes without length, of
+/// which a pen makes dots.
+TEST(TouchingLines, WithARoundoffNoStrokeIsADot) {
+  const double roundoff = 1e-9;
+  std::size_t strokes = 0;
+  for (int seed = 0; seed < 80; ++seed) {
+    Source s(static_cast<std::uint64_t>(seed));
+    GraphicsSystem g;
+    test::view_from_anywhere(s, g, {Point3(0.0), 3.0});
+    if (seed % 2 == 1) test::turn_and_move(s, g);
+    g.open_segment(1);
+    test::enter_boxes_on_floor(s, g);
+    g.close_segment();
+    for (const HiddenMethod method : kMethodsOfLines) {
+      for (const HiddenLines hidden : {HiddenLines::none, HiddenLines::dashed}) {
+        SortedDisplayFile sorted;
+        HiddenSurfaceOptions options;
+        options.method = method;
+        options.precision = {.exact = false, .roundoff = roundoff};
+        options.hidden_lines = hidden;
+        const DrawnPieces pieces = drawn_pieces(sorted.update(g, method, options));
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+          if (pieces.kinds[k] != DrawnPieces::Kind::line) continue;
+          ++strokes;
+          EXPECT_GT(glm::distance(Point2(pieces.points[pieces.first[k]]),
+                                  Point2(pieces.points[pieces.first[k] + 1])),
+                    0.1 * roundoff)
+              << name_of(method) << ", seed " << seed;
+        }
+      }
+    }
+  }
+  EXPECT_GT(strokes, 1000u);
+}
+
 /// Where nothing touches, a line behind a face by as little is hidden.
 TEST(TouchingLines, AreComparedAsViewedWhereNothingTouches) {
   for (const bool touches : {true, false}) {

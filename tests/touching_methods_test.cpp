@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/hidden_surface_check.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/text/drawing_program.h"
@@ -89,6 +90,53 @@ TEST(TouchingMethods, BoxesOnAFloor) {
 TEST(TouchingMethods, WindowsFlushInWalls) {
   expect_no_wrong_pixel(test::enter_flush_windows, false);
   expect_no_wrong_pixel(test::enter_flush_windows, true);
+}
+
+/// How often sorts cut boxes that stand on a floor in a random view, by a precision.
+std::uint64_t cuts_of_boxes(HiddenMethod method, const Precision& precision, int seed) {
+  Source s(static_cast<std::uint64_t>(seed));
+  GraphicsSystem g;
+  enter_in_view(s, g, test::enter_boxes_on_floor, seed % 2 == 1);
+  return hidden_surface_check(g.display_file().segment(1).entered(), {}, method,
+                              {.precision = precision})
+      ->counts.cuts;
+}
+
+/// What touches is cut no more than with the ROUNDOFF that hides what viewing rounds.
+TEST(TouchingMethods, SortsCutNoVerticesThatTouchOff) {
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    std::uint64_t exact = 0, roundoff = 0;
+    for (int seed = 0; seed < 60; ++seed) {
+      exact += cuts_of_boxes(method, {}, seed);
+      roundoff += cuts_of_boxes(method, {.exact = false, .roundoff = 0x1p-40}, seed);
+    }
+    EXPECT_LE(exact, roundoff + roundoff / 20) << name_of(method);
+  }
+}
+
+/// Two floors are apart by somewhat more than the reach: the lower one, entered later, is hidden,
+/// though no vertex is farther from the other's plane than what viewing may round.
+TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {
+  for (int seed = 0; seed < 60; ++seed) {
+    Source s(static_cast<std::uint64_t>(seed));
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    test::view_from_anywhere(s, g, kAboutTheOrigin);
+    const double reach = 0x1p-44, below = -2.0 * reach;
+    g.set_touching({Touching::Kind::length, reach});
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});
+    g.polygon_abs_3({{-1, below, -1}, {-1, below, 1}, {1, below, 1}, {1, below, -1}});
+    g.polygon_abs_3({{0, below, 0}, {0, below, 1.5}, {1, 1, 1.5}, {1, 1, 0}});
+    g.close_segment();
+    const EnteredTruth truth =
+        entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
+    for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+      EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u)
+          << name_of(method) << ", seed " << seed;
+    }
+  }
 }
 
 /// A wall that is seen nearly edge-on, so that the picture has one column of it, and two windows in

@@ -90,7 +90,8 @@ class RandomApplication {
     return chance(30) ? 90.0 * (static_cast<int>(below(9)) - 4) : uniform(-400, 400);
   }
   Colour colour() {
-    return {uniform(0, 1), chance(2) ? 1.5 : uniform(0, 1), static_cast<double>(below(2))};
+    // Where rounding is downward, a converted unsigned 0 may become -0.
+    return {uniform(0, 1), chance(2) ? 1.5 : uniform(0, 1), below(2) == 0 ? 0.0 : 1.0};
   }
   FillStyle fill_style() {
     return {chance(70) ? FillStyle::Kind::solid : FillStyle::Kind::hollow, colour()};

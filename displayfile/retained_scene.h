@@ -147,7 +147,7 @@ class RetainedScene : public Watched<RetainedScene> {
   /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
   /// more than three sides counts as flat within a tolerance (clip/planarity.h).
   double off_plane(std::uint32_t i) const;
-  double off_plane(std::uint32_t i, const Plane& plane) const;  ///< the same, of that plane
+  double off_plane(std::uint32_t i, const Plane& plane) const;  ///< from that plane
 
   /// Those primitives that draw something, as items of a sort in world coordinates; the points
   /// and edges are the scene's own. primitive_of is filled with the items' primitives.

@@ -120,17 +120,17 @@ class ComparePolys {
     double farthest = 0.0;
     std::uint32_t near = 0;
     for (std::uint32_t i = 0; i < entry.sides; ++i) {
-      const auto [size, sign, is_near] = vertices_.value(table_.d.vertex(entry.start + i), plane);
+      const auto [size, sign, is_near] = vertices_.value(table_.d.vertex(entry.start + i), number);
       if (size > farthest) farthest = size;
       near += is_near ? 1 : 0;
-      keep(i, is_near ? 0 : sign);
-      signs.note(is_near ? 0 : sign);
+      keep(i, sign);
+      signs.note(sign);
     }
     const bool goes_far = farthest > plane.reach * vertices_.touching() * kFarFromPlane;
     if (near == 0 || goes_far || (near == 2 && entry.sides == 2)) return signs.side();
     for (std::uint32_t i = 0; i < entry.sides; ++i) {
       const std::uint32_t v = table_.d.vertex(entry.start + i);
-      if (!vertices_.value(v, plane).is_near) continue;
+      if (!vertices_.value(v, number).is_near) continue;
       const int sign = vertices_.side(v, number);
       keep(i, sign);
       signs.note(sign);

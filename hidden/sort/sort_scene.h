@@ -108,7 +108,7 @@ struct SortScene {
     }
   }
 
-  /// Polygons that share a plane lie in it, whichever of them it is asked for by.
+  /// Each polygon has a plane of its own number; those that share one count as lying in one.
   void find_shared_planes() {
     if (items.planes.empty()) return;
     std::map<Primitives::PlanePoints, std::uint32_t> first_of;

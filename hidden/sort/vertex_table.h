@@ -63,18 +63,24 @@ class VertexTable {
   /// (Primitives::touching).
   void set_touching(double touching) { touching_ = touching; }
   double touching() const { return touching_; }
-  /// A plane's value at a vertex, as doubles have it.
+  /// A plane's value at a vertex.
   struct Value {
-    double size;
-    int sign;
-    bool is_near;  ///< the vertex is within `touching` of the plane, or may be
+    double size;   ///< as doubles have it
+    int sign;      ///< which side the vertex is on
+    bool is_near;  ///< it is about as close to the plane as what touches: then the sign is 0
   };
-  Value value(std::uint32_t v, const Plane& plane) const {
+  Value value(std::uint32_t v, std::uint32_t plane_number) const {
+    const Plane& plane = planes_[plane_number];
     const NearPoint at = near(v);
     const auto [value, bound] = plane_value(at.p, plane);
     const double size = std::abs(value);
-    const double off = bound + plane.reach * (at.radius * kInflate + touching_);
-    return {size, decided_sign(value), !(size > off)};
+    const double off = bound + plane.reach * at.radius * kInflate;
+    const double close = plane.reach * touching_;
+    if (size > off + close) [[likely]]
+      return {size, decided_sign(value), false};
+    // Doubles that are farther off than what touches do not say that it is close.
+    if (!(off <= close)) return {size, side(v, plane_number), false};
+    return {size, 0, true};
   }
   int side(std::uint32_t v, std::uint32_t plane) const {
     if (v < points_.size()) [[likely]]

@@ -14,14 +14,14 @@ namespace displayfile {
 namespace {
 
 /// A word of a list of names; one in quotation marks may hold blanks.
-struct Word {
+struct NamePart {
   std::string_view text;
   bool quoted;
 };
 
-std::vector<Word> words_of(std::string_view list) {
+std::vector<NamePart> words_of(std::string_view list) {
   constexpr std::string_view kBlanks = " \t";
-  std::vector<Word> words;
+  std::vector<NamePart> words;
   for (;;) {
     list.remove_prefix(std::min(list.find_first_not_of(kBlanks), list.size()));
     if (list.empty()) return words;
@@ -45,7 +45,7 @@ bool ends_name(std::string_view word) {
 }
 
 /// How many words the first name takes: one in quotation marks, or all to one that ends it.
-std::size_t words_of_name(std::span<const Word> words) {
+std::size_t words_of_name(std::span<const NamePart> words) {
   if (words[0].quoted) return 1;
   std::size_t n = 1;
   while (n < words.size() && !words[n].quoted && !ends_name(words[n - 1].text)) ++n;
@@ -69,8 +69,8 @@ std::uint32_t ObjMaterials::named(std::string_view name, MeshBuilder& mesh) {
 
 void ObjMaterials::add_library(std::string_view names) {
   if (!libraries_.emplace(names).second || read_library(names)) return;
-  const std::vector<Word> words = words_of(names);
-  for (std::span<const Word> rest = words; !rest.empty();) {
+  const std::vector<NamePart> words = words_of(names);
+  for (std::span<const NamePart> rest = words; !rest.empty();) {
     const auto name = rest.first(words_of_name(rest));
     rest = rest.subspan(name.size());
     const std::string_view first = name.front().text, last = name.back().text;
@@ -79,7 +79,7 @@ void ObjMaterials::add_library(std::string_view names) {
         read_library(
             {first.data(), static_cast<std::size_t>(last.data() - first.data()) + last.size()});
     if (has_blanks) continue;
-    for (const Word& word : name) {
+    for (const NamePart& word : name) {
       if (!read_library(word.text)) missing_.emplace_back(word.text);
     }
   }

@@ -55,7 +55,7 @@ EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
   const std::uint32_t i = number - part.first;
   if (part.polygons != nullptr) return {part.polygons->points(i), part.polygons->modelling(i)};
   const std::uint32_t primitive = part.first_of_scene + i;
-  if (!part.may_touch || (*part.scene)[primitive].is_line()) return {std::span<const Point3>()};
+  if (!part.may_touch) return {std::span<const Point3>()};
   if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};
   return {part.scene->entered_points(primitive), &part.scene->modelling_matrix(primitive)};
 }

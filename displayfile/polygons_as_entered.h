@@ -18,8 +18,8 @@ class PolygonsAsEntered {
  public:
   /// Those of a segment, which are numbered on from those before.
   void add(const EnteredPolygons& polygons);
-  /// The primitives of a scene, each numbered as there if nothing was added before. Those of
-  /// segments in which nothing may touch, and lines, have no points.
+  /// The primitives of a scene, each numbered as there if nothing was added before; lines have two
+  /// points. Those of segments in which nothing may touch have none.
   void add(const RetainedScene& scene);
 
   /// Throws LimitReached where the thread's budget is used up.

@@ -23,6 +23,7 @@ class DrawnItems {
     if (exact) return;  // a ROUNDOFF decides what is in one plane
     items_.planes = {};
     items_.touching = 0.0;
+    items_.ends = nullptr;
   }
   DrawnItems(const DrawnItems&) = delete;
   DrawnItems& operator=(const DrawnItems&) = delete;

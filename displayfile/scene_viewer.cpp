@@ -550,6 +550,7 @@ void SceneViewer::begin_planes() {
   if (viewed_.planes_ != nullptr) return viewed_.planes_->are_found.store(false);
   take_what_was_entered();
   viewed_.planes_ = std::make_shared<ViewedScene::Planes>();
+  viewed_.planes_->entered_reach = entered_->polygons->reach();
   viewed_.planes_->reach = entered_->reach;
   viewed_.planes_->find_touching = [entered = entered_] {
     if (entered->planes == nullptr) {
@@ -588,7 +589,7 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
   }
   ViewedScene::AsEntered& all = *viewed_.as_entered_;
   all.own_volume = volume;
-  all.polygons.clear();
+  all.are_found.store(false);
   all.images.clear();
   double longest = 1.0;
   for (const SegmentNow& segment : segments_) {

@@ -582,6 +582,7 @@ void ViewedScene::finish(bool in_place) {
     find_entered(polygon_of);
     planes_ = std::make_shared<Planes>();
     planes_->polygon_of = polygon_of;
+    planes_->entered_reach = polygons.reach();
     planes_->find_touching = [polygons] {
       return std::make_shared<const TouchingPlanes>(polygons.planes());
     };
@@ -610,9 +611,12 @@ ViewedScene::EnteredItem ViewedScene::as_entered(Item item) const {
   if (!as_entered_->polygons_of_items) {
     number = entered_of_item_[item];
   } else {
-    const std::lock_guard in_turn(as_entered_->in_turn);
-    if (as_entered_->polygons.size() != items()) {
-      as_entered_->polygons_of_items(*this, as_entered_->polygons);
+    if (!as_entered_->are_found.load(std::memory_order_acquire)) {
+      const std::lock_guard in_turn(as_entered_->in_turn);
+      if (!as_entered_->are_found.load(std::memory_order_relaxed)) {
+        as_entered_->polygons_of_items(*this, as_entered_->polygons);
+        as_entered_->are_found.store(true, std::memory_order_release);
+      }
     }
     number = as_entered_->polygons[item];
   }

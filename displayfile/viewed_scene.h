@@ -58,7 +58,7 @@ struct ViewedText {
 ///
 /// Polygons that lie in one plane as they were entered (hidden/touching_planes.md) lie in one plane
 /// here: that of one of them stands for the planes of all.
-class ViewedScene {
+class ViewedScene : public EndsAsEntered {
  public:
   using Item = std::uint32_t;
   using Fill = std::uint32_t;
@@ -88,8 +88,12 @@ class ViewedScene {
   // ---- Items -----------------------------------------------------------------------------
 
   Primitives primitives() const {
-    return {points_, corners_, edge_visible_, items_, planes(), surfaces_, touching_of_ends()};
+    return {points_,   corners_,           edge_visible_,    items_,
+            planes(),  surfaces_,          touching_of_ends(), viewing_radius(),
+            some_may_touch() ? this : nullptr};
   }
+  /// Of items that are not viewed alike no end is on a plane: those are compared in the picture.
+  Places places(Item item, std::uint32_t corner, Item polygon) const override;
   /// As Primitives::planes. They are found when they are first needed, by whichever thread.
   std::span<const Primitives::PlanePoints> planes() const;
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
@@ -180,7 +184,7 @@ class ViewedScene {
     const ImageTransformation* image = nullptr;
     bool is_known() const { return polygon.points.size() >= 3; }
   };
-  /// Without points if that is not known: of lines, and of scenes without viewing_radius.
+  /// Without points if that is not known: of most lines, and of scenes without viewing_radius.
   EnteredItem as_entered(Item item) const;
   /// The polygon whose plane the item's lies in as it was entered: its own if it shares none.
   EnteredItem plane_as_entered(Item item) const;
@@ -287,7 +291,8 @@ class ViewedScene {
     /// The number of the polygon whose first corner that is, or kNotEntered where that is not at
     /// hand; if empty they are entered_of_item_.
     std::function<std::uint32_t(std::uint32_t)> polygon_of_item;
-    double reach = 0.0;   ///< in world coordinates, the largest
+    double entered_reach = 0.0;  ///< before modelling transformations, the largest
+    double reach = 0.0;          ///< in world coordinates, the largest
     double radius = 0.0;  ///< touching_radius
     double radius_of_ends = 0.0;
     bool are_close =
@@ -312,6 +317,7 @@ class ViewedScene {
     std::vector<const ImageTransformation*> images;
     std::optional<ViewVolume> own_volume;
     std::mutex in_turn;
+    std::atomic<bool> are_found = false;
     std::vector<std::uint32_t> polygons;  // of the items, once polygons_of_items was called
   };
   bool is_certainly_apart(Item a, Item b) const;
@@ -324,6 +330,9 @@ class ViewedScene {
   static double longest_of(const ImageTransformation& image);
   void find_radius(Planes& planes) const;
   EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
+  bool some_may_touch() const { return planes_ != nullptr && planes_->reach > 0.0; }
+  struct EnteredLine;
+  std::optional<EnteredLine> entered_line(Item item, std::uint32_t corner) const;
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
   bool is_edge_on(Item item) const;
   void find_planes(Planes& found) const;

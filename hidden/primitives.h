@@ -5,6 +5,7 @@
 #include <span>
 
 #include "clip/point_row.h"
+#include "hidden/ends_as_entered.h"
 #include "hidden/surface_mark.h"
 
 namespace displayfile {
@@ -45,7 +46,20 @@ struct Primitives {
   /// sorts most vertices are on planes that are no farther (hidden/sort/touching_vertices.md). 0:
   /// nothing touches but what coincides.
   double touching = 0.0;
+  /// By how much viewing alone has rounded each coordinate, at most; 0 if nothing is known.
+  double rounding = 0.0;
+  /// Which ends of lines touch which planes. Null: nothing touches, or by `touching` alone.
+  const EndsAsEntered* ends = nullptr;
+  /// The items' numbers there; empty: they are counted from 0.
+  std::span<const std::uint32_t> numbers = {};
 
+  /// The places of a line's ends, by the items' numbers here.
+  EndsAsEntered::Places places(std::uint32_t item, std::uint32_t corner,
+                               std::uint32_t polygon) const {
+    if (ends == nullptr) return EndsAsEntered::kUnknown;
+    const auto number = [&](std::uint32_t i) { return numbers.empty() ? i : numbers[i]; };
+    return ends->places(number(item), corner, number(polygon));
+  }
   bool has_own_plane(std::size_t item) const {
     return planes.empty() || planes[item][0] == kOwnPlane;
   }

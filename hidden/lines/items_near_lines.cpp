@@ -81,6 +81,7 @@ void ItemsNearLines::take(const Primitives& all, const std::vector<std::uint8_t>
   items_.items = own_items_;
   items_.planes = own_planes_;
   items_.surfaces = {};
+  items_.numbers = number_;
   names_ = own_names_;
   intersections_ = own_intersections_;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/work_budget.h"
-#include "hidden/lines/end_on_plane.h"
+#include "hidden/lines/ends_on_plane.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -24,6 +24,7 @@ class LineAgainstPolygon {
       : scene_(scene), policy_(policy) {}
 
   void look_at(const LineScene::Line& line) {
+    named_ = line;
     own_ = line.own;
     other_ = LineScene::kNone;
     if (line.by_plane) own_plane_ = scene_.plane(own_);
@@ -35,9 +36,9 @@ class LineAgainstPolygon {
   /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
-    const int at_a = policy_.nearer(line_, line_.a, plane);
-    return at_a >= 0 && at_a + policy_.nearer(line_, line_.b, plane) > 0 &&
-           !lies_in_plane(line_, plane, scene_.touching());
+    int at_a = policy_.nearer(line_, line_.a, plane), at_b = policy_.nearer(line_, line_.b, plane);
+    put_on_plane(polygon, plane, at_a, at_b);
+    return at_a >= 0 && at_b >= 0 && at_a + at_b > 0;
   }
 
   /// Adds what the polygon, one that hides, covers along the line looked at, to HiddenParts or what
@@ -47,10 +48,10 @@ class LineAgainstPolygon {
     if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
     steps_.step();
     const Plane plane = scene_.plane(polygon);
-    const int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
-    const int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
+    int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
+    int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
+    put_on_plane(polygon, plane, nearer_at_a, nearer_at_b);
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
-    if (lies_in_plane(line_, plane, scene_.touching())) return false;
     find_crossings(polygon);
     PartOfLine part{0.0, 1.0};
     if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);
@@ -91,10 +92,19 @@ class LineAgainstPolygon {
     return left + right + 1 < sides || (left > 0 && right > 0);
   }
 
+  /// At an end that is within reach of the plane neither is nearer.
+  void put_on_plane(std::uint32_t polygon, const Plane& plane, int& nearer_at_a,
+                    int& nearer_at_b) const {
+    if (nearer_at_a <= 0 && nearer_at_b <= 0) return;
+    const EndsOnPlane on = ends_on_plane(scene_, named_, line_, polygon, plane);
+    if (on.start) nearer_at_a = 0;
+    if (on.end) nearer_at_b = 0;
+  }
+
   /// Neighbours in a mesh share points, at which they have one depth.
   void note_end(std::uint32_t polygon, std::uint32_t k) {
     if (line_.plane != nullptr || line_.common != nullptr) return;
-    if (scene_.is_off_plane(polygon, k)) return;
+    if (scene_.is_uneven_at(polygon, k)) return;
     a_is_corner_ |= scene_.corner(polygon, k) == line_.a;
     b_is_corner_ |= scene_.corner(polygon, k) == line_.b;
   }
@@ -139,7 +149,8 @@ class LineAgainstPolygon {
 
   const LineScene& scene_;
   const Policy& policy_;
-  DepthLine line_{};
+  LineScene::Line named_{};
+  DepthLine line_{};  // the same
   Plane own_plane_;
   std::optional<CommonLine> common_;
   std::uint32_t own_ = LineScene::kNone, other_ = LineScene::kNone;

@@ -7,7 +7,7 @@
 #include "clip/corners.h"
 #include "hidden/convex_turning.h"
 #include "hidden/lines/contour_edges.h"
-#include "hidden/lines/end_on_plane.h"
+#include "hidden/lines/ends_on_plane.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -120,11 +120,11 @@ class LineCounts {
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
   }
 
-  /// Whether the line lies in the polygon's plane but for what viewing rounds. What is counted of
-  /// the polygon is then wrong.
-  bool lies_in(std::uint32_t polygon) const {
-    return scene_.touching() > 0.0 &&
-           lies_in_plane(line_, scene_.plane(polygon), scene_.touching());
+  /// The ends of the line looked at, which is that one, that touch the polygon's plane. What is
+  /// counted of the polygon is then wrong, unless a corner is there.
+  EndsOnPlane on_plane(const LineScene::Line& line, std::uint32_t polygon) const {
+    if (!(scene_.touching() > 0.0)) return {};
+    return ends_on_plane(scene_, line, line_, polygon, scene_.plane(polygon));
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the

@@ -132,7 +132,7 @@ class LineFollower {
       has_other_depths = true;
       box.include(lines_.extent(depth));
     }
-    find_near(a, b, box, has_other_depths);
+    find_near(line, box, has_other_depths);
     bool at_own_depth = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
       const LineScene::Line& depth = lines_.lines()[first + i];
@@ -223,20 +223,28 @@ class LineFollower {
     return all;
   }
 
-  /// Finds the polygons that are near the line from a to b in space, which are in the box, and
-  /// reach over it: those that may not be nearer all along its own ends' depth, or farther, or in
-  /// whose plane it lies; if it
-  /// has other depths, all; and those that have it as a side and may have another depth.
-  void find_near(const Point3& a, const Point3& b, const Extent& box, bool has_other_depths) {
+  /// Whether what is counted of an even polygon may be wrong: its plane passes between the line's
+  /// ends, or one of them touches it. At a corner they have one depth.
+  bool is_doubtful(const LineScene::Line& line, const Point3& a, const Point3& b,
+                   std::uint32_t polygon) const {
+    const bool a_is_corner = has_corner(polygon, a), b_is_corner = has_corner(polygon, b);
+    const EndsOnPlane on = counts_.on_plane(line, polygon);
+    if (on.both() || (on.start && !a_is_corner) || (on.end && !b_is_corner)) return true;
+    return !a_is_corner && !b_is_corner && counts_.passes_through_plane(polygon);
+  }
+
+  /// Finds the polygons that are near the line in space, which are in the box, and reach over it:
+  /// those that may not be nearer all along its own ends' depth, or farther, or whose plane it
+  /// touches; if it has other depths, all; and those that have it as a side and may have another
+  /// depth.
+  void find_near(const LineScene::Line& line, const Extent& box, bool has_other_depths) {
+    const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
     near_.clear();
     doubtful_.clear();
     sharers_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
-      // At a corner they have one depth, if it is on the polygon's plane.
-      const bool even = scene_.contours.is_even(polygon);
-      const bool doubtful = !even || counts_.lies_in(polygon) ||
-                            (!has_corner(polygon, a) && !has_corner(polygon, b) &&
-                             counts_.passes_through_plane(polygon));
+      const bool doubtful =
+          !scene_.contours.is_even(polygon) || is_doubtful(line, a, b, polygon);
       if (!doubtful && !has_other_depths) return false;
       if (counts_.is_side_of(polygon)) {
         sharers_.push_back(polygon);

@@ -11,6 +11,7 @@
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
+#include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/parallel.h"
 
@@ -45,6 +46,12 @@ void check_name(const Primitives& items, const LineName& name) {
   }
 }
 
+/// Where it is 0 though some ends are within reach, that is much of the picture.
+double touching_of(const Primitives& items) {
+  if (items.ends == nullptr || items.touching > 0.0) return items.touching;
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads,
@@ -53,7 +60,8 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
       names_(names),
       intersections_(intersections),
       support_(items.items.size()),
-      extents_(items.items.size()) {
+      extents_(items.items.size()),
+      touching_(touching_of(items)) {
   require_names(items, names);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
     support_[i] = support_of(i);
@@ -143,7 +151,7 @@ void LineScene::find_uneven(int threads) {
     all_flat = all_flat && !may_be_uneven(i);
   }
   if (all_flat) return;
-  off_plane_.resize(corners, 0);
+  off_plane_.resize(corners, OffPlane::none);
   std::atomic<bool> is_any = false;
   in_even_parts(items_.items.size(), threads, [&](std::uint32_t i) {
     const Support& support = support_[i];
@@ -152,7 +160,9 @@ void LineScene::find_uneven(int threads) {
     for (std::uint32_t k = 0; k < sides(i); ++k) {
       const Point3& v = corner(i, k);
       if (own.goes_through(v) || side_of_plane(v, own) == 0) continue;
-      off_plane_[first_corner_[i] + k] = 1;
+      const bool by_rounding =
+          items_.rounding > 0.0 && on_plane(v, own.p, own.q, own.r, items_.rounding) == OnPlane::yes;
+      off_plane_[first_corner_[i] + k] = by_rounding ? OffPlane::by_rounding : OffPlane::as_entered;
       is_any = true;
     }
   });
@@ -161,7 +171,7 @@ void LineScene::find_uneven(int threads) {
 
 bool LineScene::is_uneven(const LineName& side) const {
   if (items_.items[side.item].kind == Primitives::Kind::line) return false;
-  return is_off_plane(side.item, side.corner) || is_off_plane(side.item, corner_before(side));
+  return is_uneven_at(side.item, side.corner) || is_uneven_at(side.item, corner_before(side));
 }
 
 /// A side has as many depths as the polygons that share it give it.

@@ -78,10 +78,27 @@ class LineScene {
     const auto& [p, q, r] = support_[item];
     return {items_.points[p], items_.points[q], items_.points[r]};
   }
-  double touching() const { return items_.touching; }  ///< the items'
-  /// True if the polygon is not flat and has that vertex off its support plane.
+  /// As Primitives::touching; infinite where what is within reach may be anywhere.
+  double touching() const { return touching_; }
+  /// Two polygons lie in one plane as they were entered.
+  bool share_plane(std::uint32_t a, std::uint32_t b) const {
+    return !items_.has_own_plane(a) && !items_.has_own_plane(b) &&
+           items_.planes[a] == items_.planes[b];
+  }
+  /// Where the ends of a line that is no intersection are as they were entered, against a polygon's
+  /// plane.
+  EndsAsEntered::Places places(const Line& line, std::uint32_t polygon) const {
+    const LineName& name = names_[line.name];
+    return items_.places(name.item, name.corner, polygon);
+  }
+  /// True if the polygon is not flat and has that vertex off its support plane, however little.
   bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
-    return !off_plane_.empty() && off_plane_[first_corner_[item] + corner] != 0;
+    return off_plane(item, corner) != OffPlane::none;
+  }
+  /// The same, by more than viewing rounds. Of the other polygons sides have their own ends' depth,
+  /// which is the plane's: where it is steep rounding alone would decide another.
+  bool is_uneven_at(std::uint32_t item, std::uint32_t corner) const {
+    return off_plane(item, corner) == OffPlane::as_entered;
   }
   /// True if no polygon has such a vertex.
   bool all_even() const { return off_plane_.empty(); }
@@ -97,6 +114,10 @@ class LineScene {
   struct Support {
     std::uint32_t p = kNone, q = kNone, r = kNone;
   };
+  enum class OffPlane : std::uint8_t { none, by_rounding, as_entered };
+  OffPlane off_plane(std::uint32_t item, std::uint32_t corner) const {
+    return off_plane_.empty() ? OffPlane::none : off_plane_[first_corner_[item] + corner];
+  }
   Support support_of(std::uint32_t item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.
@@ -104,7 +125,8 @@ class LineScene {
   void find_uneven(int threads);
   void add_lines();
   void add_intersections();
-  /// True if the side's own ends are not at the depth that the polygon's plane has there.
+  /// True if the side's own ends are not at the depth that the polygon's plane has there, but for
+  /// rounding.
   bool is_uneven(const LineName& side) const;
   std::uint32_t corner_before(const LineName& side) const {
     return previous_corner(side.corner, sides(side.item));
@@ -116,8 +138,9 @@ class LineScene {
   std::vector<Point3> ends_;  // of the intersections, two of each
   std::vector<Support> support_;
   std::vector<Extent> extents_;
-  /// Whether the vertex at each corner of the items is off the polygon's plane; empty: none is.
-  std::vector<std::uint8_t> off_plane_;
+  double touching_;
+  /// How the vertex at each corner of the items is off the polygon's plane; empty: none is.
+  std::vector<OffPlane> off_plane_;
   std::vector<std::uint32_t> first_corner_;  // of the items, among those of all
   std::vector<Line> lines_;
   std::vector<std::uint32_t> first_lines_;

@@ -24,10 +24,20 @@ std::array<Integer, 2> gaps(const EndDepths& polygon, const EndDepths& line) {
           polygon.to * line.under - line.to * polygon.under};
 }
 
+/// The same of a polygon and a line at one of its depths: 0 at an end that is on the plane.
+std::array<Integer, 2> gaps(const Hider& hider, const ExactLine& line, std::size_t depth_number) {
+  std::array<Integer, 2> both = gaps(hider.depth, line.depths[depth_number]);
+  for (std::size_t k = 0; k < 2 && !hider.touching.empty(); ++k) {
+    if (hider.touching[depth_number][k]) both[k] = 0;
+  }
+  return both;
+}
+
 /// True if the polygon is strictly nearer just after t: at t itself or, if it is as near there, by
 /// what comes after.
-bool is_nearer_after(const EndDepths& polygon, const EndDepths& line, const Fraction& t) {
-  const auto [at_start, at_end] = gaps(polygon, line);
+bool is_nearer_after(const Hider& hider, const ExactLine& line, std::size_t depth_number,
+                     const Fraction& t) {
+  const auto [at_start, at_end] = gaps(hider, line, depth_number);
   const Integer change = at_end - at_start;
   const Integer at_t = at_start * t.under + change * t.over;
   return at_t > 0 || (at_t == 0 && change > 0);
@@ -49,8 +59,9 @@ void add_covered(std::vector<Fraction> crossings, const ExactPart& within,
 
 }  // namespace
 
-std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& line) {
-  const auto [at_start, at_end] = gaps(polygon, line);
+std::optional<ExactPart> nearer_part(const Hider& hider, const ExactLine& line,
+                                     std::size_t depth_number) {
+  const auto [at_start, at_end] = gaps(hider, line, depth_number);
   if (at_start <= 0 && at_end <= 0) return std::nullopt;
   ExactPart part = whole_line();
   if (at_start < 0) part.from = quotient(at_start, at_start - at_end);
@@ -58,19 +69,12 @@ std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& 
   return part;
 }
 
-bool Hider::has_in_its_plane(const ExactLine& line, std::size_t depth_number) const {
-  return touching > 0.0 && !line.ends.empty() &&
-         std::ranges::all_of(line.ends[depth_number], [&](const Point3& end) {
-           return is_end_on_plane(end, plane[0], plane[1], plane[2], touching);
-         });
-}
-
 ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
                         std::span<const Hider> hiders) {
   std::array<std::vector<ExactPart>, 2> covered;
   for (const Hider& hider : hiders) {
-    const auto nearer = nearer_part(hider.depth, line.depths[depth_number]);
-    if (!nearer || hider.has_in_its_plane(line, depth_number)) continue;
+    const auto nearer = nearer_part(hider, line, depth_number);
+    if (!nearer) continue;
     for (std::size_t side = 0; side < covered.size(); ++side) {
       add_covered(hider.crossings[side], *nearer, covered[side]);
     }
@@ -90,7 +94,7 @@ bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const
   const auto is_hidden_on = [&](std::size_t k, std::size_t side) {
     return std::ranges::any_of(hiders, [&](const Hider& hider) {
       return is_covered_after(hider.crossings[side], t) &&
-             is_nearer_after(hider.depth, line.depths[k], t) && !hider.has_in_its_plane(line, k);
+             is_nearer_after(hider, line, k, t);
     });
   };
   for (std::size_t k = 0; k < line.depths.size(); ++k) {
@@ -166,12 +170,24 @@ EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) con
           plane.under * line.scale};
 }
 
-/// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends. A
-/// triangle's ends lie on its plane.
-EndDepths LineHiders::depths(const ExactLine& line, LineId sharer) const {
+/// A triangle's ends lie on its plane, and most others but for what viewing rounds: where a plane is
+/// steep its depth there would be anything.
+bool LineHiders::has_own_depth(LineId sharer) const {
   const bool is_moved =
       items_.points(sharer.item).size() > 3 || items_.shared_plane(sharer.item) != nullptr;
-  if (items_.kind(sharer.item) != LineItems::Kind::line && is_moved) {
+  if (items_.kind(sharer.item) == LineItems::Kind::line || !is_moved) return true;
+  const auto plane = plane_points(sharer.item);
+  if (!plane || items_.rounding() == 0.0) return !plane;
+  const auto& [p, q, r] = *plane;
+  return std::ranges::all_of(
+      std::array{items_.from(sharer), items_.to(sharer)}, [&](const Point3& end) {
+        return on_plane(end, p, q, r, items_.rounding()) == OnPlane::yes;
+      });
+}
+
+/// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends.
+EndDepths LineHiders::depths(const ExactLine& line, LineId sharer) const {
+  if (!has_own_depth(sharer)) {
     if (const auto plane = this->plane(sharer.item)) return depths(line, *plane);
   }
   return {scaled(line.start.z, depth_places_), scaled(line.end.z, depth_places_), 1};
@@ -197,7 +213,7 @@ ExactLine LineHiders::line(const LineItems::Sharers& sharers) const {
     const double from = this->depth(depth.from, depth.under);
     const double to = this->depth(depth.to, depth.under);
     line.farthest = std::min({line.farthest, from, to});
-    line.ends.push_back({Point3(Point2(line.start), from), Point3(Point2(line.end), to)});
+    line.sharers.push_back(sharer);
     line.depths.push_back(std::move(depth));
   }
   line.farthest = std::nextafter(line.farthest, -kInfinite);
@@ -242,16 +258,43 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
   const auto plane = this->plane(item);
   if (!plane) return std::nullopt;
   hider.depth = depths(line, *plane);
-  hider.plane = *plane_points(item);
-  hider.touching = items_.touching();
+  hider.touching = touching(line, item);
   return hider;
+}
+
+/// By what was entered; where that is not at hand, by what viewing may round.
+std::vector<std::array<bool, 2>> LineHiders::touching(const ExactLine& line,
+                                                      std::uint32_t item) const {
+  std::vector<std::array<bool, 2>> all;
+  if (!items_.some_touch()) return all;
+  const auto plane = *plane_points(item);
+  const auto is_on = [&](EndsAsEntered::Place as_entered, const Point3& end, const Integer& over,
+                         const Integer& under) {
+    if (as_entered != EndsAsEntered::Place::unknown) {
+      return as_entered == EndsAsEntered::Place::on_plane;
+    }
+    return items_.touching() > 0.0 &&
+           on_plane(Point3(Point2(end), depth(over, under)), plane[0], plane[1], plane[2],
+                    items_.touching()) == OnPlane::yes;
+  };
+  for (std::size_t k = 0; k < line.sharers.size(); ++k) {
+    const auto& [from, to, under] = line.depths[k];
+    if (items_.share_plane(line.sharers[k].item, item)) {
+      all.push_back({true, true});
+      continue;
+    }
+    const auto [start, end] = items_.places(line.sharers[k], item);
+    all.push_back({is_on(start, line.start, from, under), is_on(end, line.end, to, under)});
+  }
+  return all;
 }
 
 std::vector<Hider> LineHiders::hiders(const ExactLine& line) const {
   const auto is_nearer_somewhere = [&](const Hider& hider) {
-    return std::ranges::any_of(line.depths, [&](const EndDepths& depth) {
-      return nearer_part(hider.depth, depth).has_value();
-    });
+    for (std::size_t k = 0; k < line.depths.size(); ++k) {
+      if (nearer_part(hider, line, k)) return true;
+    }
+    return false;
   };
   std::vector<Hider> found;
   for (const std::uint32_t item : near(line)) {

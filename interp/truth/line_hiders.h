@@ -24,9 +24,7 @@ struct ExactLine {
   Integer x0, y0, x1, y1;  ///< the projection, times `scale`
   Integer scale = 1;       ///< so that the ends of intersections are whole too
   std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
-  /// Its ends at each of these depths, rounded; none of an intersection, which lies in no other
-  /// plane.
-  std::vector<std::array<Point3, 2>> ends;
+  std::vector<LineId> sharers;    ///< the first of each depth; none of an intersection
   double farthest;  ///< no depth anywhere on it is less
 };
 
@@ -35,17 +33,16 @@ struct Hider {
   /// Where a point that runs along the line, close to its left or close to its right, crosses the
   /// polygon's sides; in any order, an even number each, also beyond the line's ends.
   std::array<std::vector<Fraction>, 2> crossings;
-  EndDepths depth;                ///< of its support plane at the line's ends
-  std::array<Point3, 3> plane{};  ///< three points of it
-  double touching = 0.0;          ///< as Primitives has it
-
-  /// True if the line lies in its plane, at that one of its depths, but for what viewing rounds:
-  /// then it does not hide the line.
-  bool has_in_its_plane(const ExactLine& line, std::size_t depth_number) const;
+  EndDepths depth;  ///< of its support plane at the line's ends
+  /// Of each depth of the line which of its ends, the start and the end, are on its plane, since
+  /// they are within reach of it: there it is not nearer. Empty: none.
+  std::vector<std::array<bool, 2>> touching;
 };
 
-/// The part of the line where the polygon is strictly nearer; nothing if it has no length.
-std::optional<ExactPart> nearer_part(const EndDepths& polygon, const EndDepths& line);
+/// The part of the line, at that one of its depths, where the polygon is strictly nearer; nothing if
+/// it has no length.
+std::optional<ExactPart> nearer_part(const Hider& hider, const ExactLine& line,
+                                     std::size_t depth_number);
 /// What the polygons hide of a line at that one of its depths.
 ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
                         std::span<const Hider> hiders);
@@ -99,6 +96,8 @@ class LineHiders {
   double nearest(std::uint32_t item) const;
   EndDepths depths(const ExactLine& line, LineId sharer) const;
   EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
+  bool has_own_depth(LineId sharer) const;
+  std::vector<std::array<bool, 2>> touching(const ExactLine& line, std::uint32_t item) const;
   std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
 
   /// In the projection a x + b y = c, and a place on it is the value there of ahead_x x + ahead_y

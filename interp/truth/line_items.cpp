@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "clip/error.h"
-#include "displayfile/viewed_scene.h"
-#include "hidden/primitives.h"
 
 namespace displayfile {
 
@@ -59,9 +57,10 @@ LineItems::LineItems(const DisplayFile& display_file) {
 
 /// The items are those of a viewed scene. Which polygons touch has a judge of its own.
 void LineItems::take_planes(const DisplayFile& display_file) {
-  const ViewedScene scene(display_file);
-  touching_ = scene.touching_of_ends();
-  const auto points = scene.primitives().points;
+  scene_ = std::make_shared<const ViewedScene>(display_file);
+  const ViewedScene& scene = *scene_;
+  primitives_ = scene.primitives();
+  const auto points = primitives_.points;
   if (scene.planes().empty()) return;
   for (std::uint32_t item = 0; item < size(); ++item) {
     const Primitives::PlanePoints* const plane = scene.shared_plane(item);

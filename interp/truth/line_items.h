@@ -4,11 +4,14 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "clip/point.h"
 #include "displayfile/display_file.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/primitives.h"
 
 namespace displayfile {
 
@@ -43,8 +46,19 @@ class LineItems {
     return plane_of_.empty() || plane_of_[item] == kNoPlane ? nullptr : &planes_[plane_of_[item]];
   }
 
-  /// As Primitives has it.
-  double touching() const { return touching_; }
+  /// Two polygons share one.
+  bool share_plane(std::uint32_t a, std::uint32_t b) const {
+    return !plane_of_.empty() && shared_plane(a) != nullptr && shared_plane(b) != nullptr &&
+           *shared_plane(a) == *shared_plane(b);
+  }
+  // As Primitives has it.
+  double touching() const { return primitives_.touching; }
+  double rounding() const { return primitives_.rounding; }
+  bool some_touch() const { return primitives_.ends != nullptr || touching() > 0.0; }
+  /// Where the line's ends are as they were entered, against the polygon's plane.
+  EndsAsEntered::Places places(LineId line, std::uint32_t item) const {
+    return primitives_.places(line.item, line.corner, item);
+  }
 
   /// True if there is such a line, drawn or not.
   bool contains(LineId line) const;
@@ -73,7 +87,8 @@ class LineItems {
   void take_planes(const DisplayFile& display_file);
   std::vector<Item> items_;
   std::vector<std::array<Point3, 3>> planes_;
-  double touching_ = 0.0;
+  std::shared_ptr<const ViewedScene> scene_;
+  Primitives primitives_;  // its
   std::vector<std::uint32_t> plane_of_;  // of the items, in planes_; empty: none share one
   std::vector<Point3> points_;
   std::vector<std::uint8_t> drawn_;  // of the points: the line that ends there is drawn

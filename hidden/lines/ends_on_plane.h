@@ -4,7 +4,6 @@
 #include "hidden/ends_as_entered.h"
 #include "hidden/exact/plane.h"
 #include "hidden/lines/end_on_plane.h"
-#include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
 
 namespace displayfile {
@@ -17,25 +16,18 @@ struct EndsOnPlane {
   bool both() const { return start && end; }
 };
 
-/// The plane's depth, which is not edge-on, rounded.
-inline double depth_in_doubles(const Plane& plane, const Point2& at) {
-  const Point3& n = plane.normal;
-  return plane.p.z - (n.x * (at.x - plane.p.x) + n.y * (at.y - plane.p.y)) / n.z;
-}
-
-/// A line's ends, at its depths, and a polygon's plane, which is not edge-on. In doubles, by
-/// LineScene::touching, which what is within reach does not exceed; then by what was entered, where
-/// that is at hand. An intersection lies in the planes of its own polygons alone.
+/// A line's ends, as they were viewed and not moved on to its polygon's plane, and the plane of
+/// another polygon, which is not edge-on. In doubles, by LineScene::touching, which what is within
+/// reach does not exceed; then by what was entered, where that is at hand. An intersection lies in
+/// the planes of its own polygons alone.
 inline EndsOnPlane ends_on_plane(const LineScene& scene, const LineScene::Line& line,
-                                 const DepthLine& at_depth, std::uint32_t polygon,
-                                 const Plane& plane) {
-  if (!(scene.touching() > 0.0) || at_depth.common != nullptr) return {};
+                                 std::uint32_t polygon, const Plane& plane) {
+  if (!(scene.touching() > 0.0) || scene.intersection(line) != nullptr) return {};
   if (line.own != LineScene::kNone && scene.share_plane(line.own, polygon)) return {true, true};
-  const auto in_doubles = [&](Point3 end) {
-    if (at_depth.plane != nullptr) end.z = depth_in_doubles(*at_depth.plane, Point2(end));
-    return on_plane(end, plane.p, plane.q, plane.r, scene.touching());
+  const auto in_doubles = [&](std::uint32_t end) {
+    return on_plane(scene.point(end), plane.p, plane.q, plane.r, scene.touching());
   };
-  const OnPlane start = in_doubles(at_depth.a), end = in_doubles(at_depth.b);
+  const OnPlane start = in_doubles(line.a), end = in_doubles(line.b);
   if (start == OnPlane::no && end == OnPlane::no) return {};
   const auto [of_start, of_end] = scene.places(line, polygon);
   const auto is_on = [](OnPlane rounded, EndsAsEntered::Place as_entered) {

@@ -96,7 +96,7 @@ class LineAgainstPolygon {
   void put_on_plane(std::uint32_t polygon, const Plane& plane, int& nearer_at_a,
                     int& nearer_at_b) const {
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return;
-    const EndsOnPlane on = ends_on_plane(scene_, named_, line_, polygon, plane);
+    const EndsOnPlane on = ends_on_plane(scene_, named_, polygon, plane);
     if (on.start) nearer_at_a = 0;
     if (on.end) nearer_at_b = 0;
   }

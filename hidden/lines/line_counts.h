@@ -120,11 +120,11 @@ class LineCounts {
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
   }
 
-  /// The ends of the line looked at, which is that one, that touch the polygon's plane. What is
-  /// counted of the polygon is then wrong, unless a corner is there.
+  /// The ends of a line that touch the polygon's plane. What is counted of the polygon is then
+  /// wrong, unless a corner is there.
   EndsOnPlane on_plane(const LineScene::Line& line, std::uint32_t polygon) const {
     if (!(scene_.touching() > 0.0)) return {};
-    return ends_on_plane(scene_, line, line_, polygon, scene_.plane(polygon));
+    return ends_on_plane(scene_, line, polygon, scene_.plane(polygon));
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the

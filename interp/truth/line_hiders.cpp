@@ -268,23 +268,22 @@ std::vector<std::array<bool, 2>> LineHiders::touching(const ExactLine& line,
   std::vector<std::array<bool, 2>> all;
   if (!items_.some_touch()) return all;
   const auto plane = *plane_points(item);
-  const auto is_on = [&](EndsAsEntered::Place as_entered, const Point3& end, const Integer& over,
-                         const Integer& under) {
+  const auto is_on = [&](EndsAsEntered::Place as_entered, const Point3& end) {
     if (as_entered != EndsAsEntered::Place::unknown) {
       return as_entered == EndsAsEntered::Place::on_plane;
     }
     return items_.touching() > 0.0 &&
-           on_plane(Point3(Point2(end), depth(over, under)), plane[0], plane[1], plane[2],
-                    items_.touching()) == OnPlane::yes;
+           on_plane(end, plane[0], plane[1], plane[2], items_.touching()) == OnPlane::yes;
   };
-  for (std::size_t k = 0; k < line.sharers.size(); ++k) {
-    const auto& [from, to, under] = line.depths[k];
-    if (items_.share_plane(line.sharers[k].item, item)) {
+  for (const LineId sharer : line.sharers) {
+    if (items_.share_plane(sharer.item, item)) {
       all.push_back({true, true});
       continue;
     }
-    const auto [start, end] = items_.places(line.sharers[k], item);
-    all.push_back({is_on(start, line.start, from, under), is_on(end, line.end, to, under)});
+    const auto [from, to] = items_.places(sharer, item);
+    std::array<bool, 2> on{is_on(from, items_.from(sharer)), is_on(to, items_.to(sharer))};
+    if (items_.from(sharer) != line.start) std::swap(on[0], on[1]);  // it runs the other way
+    all.push_back(on);
   }
   return all;
 }

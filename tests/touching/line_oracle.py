@@ -524,9 +524,11 @@ class Scene:
             return []
         if not any(touch):
             return stretch.behind(hider.plane)
-        other = ends[touch.index(False)]
         look = sharer.look
-        return ALL if value(hider.plane, look.picture_point(look.view_point(other))) < 0 else []
+        other = look.picture_point(look.view_point(ends[touch.index(False)]))
+        if sharer.plane is not None:
+            other = at_depth(other, sharer.plane)
+        return ALL if value(hider.plane, other) < 0 else []
 
     def touch(self, v, world, plane):
         """Whether a vertex of a polygon is within reach of a plane."""

@@ -3,9 +3,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "clip/corners.h"
 #include "clip/transformation.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/entered_plane.h"
+#include "hidden/exact/eye.h"
 
 // Which ends of lines are within reach of a plane (ViewedScene::places).
 
@@ -17,53 +19,78 @@ namespace {
 /// of its sides a line of the picture is, or was before it was clipped.
 class SidesInPicture {
  public:
-  SidesInPicture(const ViewedScene::EnteredItem& item, double rounding)
-      : item_(item), image_(*item.image), rounding_(rounding) {}
+  explicit SidesInPicture(const ViewedScene::EnteredItem& item)
+      : item_(item), image_(*item.image), longest_(longest_of(*item.image)) {}
 
-  std::size_t sides() const { return item_.polygon.points.size(); }
-
-  /// By how much the side that ends at vertex `to` differs from a line in the picture, the least of
-  /// all sides being its own: 0 if both ends are the line's, less than 1 if one is and the line
-  /// lies on the side, less than 2 if it only lies on it; infinite if it does not.
-  double difference(std::size_t from, std::size_t to, const Point3& a, const Point3& b) const {
-    const HomogeneousPoint p = volume_point(from), q = volume_point(to);
-    const bool starts = is_at(p, a), ends = is_at(q, b);
-    if (starts && ends) return 0.0;
-    const double off = std::max(starts ? 0.0 : off_side(p, q, a), ends ? 0.0 : off_side(p, q, b));
-    if (!(off <= kFarthest)) return std::numeric_limits<double>::infinity();
-    return (starts || ends ? 0.0 : 1.0) + off / (1.0 + kFarthest);
+  /// A line of the picture and the side between two vertices.
+  struct Likeness {
+    bool starts = false, ends = false;  ///< at the same point
+    double off = std::numeric_limits<double>::infinity();  ///< of the other ends, in roundings
+    bool is_same() const { return starts && ends; }
+    bool operator>(const Likeness& o) const {
+      const int own = starts + ends, others = o.starts + o.ends;
+      return own != others ? own > others : off < o.off;
+    }
+  };
+  Likeness likeness(std::size_t from, std::size_t to, const Point3& a, const Point3& b) const {
+    const Vertex p = vertex(from), q = vertex(to);
+    Likeness like{is_at(p, a), is_at(q, b), 0.0};
+    if (!like.starts) like.off = std::max(like.off, off_side(p, q, a));
+    if (!like.ends) like.off = std::max(like.off, off_side(p, q, b));
+    return like;
   }
+  static constexpr double kFarthest = 64.0;  ///< in roundings: farther off it is another side
 
  private:
-  /// In units of what viewing rounds.
-  static constexpr double kSame = 4.0, kFarthest = 64.0;
+  static constexpr double kRounding = 0x1p-53;
+  /// In the homogeneous unit cube; each coordinate is off by no more than `error`.
+  struct Vertex {
+    HomogeneousPoint at;
+    double error;
+  };
 
-  HomogeneousPoint volume_point(std::size_t k) const {
+  static double longest_of(const ImageTransformation& image) {
+    return std::max(1.0, std::abs(image.scale.x) + std::abs(image.scale.y));
+  }
+  Vertex vertex(std::size_t k) const {
     const Point3& p = item_.polygon.points[k];
-    const auto* const modelling = item_.polygon.modelling;
-    const Point3 world = modelling == nullptr ? p : Point3(*modelling * glm::dvec4(p, 1.0));
-    return item_.volume->transform(world);
+    Point3 world = p, size = glm::abs(p);
+    if (const auto* const modelling = item_.polygon.modelling) {
+      const glm::dmat4x3& m = *modelling;
+      world = m * glm::dvec4(p, 1.0);
+      size = glm::abs(m[0] * p.x) + glm::abs(m[1] * p.y) + glm::abs(m[2] * p.z) + glm::abs(m[3]);
+    }
+    const auto& m = item_.volume->matrix();
+    const glm::dvec4 sums = glm::abs(m[0]) * size.x + glm::abs(m[1]) * size.y +
+                            glm::abs(m[2]) * size.z + glm::abs(m[3]);
+    const double largest = std::max({sums.x, sums.y, sums.z, sums.w});
+    return {item_.volume->transform(world), 16.0 * kRounding * largest};
   }
   Point3 in_picture(const HomogeneousPoint& p) const {
     return image_.apply(item_.volume->to_device(p));
   }
-  bool is_in_front(const HomogeneousPoint& p) const { return p.w >= item_.volume->nearest_w(); }
-  bool is_at(const HomogeneousPoint& p, const Point3& seen) const {
-    if (!is_in_front(p)) return false;
-    const Point3 off = glm::abs(in_picture(p) - seen);
-    return std::max({off.x, off.y, off.z}) <= kSame * rounding_;
+  /// Of a coordinate there.
+  double error_in_picture(const Vertex& v, const Point3& at) const {
+    const double largest = 1.0 + std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    return (v.error / v.at.w + 16.0 * kRounding) * largest * longest_;
   }
-  /// How far a point of the picture is from the line of a side, in units of what rounding there
-  /// may be.
-  double off_side(HomogeneousPoint p, HomogeneousPoint q, const Point3& seen) const {
+  bool is_in_front(const Vertex& v) const { return v.at.w >= item_.volume->nearest_w(); }
+  bool is_at(const Vertex& v, const Point3& seen) const {
+    if (!is_in_front(v)) return false;
+    const Point3 at = in_picture(v.at), off = glm::abs(at - seen);
+    return std::max({off.x, off.y, off.z}) <= error_in_picture(v, at);
+  }
+  /// How far a point of the picture is from the line of a side, over what may be rounded there.
+  double off_side(Vertex p, Vertex q, const Point3& seen) const {
     if (!is_in_front(p) && !is_in_front(q)) return std::numeric_limits<double>::infinity();
-    if (!is_in_front(p)) p = at_the_eye(p, q);
-    if (!is_in_front(q)) q = at_the_eye(q, p);
-    const Point2 a(in_picture(p)), b(in_picture(q)), at(seen);
+    if (!is_in_front(p)) p.at = at_the_eye(p.at, q.at);
+    if (!is_in_front(q)) q.at = at_the_eye(q.at, p.at);
+    const Point3 start = in_picture(p.at), end = in_picture(q.at);
+    const Point2 a(start), b(end), at(seen);
     const double length = glm::length(b - a);
     const double off = std::abs((b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x)) / length;
     const double shares = 1.0 + (glm::length(at - a) + glm::length(at - b)) / length;
-    return off / (shares * rounding_);
+    return off / (shares * (error_in_picture(p, start) + error_in_picture(q, end)));
   }
   /// The place of a side from p, which is not in front of the eye, to q where it is just so.
   HomogeneousPoint at_the_eye(const HomogeneousPoint& p, const HomogeneousPoint& q) const {
@@ -73,8 +100,21 @@ class SidesInPicture {
 
   const ViewedScene::EnteredItem& item_;
   ImageMatrix image_;
-  double rounding_;
+  double longest_;
 };
+
+/// The side of the plane, which goes through that point of the world, from which it is seen: 1
+/// where its normal points, -1, or 0 where it is too nearly edge-on to say.
+int side_of_viewer(const ViewVolume& volume, const EnteredPlane& plane, const Point3& at) {
+  constexpr double kSure = 0x1p-36;  // far more than is rounded here
+  if (!(plane.normal_error() < kSure)) return 0;
+  const Eye eye = Eye::of(volume.view());
+  const Point3 to_eye = eye.at_infinity ? eye.place : eye.place - at;
+  double size = glm::length(to_eye);
+  if (!eye.at_infinity) size += glm::length(eye.place) + glm::length(at);
+  const double off = glm::dot(plane.normal(), to_eye);
+  return std::abs(off) > kSure * size ? (off > 0.0 ? 1 : -1) : 0;
+}
 
 }  // namespace
 
@@ -82,42 +122,42 @@ class SidesInPicture {
 struct ViewedScene::EnteredLine {
   Point3 start, end;
   const glm::dmat4x3* modelling;
+  bool start_is_seen, end_is_seen;  ///< not clipped away
 };
 
 std::optional<ViewedScene::EnteredLine> ViewedScene::entered_line(Item item,
                                                                   std::uint32_t corner) const {
-  const EnteredItem entered = as_entered(item);
+  const EnteredItem entered = in_view_of(entered_number(item), item);
   const PointRow& all = entered.polygon.points;
   const PointRow seen = points(item);
   const std::size_t sides = all.size();
   if (sides < 2) return std::nullopt;
-  const auto before = [](std::size_t k, std::size_t count) { return k == 0 ? count - 1 : k - 1; };
-  const Point3 &a = seen[before(corner, seen.size())], &b = seen[corner];
-  const SidesInPicture in_picture(entered, viewing_radius());
-  const auto line = [&](std::size_t to) {
-    return EnteredLine{all[before(to, sides)], all[to], entered.polygon.modelling};
+  const Point3 &a = seen[previous_corner<std::size_t>(corner, seen.size())], &b = seen[corner];
+  const SidesInPicture in_picture(entered);
+  const auto likeness = [&](std::size_t to) {
+    return in_picture.likeness(previous_corner(to, sides), to, a, b);
   };
-  if (sides == 2) return line(1);
   // What was not clipped has its vertices in the same places.
-  if (seen.size() == sides &&
-      in_picture.difference(before(corner, sides), corner, a, b) == 0.0) {
-    return line(corner);
+  SidesInPicture::Likeness most;
+  std::size_t side = 1;
+  if (sides == 2 || seen.size() == sides) {
+    side = corner;
+    most = likeness(side);
   }
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t nearest = 0;
-  for (std::size_t to = 0; to < sides; ++to) {
-    const double difference = in_picture.difference(before(to, sides), to, a, b);
-    if (!(difference < least)) continue;
-    least = difference;
-    nearest = to;
+  for (std::size_t to = 0; sides > 2 && !most.is_same() && to < sides; ++to) {
+    const SidesInPicture::Likeness like = likeness(to);
+    if (!(like > most)) continue;
+    most = like;
+    side = to;
   }
-  if (least == std::numeric_limits<double>::infinity()) return std::nullopt;  // made by clipping
-  return line(nearest);
+  if (!(most.off <= SidesInPicture::kFarthest)) return std::nullopt;  // made by clipping
+  return EnteredLine{all[previous_corner(side, sides)], all[side], entered.polygon.modelling,
+                     most.starts, most.ends};
 }
 
 EndsAsEntered::Places ViewedScene::places(Item item, std::uint32_t corner, Item polygon) const {
   if (!some_may_touch()) return kUnknown;
-  const EnteredItem of_plane = plane_as_entered(polygon);
+  const EnteredItem of_plane = in_view_of(entered_plane(polygon), polygon);
   if (!of_plane.is_known()) return kUnknown;
   if (look_of(item) != look_of(polygon)) return {Place::off_plane, Place::off_plane};
   const std::optional<EnteredLine> line = entered_line(item, corner);
@@ -131,13 +171,18 @@ EndsAsEntered::Places ViewedScene::places(Item item, std::uint32_t corner, Item 
     return kUnknown;
   }
   const EnteredPlane plane({points[p], points[q], points[r]}, modelling);
-  const auto place = [&](const Point3& end) {
-    const bool reaches = modelling.is_of(line->modelling)
-                             ? plane.reaches(end, modelling)
-                             : plane.reaches(end, {line->modelling, planes_->entered_reach});
-    return reaches ? Place::on_plane : Place::off_plane;
+  const int of_eye = side_of_viewer(*of_plane.volume, plane, modelling.apply(points[p]));
+  const auto place = [&](const Point3& end, bool is_seen, const Modelling& of_end) {
+    if (plane.reaches(end, of_end)) return Place::on_plane;
+    if (of_eye == 0 || !is_seen) return Place::off_plane;
+    return plane.side(end, of_end) == of_eye ? Place::before : Place::behind;
   };
-  return {place(line->start), place(line->end)};
+  const auto places = [&](const Modelling& of_line) {
+    return Places{place(line->start, line->start_is_seen, of_line),
+                  place(line->end, line->end_is_seen, of_line)};
+  };
+  if (modelling.is_of(line->modelling)) return places(modelling);
+  return places({line->modelling, planes_->entered_reach});
 }
 
 }  // namespace displayfile

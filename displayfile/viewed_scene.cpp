@@ -605,30 +605,35 @@ void ViewedScene::find_entered(const std::function<EnteredPolygon(std::uint32_t)
   }
 }
 
+/// The number of the item's polygon among those entered, or kNotEntered.
+std::uint32_t ViewedScene::entered_number(Item item) const {
+  if (!as_entered_->polygons_of_items) return entered_of_item_[item];
+  if (!as_entered_->are_found.load(std::memory_order_acquire)) {
+    const std::lock_guard in_turn(as_entered_->in_turn);
+    if (!as_entered_->are_found.load(std::memory_order_relaxed)) {
+      as_entered_->polygons_of_items(*this, as_entered_->polygons);
+      as_entered_->are_found.store(true, std::memory_order_release);
+    }
+  }
+  return as_entered_->polygons[item];
+}
+
+/// That of the polygon whose plane the item's lies in.
+std::uint32_t ViewedScene::entered_plane(Item item) const {
+  planes();
+  const bool shares =
+      planes_ != nullptr && !planes_->founders.empty() && planes_->founders[item] != kNotEntered;
+  return shares ? planes_->founders[item] : entered_number(item);
+}
+
 ViewedScene::EnteredItem ViewedScene::as_entered(Item item) const {
   if (viewing_radius() == 0.0) return {{std::span<const Point3>()}};
-  std::uint32_t number = kNotEntered;
-  if (!as_entered_->polygons_of_items) {
-    number = entered_of_item_[item];
-  } else {
-    if (!as_entered_->are_found.load(std::memory_order_acquire)) {
-      const std::lock_guard in_turn(as_entered_->in_turn);
-      if (!as_entered_->are_found.load(std::memory_order_relaxed)) {
-        as_entered_->polygons_of_items(*this, as_entered_->polygons);
-        as_entered_->are_found.store(true, std::memory_order_release);
-      }
-    }
-    number = as_entered_->polygons[item];
-  }
-  return in_view_of(number, item);
+  return in_view_of(entered_number(item), item);
 }
 
 ViewedScene::EnteredItem ViewedScene::plane_as_entered(Item item) const {
   if (viewing_radius() == 0.0) return {{std::span<const Point3>()}};
-  planes();
-  const bool shares =
-      planes_ != nullptr && !planes_->founders.empty() && planes_->founders[item] != kNotEntered;
-  return shares ? in_view_of(planes_->founders[item], item) : as_entered(item);
+  return in_view_of(entered_plane(item), item);
 }
 
 ViewedScene::EnteredItem ViewedScene::in_view_of(std::uint32_t number, Item item) const {

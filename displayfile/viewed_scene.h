@@ -330,7 +330,11 @@ class ViewedScene : public EndsAsEntered {
   static double longest_of(const ImageTransformation& image);
   void find_radius(Planes& planes) const;
   EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
-  bool some_may_touch() const { return planes_ != nullptr && planes_->reach > 0.0; }
+  bool some_may_touch() const {
+    return planes_ != nullptr && as_entered_ != nullptr && planes_->reach > 0.0;
+  }
+  std::uint32_t entered_number(Item item) const;
+  std::uint32_t entered_plane(Item item) const;
   struct EnteredLine;
   std::optional<EnteredLine> entered_line(Item item, std::uint32_t corner) const;
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);

@@ -5,14 +5,16 @@
 
 namespace displayfile {
 
-/// Of a scene's items, which ends of lines are within reach of which planes (hidden/touching.h),
-/// judged by the points as they were entered: viewing rounds by more than many reaches.
+/// Of a scene's items, where ends of lines are to the planes that polygons lie in, judged by the
+/// points as they were entered: viewing rounds by many times what they may be apart.
 class EndsAsEntered {
  public:
   enum class Place : std::uint8_t {
-    unknown,  ///< what was entered is not at hand
-    off_plane,
-    on_plane,
+    unknown,    ///< what was entered is not at hand
+    on_plane,   ///< within reach (hidden/touching.h)
+    before,     ///< nearer to the viewer than the plane
+    behind,     ///< farther
+    off_plane,  ///< one of both
   };
   using Places = std::array<Place, 2>;  ///< of a line's start and of its end
   static constexpr Places kUnknown{Place::unknown, Place::unknown};

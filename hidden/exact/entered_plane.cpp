@@ -334,4 +334,31 @@ bool EnteredPlane::reaches(const Point3& entered, const Modelling& of_point) con
   return exactly(entered, of_point);
 }
 
+int EnteredPlane::exact_side(const Point3& entered, const Modelling& of_point) const {
+  count_exact(Predicate::within_reach);
+  const ExactVector p = modelling_->apply_exactly(corners_[0]);
+  const ExactVector n = displayfile::cross(modelling_->apply_exactly(corners_[1]) - p,
+                                           modelling_->apply_exactly(corners_[2]) - p);
+  return displayfile::dot(n, of_point.apply_exactly(entered) - p).sign();
+}
+
+/// By the same bounds as `reaches`.
+int EnteredPlane::side(const Point3& entered, const Modelling& of_point) const {
+  if (!is_sound_) return exact_side(entered, of_point);
+  constexpr double kSquare = kRounding * kRounding;
+  const auto v = of_point.apply_closely(entered);
+  const double magnitude = std::max(largest(v), of_point.magnitude(entered));
+  const auto d = minus(v, first_);
+  const bool is_exact = modelling_->is_identity() && of_point.is_identity();
+  const double d_most = largest(d), n_most = largest(cross_);
+  const double d_error = is_exact ? 0.0 : 18.0 * kSquare * (magnitude + magnitude_) + kTiny;
+  const DoubleDouble s = dot(cross_, d);
+  const double s_error = 3.0 * (cross_error_ * d_most + n_most * d_error + cross_error_ * d_error) +
+                         36.0 * kSquare * n_most * d_most + kTiny;
+  if (std::isfinite(s.high) && std::abs(s.high) > s_error * (1.0 + 0x1p-40)) {
+    return s.high > 0.0 ? 1 : -1;
+  }
+  return exact_side(entered, of_point);
+}
+
 }  // namespace displayfile

@@ -78,6 +78,10 @@ class EnteredPlane {
   /// both reaches; exact.
   bool reaches(const Point3& entered, const Modelling& of_point) const;
 
+  /// The side of the plane that a point is on, as entered under that matrix: 1 where the normal
+  /// points, -1, or 0 on it; exact.
+  int side(const Point3& entered, const Modelling& of_point) const;
+
   /// A unit normal in the world.
   const Point3& normal() const { return normal_; }
   /// By how much it is off at most, in length; infinite if nothing is known.
@@ -93,6 +97,7 @@ class EnteredPlane {
   Answer closely(const std::array<DoubleDouble, 3>& v, double magnitude,
                  const Modelling& of_point) const;
   bool exactly(const Point3& entered, const Modelling& of_point) const;
+  int exact_side(const Point3& entered, const Modelling& of_point) const;
 
   Corners corners_;
   const Modelling* modelling_;

@@ -6,21 +6,21 @@
 #include <limits>
 
 #include "clip/point.h"
+#include "hidden/exact/plane.h"
 
 namespace displayfile {
 
 /// Whether a point is on a plane but for rounding.
 enum class OnPlane : std::uint8_t { no, yes, unknown };
 
-/// Of the end v of a line and the plane through p, q and r, which is not edge-on: judged in
-/// doubles, in the display file's coordinates. As entered v is on the plane, but viewing has moved
-/// each of the four points by up to `off` in each coordinate. So v may be off the plane by its own
-/// error, and by those of p, q and r in the shares that they have in it, which are large far away
+/// Of the end v of a line and a plane, which is not edge-on: judged in doubles, in the display
+/// file's coordinates. As entered v is on the plane, but viewing has moved it and each of the
+/// plane's three points by up to `off` in each coordinate. So v may be off the plane by its own
+/// error, and by those of the three in the shares that they have in it, which are large far away
 /// from them. Nothing is known where they are too large, or `off` is infinite.
-inline OnPlane on_plane(const Point3& v, const Point3& p, const Point3& q, const Point3& r,
-                        double off) {
+inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
   constexpr double kLargestShares = 0x1p20;
-  const Point3 normal = glm::cross(q - p, r - p);
+  const Point3 &p = plane.p, &q = plane.q, &r = plane.r, &normal = plane.normal;
   const auto area = [](const Point3& a, const Point3& b, const Point3& c) {
     return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   };
@@ -28,8 +28,7 @@ inline OnPlane on_plane(const Point3& v, const Point3& p, const Point3& q, const
   if (!(shares <= kLargestShares) || off == std::numeric_limits<double>::infinity()) {
     return OnPlane::unknown;
   }
-  const double per_coordinate = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  const bool is_on = std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * per_coordinate;
+  const bool is_on = std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * plane.reach;
   return is_on ? OnPlane::yes : OnPlane::no;
 }
 

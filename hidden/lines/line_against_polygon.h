@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/work_budget.h"
-#include "hidden/lines/ends_on_plane.h"
+#include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -36,8 +36,7 @@ class LineAgainstPolygon {
   /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
-    int at_a = policy_.nearer(line_, line_.a, plane), at_b = policy_.nearer(line_, line_.b, plane);
-    put_on_plane(polygon, plane, at_a, at_b);
+    const auto [at_a, at_b] = nearer_at_ends(polygon, plane, false, false);
     return at_a >= 0 && at_b >= 0 && at_a + at_b > 0;
   }
 
@@ -48,14 +47,13 @@ class LineAgainstPolygon {
     if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
     steps_.step();
     const Plane plane = scene_.plane(polygon);
-    int nearer_at_a = a_is_corner_ ? 0 : policy_.nearer(line_, line_.a, plane);
-    int nearer_at_b = b_is_corner_ ? 0 : policy_.nearer(line_, line_.b, plane);
-    put_on_plane(polygon, plane, nearer_at_a, nearer_at_b);
+    const auto [nearer_at_a, nearer_at_b] =
+        nearer_at_ends(polygon, plane, a_is_corner_, b_is_corner_);
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
     find_crossings(polygon);
     PartOfLine part{0.0, 1.0};
-    if (nearer_at_a < 0) part.from = policy_.meeting(line_, plane);
-    if (nearer_at_b < 0) part.to = policy_.meeting(line_, plane);
+    if (nearer_at_a < 0 && nearer_at_b > 0) part.from = meeting(plane);
+    if (nearer_at_a > 0 && nearer_at_b < 0) part.to = meeting(plane);
     if (left_ == right_) {
       return add_covered(left_, part, [&](const PartOfLine& covered) { parts.add_both(covered); });
     }
@@ -92,13 +90,26 @@ class LineAgainstPolygon {
     return left + right + 1 < sides || (left > 0 && right > 0);
   }
 
-  /// At an end that is within reach of the plane neither is nearer.
-  void put_on_plane(std::uint32_t polygon, const Plane& plane, int& nearer_at_a,
-                    int& nearer_at_b) const {
-    if (nearer_at_a <= 0 && nearer_at_b <= 0) return;
-    const EndsOnPlane on = ends_on_plane(scene_, named_, polygon, plane);
-    if (on.start) nearer_at_a = 0;
-    if (on.end) nearer_at_b = 0;
+  /// The sign of the plane's depth less the line's, at the line's start and at its end.
+  std::array<int, 2> nearer_at_ends(std::uint32_t polygon, const Plane& plane, bool a_is_corner,
+                                    bool b_is_corner) const {
+    if (a_is_corner && b_is_corner) return {0, 0};
+    const EndsAtPlane at = ends_at_plane(scene_, named_, polygon, plane);
+    const auto nearer = [&](bool is_corner, const std::optional<int>& as_entered, const Point3& v) {
+      if (is_corner) return 0;
+      return as_entered ? *as_entered : policy_.nearer(line_, v, plane);
+    };
+    return {nearer(a_is_corner, at.start, line_.a), nearer(b_is_corner, at.end, line_.b)};
+  }
+
+  /// Where the line, whose ends are on different sides of the plane, meets it. Close to a plane
+  /// rounding may have put both on one side: then at the end that is closer.
+  double meeting(const Plane& plane) const {
+    const int at_a = policy_.nearer(line_, line_.a, plane);
+    const int at_b = policy_.nearer(line_, line_.b, plane);
+    if (at_a * at_b < 0) return policy_.meeting(line_, plane);
+    const auto off = [&](const Point3& v) { return std::abs(plane_value(v, plane).value); };
+    return off(line_.a) <= off(line_.b) ? 0.0 : 1.0;
   }
 
   /// Neighbours in a mesh share points, at which they have one depth.

@@ -7,7 +7,7 @@
 #include "clip/corners.h"
 #include "hidden/convex_turning.h"
 #include "hidden/lines/contour_edges.h"
-#include "hidden/lines/ends_on_plane.h"
+#include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -120,11 +120,16 @@ class LineCounts {
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
   }
 
-  /// The ends of a line that touch the polygon's plane. What is counted of the polygon is then
-  /// wrong, unless a corner is there.
-  EndsOnPlane on_plane(const LineScene::Line& line, std::uint32_t polygon) const {
-    if (!(scene_.touching() > 0.0)) return {};
-    return ends_on_plane(scene_, line, polygon, scene_.plane(polygon));
+  /// Whether rounding may have decided, for the line looked at, on which side of the polygon's
+  /// plane its ends are, and wrongly. At a corner they have one depth.
+  bool is_rounded_across(const LineScene::Line& line, std::uint32_t polygon, bool a_is_corner,
+                         bool b_is_corner) const {
+    if (!(scene_.touching() > 0.0)) return false;
+    const Plane plane = scene_.plane(polygon);
+    const EndsAtPlane at = ends_at_plane(scene_, line, polygon, plane);
+    return at.are_both_on() ||
+           (at.start && !a_is_corner && *at.start != policy_.nearer(line_, line_.a, plane)) ||
+           (at.end && !b_is_corner && *at.end != policy_.nearer(line_, line_.b, plane));
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the

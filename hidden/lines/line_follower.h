@@ -224,13 +224,12 @@ class LineFollower {
   }
 
   /// Whether what is counted of an even polygon may be wrong: its plane passes between the line's
-  /// ends, or one of them touches it. At a corner they have one depth.
+  /// ends, or one of them is close to it. At a corner they have one depth.
   bool is_doubtful(const LineScene::Line& line, const Point3& a, const Point3& b,
                    std::uint32_t polygon) const {
     const bool a_is_corner = has_corner(polygon, a), b_is_corner = has_corner(polygon, b);
-    const EndsOnPlane on = counts_.on_plane(line, polygon);
-    if (on.both() || (on.start && !a_is_corner) || (on.end && !b_is_corner)) return true;
-    return !a_is_corner && !b_is_corner && counts_.passes_through_plane(polygon);
+    return counts_.is_rounded_across(line, polygon, a_is_corner, b_is_corner) ||
+           (!a_is_corner && !b_is_corner && counts_.passes_through_plane(polygon));
   }
 
   /// Finds the polygons that are near the line in space, which are in the box, and reach over it:

@@ -161,7 +161,7 @@ void LineScene::find_uneven(int threads) {
       const Point3& v = corner(i, k);
       if (own.goes_through(v) || side_of_plane(v, own) == 0) continue;
       const bool by_rounding =
-          items_.rounding > 0.0 && on_plane(v, own.p, own.q, own.r, items_.rounding) == OnPlane::yes;
+          items_.rounding > 0.0 && on_plane(v, own, items_.rounding) == OnPlane::yes;
       off_plane_[first_corner_[i] + k] = by_rounding ? OffPlane::by_rounding : OffPlane::as_entered;
       is_any = true;
     }

@@ -24,11 +24,13 @@ std::array<Integer, 2> gaps(const EndDepths& polygon, const EndDepths& line) {
           polygon.to * line.under - line.to * polygon.under};
 }
 
-/// The same of a polygon and a line at one of its depths: 0 at an end that is on the plane.
+/// The same of a polygon and a line at one of its depths: 0 at an end that is within reach of the
+/// plane, and of the other sign where viewing has rounded the end across it.
 std::array<Integer, 2> gaps(const Hider& hider, const ExactLine& line, std::size_t depth_number) {
   std::array<Integer, 2> both = gaps(hider.depth, line.depths[depth_number]);
-  for (std::size_t k = 0; k < 2 && !hider.touching.empty(); ++k) {
-    if (hider.touching[depth_number][k]) both[k] = 0;
+  for (std::size_t k = 0; k < 2 && !hider.as_entered.empty(); ++k) {
+    const std::optional<int> sign = hider.as_entered[depth_number][k];
+    if (sign && *sign != sgn(both[k])) both[k] = *sign * abs(both[k]);
   }
   return both;
 }
@@ -179,10 +181,9 @@ bool LineHiders::has_own_depth(LineId sharer) const {
   const auto plane = plane_points(sharer.item);
   if (!plane || items_.rounding() == 0.0) return !plane;
   const auto& [p, q, r] = *plane;
-  return std::ranges::all_of(
-      std::array{items_.from(sharer), items_.to(sharer)}, [&](const Point3& end) {
-        return on_plane(end, p, q, r, items_.rounding()) == OnPlane::yes;
-      });
+  const Plane own(p, q, r);
+  return on_plane(items_.from(sharer), own, items_.rounding()) == OnPlane::yes &&
+         on_plane(items_.to(sharer), own, items_.rounding()) == OnPlane::yes;
 }
 
 /// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends.
@@ -258,32 +259,39 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
   const auto plane = this->plane(item);
   if (!plane) return std::nullopt;
   hider.depth = depths(line, *plane);
-  hider.touching = touching(line, item);
+  hider.as_entered = as_entered(line, item);
   return hider;
 }
 
-/// By what was entered; where that is not at hand, by what viewing may round.
-std::vector<std::array<bool, 2>> LineHiders::touching(const ExactLine& line,
-                                                      std::uint32_t item) const {
-  std::vector<std::array<bool, 2>> all;
+/// Where that is not at hand, an end is on a plane from which only viewing may have moved it.
+std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const ExactLine& line,
+                                                                      std::uint32_t item) const {
+  std::vector<std::array<std::optional<int>, 2>> all;
   if (!items_.some_touch()) return all;
-  const auto plane = *plane_points(item);
-  const auto is_on = [&](EndsAsEntered::Place as_entered, const Point3& end) {
-    if (as_entered != EndsAsEntered::Place::unknown) {
-      return as_entered == EndsAsEntered::Place::on_plane;
+  const auto [p, q, r] = *plane_points(item);
+  const Plane plane(p, q, r);
+  const auto sign = [&](EndsAsEntered::Place place, const Point3& end) -> std::optional<int> {
+    using Place = EndsAsEntered::Place;
+    switch (place) {
+      case Place::unknown: break;
+      case Place::on_plane: return 0;
+      case Place::before: return -1;
+      case Place::behind: return 1;
+      case Place::off_plane: return std::nullopt;
     }
-    return items_.touching() > 0.0 &&
-           on_plane(end, plane[0], plane[1], plane[2], items_.touching()) == OnPlane::yes;
+    const bool is_on =
+        items_.touching() > 0.0 && on_plane(end, plane, items_.touching()) == OnPlane::yes;
+    return is_on ? std::optional(0) : std::nullopt;
   };
   for (const LineId sharer : line.sharers) {
     if (items_.share_plane(sharer.item, item)) {
-      all.push_back({true, true});
+      all.push_back({0, 0});
       continue;
     }
     const auto [from, to] = items_.places(sharer, item);
-    std::array<bool, 2> on{is_on(from, items_.from(sharer)), is_on(to, items_.to(sharer))};
-    if (items_.from(sharer) != line.start) std::swap(on[0], on[1]);  // it runs the other way
-    all.push_back(on);
+    std::array signs{sign(from, items_.from(sharer)), sign(to, items_.to(sharer))};
+    if (items_.from(sharer) != line.start) std::swap(signs[0], signs[1]);  // it runs the other way
+    all.push_back(signs);
   }
   return all;
 }

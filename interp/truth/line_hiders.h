@@ -34,9 +34,9 @@ struct Hider {
   /// polygon's sides; in any order, an even number each, also beyond the line's ends.
   std::array<std::vector<Fraction>, 2> crossings;
   EndDepths depth;  ///< of its support plane at the line's ends
-  /// Of each depth of the line which of its ends, the start and the end, are on its plane, since
-  /// they are within reach of it: there it is not nearer. Empty: none.
-  std::vector<std::array<bool, 2>> touching;
+  /// Of each depth of the line the sign of the polygon's less that, at the line's start and at its
+  /// end, where the points as entered tell it: 0 within reach. Empty: none.
+  std::vector<std::array<std::optional<int>, 2>> as_entered;
 };
 
 /// The part of the line, at that one of its depths, where the polygon is strictly nearer; nothing if
@@ -97,7 +97,7 @@ class LineHiders {
   EndDepths depths(const ExactLine& line, LineId sharer) const;
   EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
   bool has_own_depth(LineId sharer) const;
-  std::vector<std::array<bool, 2>> touching(const ExactLine& line, std::uint32_t item) const;
+  std::vector<std::array<std::optional<int>, 2>> as_entered(const ExactLine& line, std::uint32_t item) const;
   std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
 
   /// In the projection a x + b y = c, and a place on it is the value there of ahead_x x + ahead_y

@@ -43,7 +43,7 @@ double EnteredPolygons::longest() const {
 
 std::size_t EnteredPolygons::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return size(points_) + size(corners_) + size(first_) + size(runs_);
+  return size(points_) + size(corners_) + size(first_) + size(runs_) + size(not_seen_);
 }
 
 void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
@@ -91,6 +91,7 @@ void EnteredPolygons::shrink_to_fit() {
   shrink(corners_);
   shrink(first_);
   shrink(points_);
+  shrink(not_seen_);
 }
 
 void EnteredPolygons::begin_polygon(const Matrix* modelling) {

@@ -12,8 +12,9 @@
 
 namespace displayfile {
 
-/// The polygons of a segment as the application entered them, before the modelling transformation:
-/// one for each polygon instruction, in the same order. What touches is judged by them
+/// The polygons of a segment as the application entered them, before the modelling transformation,
+/// in order: one for each polygon instruction, and those of which no instruction was made, since
+/// they are outside of the view or back faces. What touches is judged by them
 /// (hidden/touching_planes.md), since viewing rounds.
 class EnteredPolygons {
  public:
@@ -33,6 +34,9 @@ class EnteredPolygons {
   /// Within which distance they touch others.
   const Touching& touching() const { return touching_; }
   std::size_t size() const { return first_.size(); }
+  /// The numbers of those without an instruction, rising.
+  std::span<const std::uint32_t> not_seen() const { return not_seen_; }
+  std::size_t seen() const { return size() - not_seen_.size(); }
   std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
   /// The points of a polygon, counted from 0.
   PointRow points(std::size_t i) const;
@@ -58,6 +62,8 @@ class EnteredPolygons {
   /// A polygon whose points are those of these indices among the shared ones.
   void enter_shared(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
                     const Matrix* modelling);
+  /// No instruction was made of the polygon that was entered last.
+  void note_not_seen() { not_seen_.push_back(static_cast<std::uint32_t>(size() - 1)); }
   /// Makes room for so many polygons that share vertices, and corners of theirs, more.
   void reserve_more(std::size_t polygons, std::size_t corners);
   void shrink_to_fit();
@@ -78,6 +84,7 @@ class EnteredPolygons {
   std::vector<std::uint32_t> first_;    // corner of each polygon
   std::vector<Run> runs_;               // polygons before the first are in world coordinates
   double largest_ = 0.0;
+  std::vector<std::uint32_t> not_seen_;
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
 };
 

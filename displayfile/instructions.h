@@ -71,14 +71,15 @@ class Instructions {
                      const VertexShading& shading = {});
 
   /// Keeps the polygons that follow as the application entered them, beside their instructions:
-  /// each enter_polygon is followed by one call of what this returns.
+  /// each enter_polygon is followed by one call of what this returns, which is told of the others,
+  /// too.
   EnteredPolygons& keep_entered(const Touching& touching, const ViewVolume& volume) {
     return as_entered_.emplace(touching, volume);
   }
   EnteredPolygons* keeping_entered() { return as_entered_ ? &*as_entered_ : nullptr; }
   /// The polygons as they were entered; null if they are not kept, of each one.
   const EnteredPolygons* as_entered() const {
-    return as_entered_ && as_entered_->size() == polygons_ ? &*as_entered_ : nullptr;
+    return as_entered_ && as_entered_->seen() == polygons_ ? &*as_entered_ : nullptr;
   }
 
   /// A surface's cells follow: the next polygons, if all of it is inside of the view.

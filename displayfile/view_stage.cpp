@@ -31,26 +31,23 @@ const PointRow& as_entered(const WorldPolygon& polygon) {
   return polygon.modelling == nullptr ? polygon.vertices : polygon.entered;
 }
 
-void note_coordinates(const WorldPolygon& polygon, Segment& segment) {
+/// As the application entered it, beside the instruction if one was made of it.
+void keep_entered(const WorldPolygon& polygon, bool is_seen, Segment& segment) {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept == nullptr) return;
   for (const Point3& p : as_entered(polygon)) kept->include(p);
-}
-
-/// As the application entered it, beside the instruction that was made of it.
-void keep_entered(const WorldPolygon& polygon, Segment& segment) {
-  EnteredPolygons* const kept = segment.keeping_entered();
-  if (kept != nullptr) kept->enter(as_entered(polygon), polygon.modelling);
+  kept->enter(as_entered(polygon), polygon.modelling);
+  if (!is_seen) kept->note_not_seen();
 }
 
 }  // namespace
 
 bool ViewStage::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
                               Segment& segment) {
-  note_coordinates(polygon, segment);
-  if (!enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment)) return false;
-  keep_entered(polygon, segment);
-  return true;
+  const bool is_seen =
+      enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
+  keep_entered(polygon, is_seen, segment);
+  return is_seen;
 }
 
 void ViewStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
@@ -62,15 +59,13 @@ void ViewStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x
   modelling_of_shared_ = modelling;
 }
 
-void ViewStage::note_shared(std::span<const std::uint32_t> corners, Segment& segment) const {
+void ViewStage::keep_shared(std::span<const std::uint32_t> corners, bool is_seen,
+                            Segment& segment) const {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept == nullptr) return;
   for (const std::uint32_t corner : corners) kept->include(entered_shared_[corner]);
-}
-
-void ViewStage::keep_shared(std::span<const std::uint32_t> corners, Segment& segment) const {
-  EnteredPolygons* const kept = segment.keeping_entered();
-  if (kept != nullptr) kept->enter_shared(entered_shared_, corners, modelling_of_shared_);
+  kept->enter_shared(entered_shared_, corners, modelling_of_shared_);
+  if (!is_seen) kept->note_not_seen();
 }
 
 void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
@@ -94,16 +89,19 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
                                               const SharedTriangle& triangle,
                                               const Attributes& attributes, Segment& segment) {
   const auto& corners = triangle.corners;
-  note_shared(corners, segment);
+  const auto is_not_seen = [&] {
+    keep_shared(corners, false, segment);
+    return false;
+  };
   const Outcodes codes = outcodes(corners);
-  if (codes.all != 0) return false;  // wholly outside of one plane
+  if (codes.all != 0) return is_not_seen();  // wholly outside of one plane
   const bool needs_more = (attributes.light && attributes.shadows) || attributes.dark_line;
   if (codes.any != 0 || needs_more) return std::nullopt;
   const std::array device{viewed(corners[0]).device, viewed(corners[1]).device,
                           viewed(corners[2]).device};
   const bool turns = attributes.back_face_removal || attributes.light;
   const double c = turns ? newell_c(device) : 0.0;
-  if (attributes.back_face_removal && c <= 0.0) return false;
+  if (attributes.back_face_removal && c <= 0.0) return is_not_seen();
   if (attributes.light) {
     const std::array own{world[corners[0]], world[corners[1]], world[corners[2]]};
     enter_styles(lit(attributes.fill, *attributes.light, newell_normal(own), c < 0.0),
@@ -115,20 +113,23 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
   segment.enter_next_polygon(
       3, [&](std::uint32_t i) { return device[i]; },
       [&](std::uint32_t i) { return triangle.edge_visible[i] != 0; });
-  keep_shared(corners, segment);
+  keep_shared(corners, true, segment);
   return true;
 }
 
 bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                              const Attributes& attributes, Segment& segment) {
-  if (entered_shared_.empty()) {
-    note_coordinates(polygon, segment);
-  } else {
-    note_shared(corners, segment);
-  }
+  const auto keep = [&](bool is_seen) {
+    if (entered_shared_.empty()) {
+      keep_entered(polygon, is_seen, segment);
+    } else {
+      keep_shared(corners, is_seen, segment);
+    }
+    return is_seen;
+  };
   const bool all_drawn = polygon.edge_visible.empty();
   const Outcodes codes = outcodes(corners);
-  if (codes.all != 0) return false;
+  if (codes.all != 0) return keep(false);
   if (codes.any != 0 || !polygon.vertex_normals.empty()) {
     return enter_polygon(polygon, attributes, segment);
   }
@@ -138,13 +139,7 @@ bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const World
   const ClippedPolygon whole{
       device_, all_drawn ? std::span(all_edges_).first(corners.size()) : polygon.edge_visible};
   const ViewedPolygon drawn = view_clipped(whole, polygon, attributes);
-  if (!enter(drawn, attributes, polygon.pick, segment)) return false;
-  if (entered_shared_.empty()) {
-    keep_entered(polygon, segment);
-  } else {
-    keep_shared(corners, segment);
-  }
-  return true;
+  return keep(enter(drawn, attributes, polygon.pick, segment));
 }
 
 /// BACK-FACE-CHECK (algorithm 9.3) and the light.

@@ -102,8 +102,7 @@ class ViewStage {
                              const Attributes& attributes);
   bool enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
              Segment& segment);
-  void note_shared(std::span<const std::uint32_t> corners, Segment& segment) const;
-  void keep_shared(std::span<const std::uint32_t> corners, Segment& segment) const;
+  void keep_shared(std::span<const std::uint32_t> corners, bool is_seen, Segment& segment) const;
   void enter_styles(const FillStyle& fill, const LineStyle& line, const Attributes& attributes,
                     Segment& segment);
   const LineStyle& line_of(const Attributes& attributes, ClippedPolygon& clipped);

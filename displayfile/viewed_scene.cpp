@@ -49,8 +49,10 @@ struct ViewedScene::Collector {
   std::span<const LineKinds> kinds{};  // of its sides
   // Items of these styles were added, and none of others since.
   bool fill_added = false, line_added = false;
-  bool is_entered = false;         // polygons are kept as they were entered
-  std::uint32_t next_entered = 0;  // of them all
+  const EnteredPolygons* entered = nullptr;  // the polygons, if they are kept as they were entered
+  std::uint32_t first_entered = 0;           // their first number, among those of all segments
+  std::uint32_t next_entered = 0;            // of theirs
+  std::span<const std::uint32_t> not_seen{};  // from there on
 
   void fill(const FillStyle& s) {
     fill_style = s;
@@ -79,12 +81,12 @@ struct ViewedScene::Collector {
     if (!look.is_outlined()) return;
     scene.add_item({static_cast<std::uint32_t>(points - 2), 2, Primitives::Kind::line}, look);
     line_added = true;
-    if (is_entered) scene.entered_of_item_.push_back(kNotEntered);
+    if (entered != nullptr) scene.entered_of_item_.push_back(kNotEntered);
   }
   /// SAVE-POLY-FOR-HSC (algorithm 9.7): collects one polygon.
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const std::size_t first = points;
-    const std::uint32_t entered = next_entered++;
+    const std::uint32_t number = number_entered();
     take(vertices);
     const auto shading = std::exchange(of_vertices, {});
     const auto of_sides = std::exchange(kinds, {});
@@ -96,12 +98,26 @@ struct ViewedScene::Collector {
       scene.note_sides(first, sides);
     }
     scene.add_polygon(static_cast<std::uint32_t>(first), vertices, look, shading);
-    if (is_entered) scene.entered_of_item_.push_back(entered);
+    if (entered != nullptr) scene.entered_of_item_.push_back(number);
     fill_added = fill_style.kind == FillStyle::Kind::solid;
     line_added = true;
   }
 
+  void begin_entered(const EnteredPolygons& polygons, std::uint32_t first_number) {
+    entered = &polygons;
+    first_entered = first_number;
+    not_seen = polygons.not_seen();
+  }
+
  private:
+  /// That of the polygon of the next instruction.
+  std::uint32_t number_entered() {
+    while (!not_seen.empty() && not_seen.front() == next_entered) {
+      ++next_entered;
+      not_seen = not_seen.subspan(1);
+    }
+    return first_entered + next_entered++;
+  }
   /// Counts the points, which are in place already, or else takes copies.
   void take(std::span<const Point3> more) {
     points += more.size();
@@ -548,8 +564,7 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
   if (const EnteredPolygons* const kept = entered->as_entered(); kept != nullptr) {
     entered_of_item_.resize(items_.size(), kNotEntered);
     looks_.push_back({this->items(), look_of_source(*kept, image)});
-    collector.is_entered = true;
-    collector.next_entered = entered_polygons_;
+    collector.begin_entered(*kept, entered_polygons_);
     entered_polygons_ += static_cast<std::uint32_t>(kept->size());
   }
   entered->walk_transformed(image, collector);

@@ -91,7 +91,8 @@ struct PolygonsRetained {
   RetainedScene& scene;
   Attributes attributes{};
   std::int32_t pick_id = -1;
-  std::size_t next = 0;
+  std::uint32_t next = 0;
+  std::span<const std::uint32_t> not_seen = kept.not_seen();  // from there on
 
   void fill(const FillStyle& style) { attributes.fill = style; }
   void line_style(const LineStyle&) {}
@@ -99,15 +100,28 @@ struct PolygonsRetained {
   void move(const Point3&) {}
   void line(const Point3&) {}
   void polygon(std::span<const Point3>, std::span<const std::int32_t>) {
-    const PointRow entered = kept.points(next);
-    const glm::dmat4x3* const modelling = kept.modelling(next);
-    ++next;
+    enter_not_seen();
+    enter(next++, attributes, pick_id);
+  }
+  /// Those before the next instruction's: others may lie in their planes.
+  void enter_not_seen() {
+    Attributes hollow;
+    hollow.fill.kind = FillStyle::Kind::hollow;
+    for (; !not_seen.empty() && not_seen.front() == next; not_seen = not_seen.subspan(1)) {
+      enter(next++, hollow, -1);
+    }
+  }
+
+ private:
+  void enter(std::uint32_t number, const Attributes& as, std::int32_t pick) {
+    const PointRow entered = kept.points(number);
+    const glm::dmat4x3* const modelling = kept.modelling(number);
     std::vector<Point3> world(entered.begin(), entered.end());
     if (modelling != nullptr) {
       for (Point3& p : world) p = Point3(*modelling * glm::dvec4(p, 1.0));
     }
     const std::span<const Point3> as_entered(entered.data(), entered.size());
-    scene.enter_polygon({world, {}, Point3(0.0), {}, pick_id, as_entered, modelling}, attributes);
+    scene.enter_polygon({world, {}, Point3(0.0), {}, pick, as_entered, modelling}, as);
   }
 };
 
@@ -118,7 +132,9 @@ std::optional<RetainedScene> scene_as_entered(const DisplayFile& display_file) {
     const EnteredPolygons* const kept = segment->entered()->as_entered();
     if (kept == nullptr) return std::nullopt;
     scene.open_segment(segment->name(), kept->volume().view(), kept->touching());
-    segment->entered()->walk(PolygonsRetained{*kept, scene});
+    PolygonsRetained polygons{*kept, scene};
+    segment->entered()->walk(polygons);
+    polygons.enter_not_seen();
     scene.close_segment({});
   }
   return scene;

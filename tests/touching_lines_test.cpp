@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -223,6 +224,192 @@ TEST(TouchingLines, AreComparedAsViewedWhereNothingTouches) {
     for (const HiddenMethod method : kMethodsOfLines) {
       EXPECT_EQ(length_of(g, method), touches ? 0.5 : 0.0) << name_of(method);
     }
+  }
+}
+
+/// A face in a plane of the modelling coordinates, a small hollow polygon near it, and where that
+/// is seen: whole without the face.
+struct NearAFace {
+  int seed;
+  Touching touching{};
+  double window = 3.0;  ///< half its width
+
+  /// The length seen of a polygon whose y are those; `with_face`: of one at y = 0.
+  double length(const std::array<double, 3>& y, bool with_face, HiddenMethod method) const {
+    GraphicsSystem g;
+    Source s(static_cast<std::uint64_t>(seed));
+    test::view_from_anywhere(s, g, {Point3(0.0), 3.0});
+    g.set_window(-window, window, -window, window);
+    if (seed % 2 == 1) test::turn_and_move(s, g);
+    g.set_touching(touching);
+    g.open_segment(1);
+    g.set_line_style({LineStyle::Kind::none});
+    if (with_face) g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});
+    g.set_fill_style({FillStyle::Kind::hollow});
+    g.set_line_style({LineStyle::Kind::solid});
+    const double x = test::decimal(s, -1, 0), z = test::decimal(s, -1, 0);
+    g.polygon_abs_3({{x, y[0], z}, {x + 0.8, y[1], z + 0.1}, {x + 0.3, y[2], z + 0.9}});
+    g.close_segment();
+    return length_of(g, method, Colour{0, 0, 0});
+  }
+  double whole(const std::array<double, 3>& y) const {
+    return length(y, false, HiddenMethod::franklin);
+  }
+  /// The sign of y where the face hides it; 0 if nothing of it is in the picture.
+  int behind() const {
+    for (const int sign : {1, -1}) {
+      const std::array y{0.01 * sign, 0.01 * sign, 0.01 * sign};
+      if (length(y, true, HiddenMethod::franklin) < whole(y)) return sign;
+    }
+    return 0;
+  }
+};
+
+/// What is farther from a plane than the reach, by however little, is before it or behind it. No
+/// coordinate is larger than 2.
+TEST(TouchingLines, MoreThanTheReachApartAreHidden) {
+  const double reach = 8.0 * 0x1p-52 * 2.0;
+  int hidden = 0;
+  for (int seed = 0; seed < 60 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const NearAFace scene{seed, {}, seed % 3 == 0 ? 0.4 : 3.0};
+    const int behind = scene.behind();
+    if (behind == 0) continue;
+    for (const double reaches : {-4.0, -1.1, -0.9, 0.0, 0.9, 1.1, 4.0}) {
+      const double at = reaches * reach;
+      const bool is_hidden = std::abs(reaches) > 1.0 && reaches * behind > 0.0;
+      const double expected = is_hidden ? 0.0 : scene.whole({at, at, at});
+      for (const HiddenMethod method : kMethodsOfLines) {
+        EXPECT_NEAR(scene.length({at, at, at}, true, method), expected, 1e-9)
+            << name_of(method) << ", " << reaches << " reaches";
+      }
+      if (is_hidden) ++hidden;
+    }
+  }
+  EXPECT_GT(hidden, 20 / test::kSlower);
+}
+
+/// With one end within reach of a plane a line is wholly on the side of the other, though the end
+/// may be on the other side of the plane.
+TEST(TouchingLines, WithOneEndOnAPlaneAreOnTheSideOfTheOther) {
+  const double reach = 8.0 * 0x1p-52 * 2.0;
+  int hidden = 0;
+  for (int seed = 0; seed < 60 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const NearAFace scene{seed};
+    const int behind = scene.behind();
+    if (behind == 0) continue;
+    for (const double foot : {-0.9 * reach, 0.0, 0.9 * reach}) {
+      for (const int side : {-1, 1}) {
+        const std::array y{foot, foot, 1e-12 * side};
+        const double whole = scene.whole(y);
+        const double lower = scene.whole({foot, foot, foot}) -
+                             scene.length({0.01 * behind, 0.01 * behind, 0.01 * behind}, true,
+                                          HiddenMethod::franklin);
+        for (const HiddenMethod method : kMethodsOfLines) {
+          const double length = scene.length(y, true, method);
+          if (side != behind) {
+            EXPECT_NEAR(length, whole, 1e-9) << name_of(method);
+          } else {  // but for the side between the feet
+            EXPECT_LT(length, 0.7 * lower) << name_of(method);
+            EXPECT_GT(length, 0.0) << name_of(method);
+            ++hidden;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(hidden, 20 / test::kSlower);
+}
+
+/// A reach that is much of the picture.
+TEST(TouchingLines, WithinALargeReachLieInTheFace) {
+  for (int seed = 0; seed < 40 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    NearAFace scene{seed};
+    const int behind = scene.behind();
+    if (behind == 0) continue;
+    scene.touching = {Touching::Kind::length, 0.05};
+    for (const HiddenMethod method : kMethodsOfLines) {
+      const double within = 0.04 * behind, beyond = 0.06 * behind;
+      EXPECT_NEAR(scene.length({within, within, within}, true, method),
+                  scene.whole({within, within, within}), 1e-9)
+          << name_of(method);
+      EXPECT_LT(scene.length({beyond, beyond, beyond}, true, method),
+                0.5 * scene.whole({beyond, beyond, beyond}))
+          << name_of(method);
+    }
+  }
+}
+
+/// A wall that is seen edge-on but for rounding has sides at their own ends' depth: that of its
+/// plane would be anything.
+TEST(TouchingLines, SidesOfWallsSeenEdgeOnAreWhereTheyAre) {
+  for (int seed = 0; seed < 200 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const auto length = [&](bool with_walls, HiddenMethod method) {
+      Source s(static_cast<std::uint64_t>(seed));
+      const double turn = test::decimal(s, -180, 180), angle = std::atan(1.0) / 45.0 * turn;
+      const double y = test::decimal(s, 0.2, 1.5), z = test::decimal(s, 0.2, 1.5);
+      // The direction (0, y, z), turned about z.
+      const Point3 to_eye(-std::sin(angle) * y, std::cos(angle) * y, z);
+      GraphicsSystem g;
+      g.set_view_plane_normal(to_eye);
+      g.set_view_up({0, 0, 1});
+      g.set_parallel(-to_eye);
+      g.set_window(-3, 3, -3, 3);
+      g.rotate_z_3(turn);
+      g.open_segment(1);
+      for (const double at : {-1.3, 0.4}) {
+        const double x = at + test::decimal(s, 0, 0.3), a = x + 0.7;
+        const double b = test::decimal(s, 0.3, 1), c = test::decimal(s, 0.3, 1);
+        g.polygon_abs_3({{x, 0, 0}, {x, 0, c}, {a, 0, c}, {a, 0, 0}});
+        g.polygon_abs_3({{x, b, 0}, {a, b, 0}, {a, b, c}, {x, b, c}});
+        g.polygon_abs_3({{x, 0, 0}, {a, 0, 0}, {a, b, 0}, {x, b, 0}});
+        g.polygon_abs_3({{x, 0, c}, {x, b, c}, {a, b, c}, {a, 0, c}});
+        if (!with_walls) continue;
+        g.polygon_abs_3({{x, 0, 0}, {x, b, 0}, {x, b, c}, {x, 0, c}});
+        g.polygon_abs_3({{a, 0, 0}, {a, 0, c}, {a, b, c}, {a, b, 0}});
+      }
+      g.close_segment();
+      return length_of(g, method, Colour{0, 0, 0});
+    };
+    const double expected = length(false, HiddenMethod::roberts);
+    for (const HiddenMethod method : kMethodsOfLines) {
+      EXPECT_NEAR(length(true, method), expected, 1e-9) << name_of(method);
+    }
+  }
+}
+
+/// The polygon in whose plane others lie may be a back face that is removed. Without it the third
+/// would lie in the second's plane, and hide nothing of the first's sides; the length is that which
+/// tests/touching/line_oracle.py prints.
+TEST(TouchingLines, LieInThePlanesOfPolygonsThatAreNotSeen) {
+  GraphicsSystem g;
+  replay(
+      "set-view-plane-normal -1.102 0.306 2.607\n"
+      "set-view-up 0.0 1.0 0.0\n"
+      "set-perspective 3.2658 -2.0932 -6.4050\n"
+      "set-view-reference-point 0.3006 -0.6961 0.9228\n"
+      "set-window -1.480 2.412 -2.946 1.506\n"
+      "set-line-style solid 0 0 0\n"
+      "set-touching 0.001\n"
+      "set-viewport 0.28 0.67 0.22 0.70\n"
+      "set-back-face-removal on\n"
+      "rotate-x-3 99.78\n"
+      "rotate-y-3 -83.15\n"
+      "rotate-z-3 -45.41\n"
+      "translate-3 0.32 -0.71 0.92\n"
+      "open-segment 1\n"
+      "polygon-abs-3 -2.0 -0.30 -2.0  -2.0 -0.30 2.0  2.0 -0.30 2.0  2.0 -0.30 -2.0\n"
+      "polygon-abs-3 0.56 -0.30060 0.41  1.62 -0.30060 0.41  1.62 -0.30060 1.24  0.56 -0.30060 "
+      "1.24\n"
+      "polygon-abs-3 0.65 -0.30075 0.71  1.48 -0.29979 0.71  0.65 -0.29970 1.12\n"
+      "polygon-abs-3 1.18 -0.30069 0.54  1.56 -0.29987 0.54  1.18 -0.30135 1.23\n"
+      "close-segment\n",
+      "test", g);
+  for (const HiddenMethod method : kMethodsOfLines) {
+    EXPECT_NEAR(length_of(g, method, Colour{0, 0, 0}), 0.490819778125, 1e-9) << name_of(method);
   }
 }
 

@@ -24,7 +24,7 @@ class SidesInPicture {
 
   /// A line of the picture and the side between two vertices.
   struct Likeness {
-    bool starts = false, ends = false;  ///< at the same point
+    bool starts = false, ends = false;                     ///< at the same point
     double off = std::numeric_limits<double>::infinity();  ///< of the other ends, in roundings
     bool is_same() const { return starts && ends; }
     bool operator>(const Likeness& o) const {

@@ -43,7 +43,8 @@ double EnteredPolygons::longest() const {
 
 std::size_t EnteredPolygons::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return size(points_) + size(corners_) + size(first_) + size(runs_) + size(not_seen_);
+  return size(points_) + size(corners_) + size(first_) + size(runs_) + size(not_seen_) +
+         size(line_ends_);
 }
 
 void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
@@ -92,6 +93,7 @@ void EnteredPolygons::shrink_to_fit() {
   shrink(first_);
   shrink(points_);
   shrink(not_seen_);
+  shrink(line_ends_);
 }
 
 void EnteredPolygons::begin_polygon(const Matrix* modelling) {

@@ -15,7 +15,8 @@ namespace displayfile {
 /// The polygons of a segment as the application entered them, before the modelling transformation,
 /// in order: one for each polygon instruction, and those of which no instruction was made, since
 /// they are outside of the view or back faces. What touches is judged by them
-/// (hidden/touching_planes.md), since viewing rounds.
+/// (hidden/touching_planes.md), since viewing rounds. Beside them the lines of line instructions,
+/// in world coordinates.
 class EnteredPolygons {
  public:
   using Matrix = glm::dmat4x3;  ///< x' = column 0 x + column 1 y + column 2 z + column 3
@@ -50,6 +51,11 @@ class EnteredPolygons {
   double largest_in_world() const;
   /// The length of the longest column of the modelling matrices, at least 1.
   double longest() const;
+  std::size_t lines() const { return line_ends_.size() / 2; }
+  /// The two ends of the line of an instruction, in order of entry; as they were before clipping.
+  std::span<const Point3> line(std::size_t i) const {
+    return std::span(line_ends_).subspan(2 * i, 2);
+  }
   std::size_t bytes() const;  ///< of the arrays, as used
 
   /// Takes note of a coordinate that was entered, whether or not an instruction is made of it.
@@ -64,6 +70,10 @@ class EnteredPolygons {
                     const Matrix* modelling);
   /// No instruction was made of the polygon that was entered last.
   void note_not_seen() { not_seen_.push_back(static_cast<std::uint32_t>(size() - 1)); }
+  /// A line of which an instruction was made.
+  void enter_line(const Point3& from, const Point3& to) {
+    line_ends_.insert(line_ends_.end(), {from, to});
+  }
   /// Makes room for so many polygons that share vertices, and corners of theirs, more.
   void reserve_more(std::size_t polygons, std::size_t corners);
   void shrink_to_fit();
@@ -85,6 +95,7 @@ class EnteredPolygons {
   std::vector<Run> runs_;               // polygons before the first are in world coordinates
   double largest_ = 0.0;
   std::vector<std::uint32_t> not_seen_;
+  std::vector<Point3> line_ends_;
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
 };
 

@@ -77,9 +77,11 @@ class Instructions {
     return as_entered_.emplace(touching, volume);
   }
   EnteredPolygons* keeping_entered() { return as_entered_ ? &*as_entered_ : nullptr; }
-  /// The polygons as they were entered; null if they are not kept, of each one.
+  /// The polygons and lines as they were entered; null if they are not kept, of each one.
   const EnteredPolygons* as_entered() const {
-    return as_entered_ && as_entered_->seen() == polygons_ ? &*as_entered_ : nullptr;
+    const bool is_of_each =
+        as_entered_ && as_entered_->seen() == polygons_ && as_entered_->lines() == lines_;
+    return is_of_each ? &*as_entered_ : nullptr;
   }
 
   /// A surface's cells follow: the next polygons, if all of it is inside of the view.

@@ -23,7 +23,7 @@ double largest_coordinate(const PointRow& points) {
 
 void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
   const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
-  const auto end = first + static_cast<std::uint32_t>(polygons.size());
+  const auto end = first + static_cast<std::uint32_t>(polygons.size() + polygons.lines());
   add({first, end, &polygons, nullptr, 0, true}, polygons.touching(), polygons.largest());
 }
 
@@ -53,7 +53,11 @@ TouchingPlanes PolygonsAsEntered::planes() const {
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
   const Part& part = part_of(number);
   const std::uint32_t i = number - part.first;
-  if (part.polygons != nullptr) return {part.polygons->points(i), part.polygons->modelling(i)};
+  if (part.polygons != nullptr) {
+    const EnteredPolygons& of_segment = *part.polygons;
+    if (i >= of_segment.size()) return {of_segment.line(i - of_segment.size())};
+    return {of_segment.points(i), of_segment.modelling(i)};
+  }
   const std::uint32_t primitive = part.first_of_scene + i;
   if (!part.may_touch) return {std::span<const Point3>()};
   if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};

@@ -16,7 +16,7 @@ class RetainedScene;
 /// plane. What is added must stay.
 class PolygonsAsEntered {
  public:
-  /// Those of a segment, which are numbered on from those before.
+  /// Those of a segment, which are numbered on from those before, and then its lines.
   void add(const EnteredPolygons& polygons);
   /// The primitives of a scene, each numbered as there if nothing was added before; lines have two
   /// points. Those of segments in which nothing may touch have none.

@@ -44,8 +44,7 @@ void keep_entered(const WorldPolygon& polygon, bool is_seen, Segment& segment) {
 
 bool ViewStage::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
                               Segment& segment) {
-  const bool is_seen =
-      enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
+  const bool is_seen = enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
   keep_entered(polygon, is_seen, segment);
   return is_seen;
 }
@@ -205,11 +204,13 @@ FillStyle ViewStage::lit_fill(const WorldPolygon& polygon, const Attributes& att
 
 bool ViewStage::enter_line(const Point3& from, const Point3& to, const LineStyle& style,
                            Segment& segment) {
-  if (EnteredPolygons* const kept = segment.keeping_entered()) {
+  EnteredPolygons* const kept = segment.keeping_entered();
+  if (kept != nullptr) {
     for (const Point3& end : {from, to}) kept->include(end);
   }
   Point3 a, b;
   if (!pipeline_.clip_line(from, to, a, b)) return false;
+  if (kept != nullptr) kept->enter_line(from, to);
   segment.set_style(style);
   segment.enter_line(a, b);
   return true;

@@ -49,10 +49,11 @@ struct ViewedScene::Collector {
   std::span<const LineKinds> kinds{};  // of its sides
   // Items of these styles were added, and none of others since.
   bool fill_added = false, line_added = false;
-  const EnteredPolygons* entered = nullptr;  // the polygons, if they are kept as they were entered
-  std::uint32_t first_entered = 0;           // their first number, among those of all segments
-  std::uint32_t next_entered = 0;            // of theirs
+  const EnteredPolygons* entered = nullptr;   // the polygons, if they are kept as they were entered
+  std::uint32_t first_entered = 0;            // their first number, among those of all segments
+  std::uint32_t next_entered = 0;             // of theirs
   std::span<const std::uint32_t> not_seen{};  // from there on
+  std::uint32_t first_line = 0, next_line = 0;
 
   void fill(const FillStyle& s) {
     fill_style = s;
@@ -77,11 +78,12 @@ struct ViewedScene::Collector {
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
+    const std::uint32_t number = first_line + next_line++;
     const Look look{fill_style, style, line_pick_id, kNone, fill_added, line_added};
     if (!look.is_outlined()) return;
     scene.add_item({static_cast<std::uint32_t>(points - 2), 2, Primitives::Kind::line}, look);
     line_added = true;
-    if (entered != nullptr) scene.entered_of_item_.push_back(kNotEntered);
+    if (entered != nullptr) scene.entered_of_item_.push_back(number);
   }
   /// SAVE-POLY-FOR-HSC (algorithm 9.7): collects one polygon.
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
@@ -106,6 +108,7 @@ struct ViewedScene::Collector {
   void begin_entered(const EnteredPolygons& polygons, std::uint32_t first_number) {
     entered = &polygons;
     first_entered = first_number;
+    first_line = first_number + static_cast<std::uint32_t>(polygons.size());
     not_seen = polygons.not_seen();
   }
 
@@ -565,7 +568,7 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
     entered_of_item_.resize(items_.size(), kNotEntered);
     looks_.push_back({this->items(), look_of_source(*kept, image)});
     collector.begin_entered(*kept, entered_polygons_);
-    entered_polygons_ += static_cast<std::uint32_t>(kept->size());
+    entered_polygons_ += static_cast<std::uint32_t>(kept->size() + kept->lines());
   }
   entered->walk_transformed(image, collector);
 }

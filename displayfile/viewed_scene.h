@@ -88,8 +88,14 @@ class ViewedScene : public EndsAsEntered {
   // ---- Items -----------------------------------------------------------------------------
 
   Primitives primitives() const {
-    return {points_,   corners_,           edge_visible_,    items_,
-            planes(),  surfaces_,          touching_of_ends(), viewing_radius(),
+    return {points_,
+            corners_,
+            edge_visible_,
+            items_,
+            planes(),
+            surfaces_,
+            touching_of_ends(),
+            viewing_radius(),
             some_may_touch() ? this : nullptr};
   }
   /// Of items that are not viewed alike no end is on a plane: those are compared in the picture.
@@ -184,7 +190,7 @@ class ViewedScene : public EndsAsEntered {
     const ImageTransformation* image = nullptr;
     bool is_known() const { return polygon.points.size() >= 3; }
   };
-  /// Without points if that is not known: of most lines, and of scenes without viewing_radius.
+  /// Without points if that is not known: of scenes without viewing_radius. Lines have two.
   EnteredItem as_entered(Item item) const;
   /// The polygon whose plane the item's lies in as it was entered: its own if it shares none.
   EnteredItem plane_as_entered(Item item) const;
@@ -293,7 +299,7 @@ class ViewedScene : public EndsAsEntered {
     std::function<std::uint32_t(std::uint32_t)> polygon_of_item;
     double entered_reach = 0.0;  ///< before modelling transformations, the largest
     double reach = 0.0;          ///< in world coordinates, the largest
-    double radius = 0.0;  ///< touching_radius
+    double radius = 0.0;         ///< touching_radius
     double radius_of_ends = 0.0;
     bool are_close =
         false;  ///< a polygon in another's plane is little off it: radius_of_ends, or 0
@@ -431,10 +437,10 @@ class ViewedScene : public EndsAsEntered {
   void note_sides(std::size_t first, std::span<const std::int32_t> codes);
 
   std::vector<Source> sources_;
-  /// The number of each item's polygon among those entered, or kNotEntered; of a scene in a new
-  /// view those of the items that have points of their own.
+  /// The number of each item's polygon or line among those entered, or kNotEntered; of a scene in a
+  /// new view those of the items that have points of their own.
   std::vector<std::uint32_t> entered_of_item_;
-  std::uint32_t entered_polygons_ = 0;  // of all sources
+  std::uint32_t entered_polygons_ = 0;  // and lines, of all sources
   /// The number of how the items from one on are viewed: by which view, viewport and image.
   std::vector<Run<std::uint32_t>> looks_;
   std::shared_ptr<Planes> planes_;  // null: none touch

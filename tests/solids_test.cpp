@@ -285,6 +285,29 @@ TEST(CombinedSolids, FacesKeepTheColoursAndPickIdentifiersOfTheirParts) {
   EXPECT_NEAR(painted.at(1.0).drawn, 2 * (8 + around) + 4 * 6, 1e-9);
 }
 
+/// Sides are not parted where diagonals of triangles, which nobody entered, meet them.
+TEST(CombinedSolids, FacesHaveTheCornersOfTheSolidAlone) {
+  for (int seed = 0; seed < 8; ++seed) {
+    Source s(static_cast<std::uint64_t>(seed));
+    const double turn = seed == 0 ? 0.0 : 10.0 * seed;
+    const double x = 0.7 + 0.06 * s.below(10), y = 0.7 + 0.06 * s.below(10);
+    const auto bored = solid_of(kDifference, {[=](GraphicsSystem& g) {
+                                                g.rotate_x_3(turn);
+                                                g.rotate_z_3(2.0 * turn);
+                                                box_3(g, {0, 0, 0}, {2, 2, 1});
+                                              },
+                                              [=](GraphicsSystem& g) {
+                                                cylinder_3(g, {x, y, -1}, 0.5, 3, 24);
+                                              }});
+    const Entered plate(bored);
+    std::map<std::size_t, int> polygons;  // by how many corners they have
+    for (const std::uint32_t i : plate.polygons()) ++polygons[plate.scene.points(i).size()];
+    // A face with a hole is one polygon, with a bridge there and back.
+    EXPECT_EQ(polygons, (std::map<std::size_t, int>{{4, 4 + 24}, {4 + 24 + 2, 2}})) << seed;
+    EXPECT_TRUE(is_closed(plate.mesh())) << seed;
+  }
+}
+
 TEST(CombinedSolids, FacesInOnePlaneShowNoSideBetweenThem) {
   const EnterSolid a = box({0, 0, 0}, {1, 1, 1}), b = box({1, 0, 0}, {3, 1, 1});
   const Entered beam(solid_of(kUnion, {a, b}));

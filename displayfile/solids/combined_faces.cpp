@@ -101,6 +101,10 @@ class Faces {
   Faces(const BoundingTriangles& triangles, const SolidFaces& sources) : sources_(sources) {
     OrderedVertices ordered(triangles.vertices);
     result_.vertices = std::move(ordered.vertices);
+    is_between_.resize(result_.vertices.size(), 1);
+    for (std::size_t v = 0; v < triangles.vertices.size(); ++v) {
+      is_between_[ordered.number[v]] &= triangles.is_between[v];
+    }
     result_.attributes = sources.attributes;
     for (std::size_t i = 0; i < triangles.triangles.size(); ++i) {
       const auto& triangle = triangles.triangles[i];
@@ -170,8 +174,10 @@ class Faces {
       for (std::size_t at = first;;) {
         is_used[at] = true;
         const Side& side = sides[at];
-        loop.push_back({side.to, static_cast<std::uint8_t>(is_drawn(side) ? 1 : 0)});
-        positions.push_back(result_.vertices[side.to]);
+        if (is_between_[side.to] == 0) {
+          loop.push_back({side.to, static_cast<std::uint8_t>(is_drawn(side) ? 1 : 0)});
+          positions.push_back(result_.vertices[side.to]);
+        }
         if (side.to == sides[first].from) break;
         const auto next = std::ranges::lower_bound(sides, side.to, {}, &Side::from);
         auto k = static_cast<std::size_t>(next - sides.begin());
@@ -180,7 +186,9 @@ class Faces {
         at = k;
       }
       area += newell_normal(positions);
+      if (loop.size() < 3) loops.pop_back();  // rounding has left nothing of it
     }
+    if (loops.empty()) return;
     const bool is_turned = is_other_way(area, source);
     if (is_turned) face.normal = -face.normal;
     for (auto& loop : loops) {
@@ -205,6 +213,7 @@ class Faces {
 
   const SolidFaces& sources_;
   std::vector<Side> sides_;
+  std::vector<std::uint8_t> is_between_;  // of the result's vertices: left out
   SolidFaces result_;
 };
 

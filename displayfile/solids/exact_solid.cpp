@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <exception>
 #include <iterator>
 #include <new>
@@ -21,6 +23,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -195,6 +198,61 @@ class Neighbours {
   std::vector<Side> sides_;
 };
 
+/// The ends of the sides along which triangles of different sources meet, each side once.
+std::vector<std::array<std::uint32_t, 2>> boundaries_of(const ExactSurface& surface) {
+  struct Use {
+    std::uint32_t low, high, source;
+    int way;
+    auto key() const { return std::tuple(low, high, source); }
+  };
+  std::vector<Use> uses;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    std::uint32_t from = surface.triangles[i][2];
+    for (const std::uint32_t to : surface.triangles[i]) {
+      uses.push_back(
+          {std::min(from, to), std::max(from, to), surface.sources[i], from < to ? 1 : -1});
+      from = to;
+    }
+  }
+  std::ranges::sort(uses, {}, &Use::key);
+  std::vector<std::array<std::uint32_t, 2>> boundaries;
+  for (std::size_t i = 0; i < uses.size();) {
+    const auto key = uses[i].key();
+    int ways = 0;
+    for (; i < uses.size() && uses[i].key() == key; ++i) ways += uses[i].way;
+    const std::array ends{std::get<0>(key), std::get<1>(key)};
+    if (ways != 0 && (boundaries.empty() || boundaries.back() != ends)) boundaries.push_back(ends);
+  }
+  return boundaries;
+}
+
+/// Which vertices lie between the other ends of the two boundaries that there are at them.
+std::vector<std::uint8_t> vertices_between(const ExactSurface& surface) {
+  struct Ends {
+    std::size_t count = 0;
+    std::array<std::uint32_t, 2> other{};
+  };
+  std::vector<Ends> at(surface.points.size());
+  const auto note = [&](std::uint32_t v, std::uint32_t other) {
+    if (at[v].count < 2) at[v].other[at[v].count] = other;
+    ++at[v].count;
+  };
+  for (const auto& [a, b] : boundaries_of(surface)) {
+    note(a, b);
+    note(b, a);
+  }
+  std::vector<std::uint8_t> between(surface.points.size(), 0);
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    if (at[v].count != 2) continue;
+    const auto& [p, q] = at[v].other;
+    between[v] = CGAL::are_strictly_ordered_along_line(surface.points[p], surface.points[v],
+                                                       surface.points[q])
+                     ? 1
+                     : 0;
+  }
+  return between;
+}
+
 }  // namespace
 
 // ---- The solid ----------------------------------------------------------------------------------
@@ -333,6 +391,7 @@ BoundingTriangles ExactSolid::rounded() const {
   }
   result.triangles = surface.triangles;
   result.source = surface.sources;
+  result.is_between = vertices_between(surface);
   for (const auto& triangle : surface.triangles) {
     auto& flat = result.is_flat.emplace_back();
     std::uint32_t from = triangle[2];

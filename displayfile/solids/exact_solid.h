@@ -20,6 +20,9 @@ struct BoundingTriangles {
   /// Whether the triangle beyond the side that ends at each vertex lies in the same plane,
   /// exactly, and on the other side of it. Only told of results.
   std::vector<std::array<std::uint8_t, 3>> is_flat;
+  /// Whether the vertex lies, exactly, between two others on the one line along which triangles of
+  /// different sources meet there. Only told of results.
+  std::vector<std::uint8_t> is_between;
 };
 
 /// A solid whose vertices are where they are, not rounded. Made by the library that combines solids

@@ -52,8 +52,8 @@ class LineAgainstPolygon {
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
     find_crossings(polygon);
     PartOfLine part{0.0, 1.0};
-    if (nearer_at_a < 0 && nearer_at_b > 0) part.from = meeting(plane);
-    if (nearer_at_a > 0 && nearer_at_b < 0) part.to = meeting(plane);
+    if (nearer_at_a < 0) part.from = meeting(plane);
+    if (nearer_at_b < 0) part.to = meeting(plane);
     if (left_ == right_) {
       return add_covered(left_, part, [&](const PartOfLine& covered) { parts.add_both(covered); });
     }

@@ -165,7 +165,6 @@ std::vector<PartView::Line> lines_of_part(const Part& part,
   options.scope = HiddenScope::all;
   options.threads = wanted.threads;
   options.hidden_lines = HiddenLines::dashed;
-  options.precision = wanted.precision;
   options.intersections = contains(wanted.selection.kinds, LineKind::intersection);
   SortedDisplayFile sorted;
   const DisplayFile& file = sorted.update(in_view(scene, view), HiddenMethod::franklin, options);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "clip/bounds.h"
-#include "hidden/exact/precision.h"
 #include "hidden/line_kinds.h"
 #include "programs/sheet/part.h"
 #include "programs/sheet/part_view.h"
@@ -16,13 +15,8 @@ Bounds bounds_of_used(const Mesh& mesh);
 
 struct LinesWanted {
   LineSelection selection;
-  Precision precision;
   int threads;
 };
-/// Which depths are the same where coordinates are rounded: of solids that touch, the edges of one
-/// would be before or behind the face of the other as it comes.
-inline constexpr Precision kRoundedDepths{.exact = false, .roundoff = 1e-12};
-
 /// The lines of a part in a view's coordinates, which the part is in already; `caps` are polygons
 /// that hide what lies behind them, and have no lines.
 std::vector<PartView::Line> lines_of_part(const Part& part,

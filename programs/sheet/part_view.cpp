@@ -104,8 +104,7 @@ PartView view_of_part(const Part& part, ViewKind kind, const LineSelection& line
   const Bounds box = bounds_of_used(turned.mesh);
   view.low = Point2(box.low);
   view.high = Point2(box.high);
-  LinesWanted wanted{lines, {}, threads};
-  if (kind == ViewKind::isometric) wanted.precision = kRoundedDepths;
+  const LinesWanted wanted{lines, threads};
   if (!position) {
     view.lines = lines_of_part(turned, {}, wanted);
     return view;

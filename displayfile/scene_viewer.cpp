@@ -607,6 +607,11 @@ void SceneViewer::find_radius(const ViewVolume& volume) {
   const double radius = ViewedScene::radius_in(volume.matrix(), entered_->in_world, entered_->reach,
                                                viewed_.largest_depth());
   viewed_.planes_->radius_of_ends = radius;
+  viewed_.planes_->are_ends_told =
+      std::ranges::any_of(scene_->segments(), [&](const RetainedScene::Segment& segment) {
+        return segment.touching.kind != Touching::Kind::off &&
+               ViewedScene::may_reach(entered_->reach, segment.touching, volume);
+      });
   for (const SegmentNow& segment : segments_) {
     if (!segment.visible) continue;
     viewed_.planes_->radius_of_ends =

@@ -144,6 +144,7 @@ void ViewedScene::find_radius(Planes& planes) const {
     const double radius =
         radius_in(kept->volume().matrix(), kept->largest_in_world(), planes.reach, largest_depth_);
     planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
+    planes.are_ends_told |= may_reach(planes.reach, kept->touching(), kept->volume());
   }
   set_radius(planes, planes.radius_of_ends, !has_images);
 }
@@ -152,6 +153,14 @@ void ViewedScene::set_radius(Planes& planes, double of_planes, bool are_looked_f
   constexpr double kLittle = 0x1p-40;
   planes.are_close = planes.reach == 0.0 || (of_planes > 0.0 && of_planes <= kLittle);
   planes.radius = are_looked_for ? small_radius(of_planes) : 0.0;
+}
+
+bool ViewedScene::may_reach(double reach, const Touching& touching, const ViewVolume& volume) {
+  constexpr double kMostOfWindow = 0x1p-10;
+  if (touching.kind != Touching::Kind::automatic) return reach > 0.0;
+  const Rectangle& window = volume.view().window;
+  const double width = std::max(window.x_max - window.x_min, window.y_max - window.y_min);
+  return reach > 0.0 && reach <= kMostOfWindow * width;
 }
 
 /// Where the radius is larger, all planes are looked for at once.

@@ -301,6 +301,7 @@ class ViewedScene : public EndsAsEntered {
     double reach = 0.0;          ///< in world coordinates, the largest
     double radius = 0.0;         ///< touching_radius
     double radius_of_ends = 0.0;
+    bool are_ends_told = false;  ///< may_reach, of what is viewed somehow
     bool are_close =
         false;  ///< a polygon in another's plane is little off it: radius_of_ends, or 0
     std::mutex in_turn;
@@ -332,12 +333,15 @@ class ViewedScene : public EndsAsEntered {
   static double radius_in(const glm::dmat4& view, double in_world, double reach,
                           double largest_depth);
   static double small_radius(double radius);
+  /// Whether ends of lines may lie on planes: not where coordinates are so large that all that is
+  /// in the window would touch, unless that length was set.
+  static bool may_reach(double reach, const Touching& touching, const ViewVolume& volume);
   void set_radius(Planes& planes, double of_planes, bool are_looked_for) const;
   static double longest_of(const ImageTransformation& image);
   void find_radius(Planes& planes) const;
   EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
   bool some_may_touch() const {
-    return planes_ != nullptr && as_entered_ != nullptr && planes_->reach > 0.0;
+    return planes_ != nullptr && as_entered_ != nullptr && planes_->are_ends_told;
   }
   std::uint32_t entered_number(Item item) const;
   std::uint32_t entered_plane(Item item) const;

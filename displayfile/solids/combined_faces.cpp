@@ -101,9 +101,12 @@ class Faces {
   Faces(const BoundingTriangles& triangles, const SolidFaces& sources) : sources_(sources) {
     OrderedVertices ordered(triangles.vertices);
     result_.vertices = std::move(ordered.vertices);
-    is_between_.resize(result_.vertices.size(), 1);
+    is_between_.resize(result_.vertices.size(), 0);
+    std::vector<std::uint8_t> is_there(result_.vertices.size(), 0);
     for (std::size_t v = 0; v < triangles.vertices.size(); ++v) {
-      is_between_[ordered.number[v]] &= triangles.is_between[v];
+      const std::uint32_t number = ordered.number[v];
+      is_between_[number] = is_there[number] == 0 ? triangles.is_between[v] : std::uint8_t{0};
+      is_there[number] = 1;
     }
     result_.attributes = sources.attributes;
     for (std::size_t i = 0; i < triangles.triangles.size(); ++i) {
@@ -213,7 +216,8 @@ class Faces {
 
   const SolidFaces& sources_;
   std::vector<Side> sides_;
-  std::vector<std::uint8_t> is_between_;  // of the result's vertices: left out
+  std::vector<std::uint8_t>
+      is_between_;  // of the result's vertices, none of them several: left out
   SolidFaces result_;
 };
 

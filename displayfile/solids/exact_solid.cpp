@@ -15,8 +15,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <exception>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <new>
 #include <numeric>
@@ -31,6 +33,7 @@
 #include "displayfile/solids/combining_steps.h"
 #include "displayfile/solids/exact_surface.h"
 #include "displayfile/solids/touching_solids.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -226,6 +229,30 @@ std::vector<std::array<std::uint32_t, 2>> boundaries_of(const ExactSurface& surf
   return boundaries;
 }
 
+/// Faces that a modelling transformation has turned are no longer flat but for rounding, nor are
+/// their diagonals in line with their sides: within the reach of doubles they are
+/// (hidden/touching.h).
+double reach_of(const ExactSurface& surface) {
+  double largest = 0.0;
+  for (const ExactPoint& p : surface.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      largest = std::max(largest, std::abs(CGAL::to_double(p[axis])));
+    }
+  }
+  return entered_reach(kUnlessSet, largest);
+}
+
+/// Whether the foot of v on the segment from p to q lies between these, and v within reach of it.
+bool is_between(const ExactPoint& v, const ExactPoint& p, const ExactPoint& q, double reach) {
+  const auto in_doubles = [](const ExactPoint& from, const ExactPoint& to) {
+    return Point3(CGAL::to_double(to.x() - from.x()), CGAL::to_double(to.y() - from.y()),
+                  CGAL::to_double(to.z() - from.z()));
+  };
+  const Point3 along = in_doubles(p, q), to_v = in_doubles(p, v), from_v = in_doubles(v, q);
+  return glm::dot(to_v, along) > 0.0 && glm::dot(from_v, along) > 0.0 &&
+         glm::length(glm::cross(along, to_v)) <= reach * glm::length(along);
+}
+
 /// Which vertices lie between the other ends of the two boundaries that there are at them.
 std::vector<std::uint8_t> vertices_between(const ExactSurface& surface) {
   struct Ends {
@@ -242,13 +269,13 @@ std::vector<std::uint8_t> vertices_between(const ExactSurface& surface) {
     note(b, a);
   }
   std::vector<std::uint8_t> between(surface.points.size(), 0);
+  const double reach = reach_of(surface);
   for (std::size_t v = 0; v < at.size(); ++v) {
     if (at[v].count != 2) continue;
     const auto& [p, q] = at[v].other;
-    between[v] = CGAL::are_strictly_ordered_along_line(surface.points[p], surface.points[v],
-                                                       surface.points[q])
-                     ? 1
-                     : 0;
+    const bool is_there =
+        is_between(surface.points[v], surface.points[p], surface.points[q], reach);
+    between[v] = is_there ? 1 : 0;
   }
   return between;
 }

@@ -9,6 +9,7 @@
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/view_stage.h"
+#include "hidden/touching.h"
 #include "hidden/triangulation.h"
 
 namespace displayfile {
@@ -93,7 +94,7 @@ RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> ca
   PartEntry entry(part, scene);
   int name = 0;
   const auto segment = [&](const auto& enter) {
-    scene.open_segment(++name, view);
+    scene.open_segment(++name, view, kUnlessSet);
     enter();
     scene.close_segment(selection);
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -15,7 +16,10 @@ namespace displayfile {
 /// With both ends on the plane the line lies in it, with one it is wholly on the side of the other.
 struct EndsAtPlane {
   std::optional<int> start, end;
-  bool are_both_on() const { return start == 0 && end == 0; }
+};
+/// Which ends of a line are corners of the polygon: there nothing needs to be said.
+struct EndsAtCorners {
+  bool start = false, end = false;
 };
 
 /// A line's ends, as they were viewed and not moved on to its polygon's plane, and the plane of
@@ -23,11 +27,18 @@ struct EndsAtPlane {
 /// reach does not exceed; then by what was entered, where that is at hand. An intersection lies in
 /// the planes of its own polygons alone.
 inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& line,
-                                 std::uint32_t polygon, const Plane& plane) {
+                                 std::uint32_t polygon, const Plane& plane,
+                                 const EndsAtCorners& corners) {
   if (!(scene.touching() > 0.0) || scene.intersection(line) != nullptr) return {};
   if (line.own != LineScene::kNone && scene.share_plane(line.own, polygon)) return {0, 0};
-  const OnPlane start = on_plane(scene.point(line.a), plane, scene.touching());
-  const OnPlane end = on_plane(scene.point(line.b), plane, scene.touching());
+  const double far =
+      scene.touching() * (1.0 + scene.most_shares() / std::abs(plane.normal.z)) * plane.reach;
+  const auto in_doubles = [&](std::uint32_t end, bool is_corner) {
+    const Point3& v = scene.point(end);
+    if (is_corner || std::abs(plane_value(v, plane).value) > far) return OnPlane::no;
+    return on_plane(v, plane, scene.touching());
+  };
+  const OnPlane start = in_doubles(line.a, corners.start), end = in_doubles(line.b, corners.end);
   if (start == OnPlane::no && end == OnPlane::no) return {};
   const auto sign = [](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
     using Place = EndsAsEntered::Place;

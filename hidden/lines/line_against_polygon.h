@@ -36,7 +36,7 @@ class LineAgainstPolygon {
   /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
-    const auto [at_a, at_b] = nearer_at_ends(polygon, plane, false, false);
+    const auto [at_a, at_b] = nearer_at_ends(polygon, plane, {});
     return at_a >= 0 && at_b >= 0 && at_a + at_b > 0;
   }
 
@@ -48,7 +48,7 @@ class LineAgainstPolygon {
     steps_.step();
     const Plane plane = scene_.plane(polygon);
     const auto [nearer_at_a, nearer_at_b] =
-        nearer_at_ends(polygon, plane, a_is_corner_, b_is_corner_);
+        nearer_at_ends(polygon, plane, {a_is_corner_, b_is_corner_});
     if (nearer_at_a <= 0 && nearer_at_b <= 0) return false;
     find_crossings(polygon);
     PartOfLine part{0.0, 1.0};
@@ -91,15 +91,15 @@ class LineAgainstPolygon {
   }
 
   /// The sign of the plane's depth less the line's, at the line's start and at its end.
-  std::array<int, 2> nearer_at_ends(std::uint32_t polygon, const Plane& plane, bool a_is_corner,
-                                    bool b_is_corner) const {
-    if (a_is_corner && b_is_corner) return {0, 0};
-    const EndsAtPlane at = ends_at_plane(scene_, named_, polygon, plane);
+  std::array<int, 2> nearer_at_ends(std::uint32_t polygon, const Plane& plane,
+                                    const EndsAtCorners& corners) const {
+    if (corners.start && corners.end) return {0, 0};
+    const EndsAtPlane at = ends_at_plane(scene_, named_, polygon, plane, corners);
     const auto nearer = [&](bool is_corner, const std::optional<int>& as_entered, const Point3& v) {
       if (is_corner) return 0;
       return as_entered ? *as_entered : policy_.nearer(line_, v, plane);
     };
-    return {nearer(a_is_corner, at.start, line_.a), nearer(b_is_corner, at.end, line_.b)};
+    return {nearer(corners.start, at.start, line_.a), nearer(corners.end, at.end, line_.b)};
   }
 
   /// Where the line, whose ends are on different sides of the plane, meets it. Close to a plane

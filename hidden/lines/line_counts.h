@@ -120,16 +120,15 @@ class LineCounts {
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
   }
 
-  /// Whether rounding may have decided, for the line looked at, on which side of the polygon's
-  /// plane its ends are, and wrongly. At a corner they have one depth.
-  bool is_rounded_across(const LineScene::Line& line, std::uint32_t polygon, bool a_is_corner,
-                         bool b_is_corner) const {
+  /// Whether rounding has decided, for the line looked at, on which side of the polygon's plane its
+  /// ends are, and wrongly. At a corner they have one depth.
+  bool is_rounded_across(const LineScene::Line& line, std::uint32_t polygon,
+                         const EndsAtCorners& corners) const {
     if (!(scene_.touching() > 0.0)) return false;
     const Plane plane = scene_.plane(polygon);
-    const EndsAtPlane at = ends_at_plane(scene_, line, polygon, plane);
-    return at.are_both_on() ||
-           (at.start && !a_is_corner && *at.start != policy_.nearer(line_, line_.a, plane)) ||
-           (at.end && !b_is_corner && *at.end != policy_.nearer(line_, line_.b, plane));
+    const EndsAtPlane at = ends_at_plane(scene_, line, polygon, plane, corners);
+    return (at.start && *at.start != policy_.nearer(line_, line_.a, plane)) ||
+           (at.end && *at.end != policy_.nearer(line_, line_.b, plane));
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the

@@ -227,9 +227,9 @@ class LineFollower {
   /// ends, or one of them is close to it. At a corner they have one depth.
   bool is_doubtful(const LineScene::Line& line, const Point3& a, const Point3& b,
                    std::uint32_t polygon) const {
-    const bool a_is_corner = has_corner(polygon, a), b_is_corner = has_corner(polygon, b);
-    return counts_.is_rounded_across(line, polygon, a_is_corner, b_is_corner) ||
-           (!a_is_corner && !b_is_corner && counts_.passes_through_plane(polygon));
+    const EndsAtCorners corners{has_corner(polygon, a), has_corner(polygon, b)};
+    return counts_.is_rounded_across(line, polygon, corners) ||
+           (!corners.start && !corners.end && counts_.passes_through_plane(polygon));
   }
 
   /// Finds the polygons that are near the line in space, which are in the box, and reach over it:
@@ -242,8 +242,7 @@ class LineFollower {
     doubtful_.clear();
     sharers_.clear();
     scene_.any_counted(box, [&](std::uint32_t polygon) {
-      const bool doubtful =
-          !scene_.contours.is_even(polygon) || is_doubtful(line, a, b, polygon);
+      const bool doubtful = !scene_.contours.is_even(polygon) || is_doubtful(line, a, b, polygon);
       if (!doubtful && !has_other_depths) return false;
       if (counts_.is_side_of(polygon)) {
         sharers_.push_back(polygon);

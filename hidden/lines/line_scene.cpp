@@ -8,6 +8,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "clip/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
@@ -52,6 +53,14 @@ double touching_of(const Primitives& items) {
   return std::numeric_limits<double>::infinity();
 }
 
+/// Three triangles' double areas in the projection, none with sides that are longer along x and y
+/// than the box around all points.
+double most_shares_of(const Primitives& items) {
+  Rectangle all = Rectangle::nothing();
+  for (const Point3& p : items.points) all.include(Point2(p));
+  return 6.0 * (all.x_max - all.x_min) * (all.y_max - all.y_min);
+}
+
 }  // namespace
 
 LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads,
@@ -63,6 +72,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
       extents_(items.items.size()),
       touching_(touching_of(items)) {
   require_names(items, names);
+  if (touching_ > 0.0) most_shares_ = most_shares_of(items);
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
     support_[i] = support_of(i);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();

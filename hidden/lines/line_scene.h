@@ -80,6 +80,9 @@ class LineScene {
   }
   /// As Primitives::touching; infinite where what is within reach may be anywhere.
   double touching() const { return touching_; }
+  /// No point of the scene has a larger sum of shares in three of them, times the double area of
+  /// their triangle in the projection (hidden/lines/end_on_plane.h).
+  double most_shares() const { return most_shares_; }
   /// Two polygons lie in one plane as they were entered.
   bool share_plane(std::uint32_t a, std::uint32_t b) const {
     return !items_.has_own_plane(a) && !items_.has_own_plane(b) &&
@@ -138,7 +141,7 @@ class LineScene {
   std::vector<Point3> ends_;  // of the intersections, two of each
   std::vector<Support> support_;
   std::vector<Extent> extents_;
-  double touching_;
+  double touching_, most_shares_ = 0.0;
   /// How the vertex at each corner of the items is off the polygon's plane; empty: none is.
   std::vector<OffPlane> off_plane_;
   std::vector<std::uint32_t> first_corner_;  // of the items, among those of all

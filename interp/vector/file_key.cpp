@@ -45,8 +45,8 @@ std::string file_key(std::initializer_list<std::string_view> parts) {
 }
 
 void write_with_key(std::string_view text, std::string_view key, std::ostream& out) {
-  constexpr char kMark = kOwn.back();
-  for (std::size_t mark = text.find(kMark); mark != text.npos; mark = text.find(kMark)) {
+  constexpr char kEndOfOwn = kOwn.back();
+  for (std::size_t mark = text.find(kEndOfOwn); mark != text.npos; mark = text.find(kEndOfOwn)) {
     out << text.substr(0, mark) << key;
     text.remove_prefix(mark + 1);
   }

@@ -20,8 +20,8 @@ struct BoundingTriangles {
   /// Whether the triangle beyond the side that ends at each vertex lies in the same plane,
   /// exactly, and on the other side of it. Only told of results.
   std::vector<std::array<std::uint8_t, 3>> is_flat;
-  /// Whether the vertex lies, within reach, between two others on the one line along which triangles
-  /// of different sources meet there. Only told of results.
+  /// Whether the vertex lies, within reach, between two others on the one line along which
+  /// triangles of different sources meet there. Only told of results.
   std::vector<std::uint8_t> is_between;
 };
 

@@ -95,8 +95,7 @@ ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders) {
 bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t) {
   const auto is_hidden_on = [&](std::size_t k, std::size_t side) {
     return std::ranges::any_of(hiders, [&](const Hider& hider) {
-      return is_covered_after(hider.crossings[side], t) &&
-             is_nearer_after(hider, line, k, t);
+      return is_covered_after(hider.crossings[side], t) && is_nearer_after(hider, line, k, t);
     });
   };
   for (std::size_t k = 0; k < line.depths.size(); ++k) {
@@ -172,8 +171,8 @@ EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) con
           plane.under * line.scale};
 }
 
-/// A triangle's ends lie on its plane, and most others but for what viewing rounds: where a plane is
-/// steep its depth there would be anything.
+/// A triangle's ends lie on its plane, and most others but for what viewing rounds: where a plane
+/// is steep its depth there would be anything.
 bool LineHiders::has_own_depth(LineId sharer) const {
   const bool is_moved =
       items_.points(sharer.item).size() > 3 || items_.shared_plane(sharer.item) != nullptr;

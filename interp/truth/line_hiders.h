@@ -25,7 +25,7 @@ struct ExactLine {
   Integer scale = 1;       ///< so that the ends of intersections are whole too
   std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
   std::vector<LineId> sharers;    ///< the first of each depth; none of an intersection
-  double farthest;  ///< no depth anywhere on it is less
+  double farthest;                ///< no depth anywhere on it is less
 };
 
 /// What a polygon may hide of a line.
@@ -39,8 +39,8 @@ struct Hider {
   std::vector<std::array<std::optional<int>, 2>> as_entered;
 };
 
-/// The part of the line, at that one of its depths, where the polygon is strictly nearer; nothing if
-/// it has no length.
+/// The part of the line, at that one of its depths, where the polygon is strictly nearer; nothing
+/// if it has no length.
 std::optional<ExactPart> nearer_part(const Hider& hider, const ExactLine& line,
                                      std::size_t depth_number);
 /// What the polygons hide of a line at that one of its depths.
@@ -97,7 +97,8 @@ class LineHiders {
   EndDepths depths(const ExactLine& line, LineId sharer) const;
   EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
   bool has_own_depth(LineId sharer) const;
-  std::vector<std::array<std::optional<int>, 2>> as_entered(const ExactLine& line, std::uint32_t item) const;
+  std::vector<std::array<std::optional<int>, 2>> as_entered(const ExactLine& line,
+                                                            std::uint32_t item) const;
   std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
 
   /// In the projection a x + b y = c, and a place on it is the value there of ahead_x x + ahead_y

@@ -88,7 +88,7 @@ class LineItems {
   std::vector<Item> items_;
   std::vector<std::array<Point3, 3>> planes_;
   std::shared_ptr<const ViewedScene> scene_;
-  Primitives primitives_;  // its
+  Primitives primitives_;                // its
   std::vector<std::uint32_t> plane_of_;  // of the items, in planes_; empty: none share one
   std::vector<Point3> points_;
   std::vector<std::uint8_t> drawn_;  // of the points: the line that ends there is drawn

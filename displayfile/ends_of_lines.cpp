@@ -69,7 +69,7 @@ class SidesInPicture {
   Point3 in_picture(const HomogeneousPoint& p) const {
     return image_.apply(item_.volume->to_device(p));
   }
-  /// Of a coordinate there.
+  /// By how much a coordinate there may be off.
   double error_in_picture(const Vertex& v, const Point3& at) const {
     const double largest = 1.0 + std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     return (v.error / v.at.w + 16.0 * kRounding) * largest * longest_;

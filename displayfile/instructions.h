@@ -71,8 +71,7 @@ class Instructions {
                      const VertexShading& shading = {});
 
   /// Keeps the polygons that follow as the application entered them, beside their instructions:
-  /// each enter_polygon is followed by one call of what this returns, which is told of the others,
-  /// too.
+  /// each enter_polygon is followed by one call of what this returns, which gets the others, too.
   EnteredPolygons& keep_entered(const Touching& touching, const ViewVolume& volume) {
     return as_entered_.emplace(touching, volume);
   }

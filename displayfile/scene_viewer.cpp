@@ -607,7 +607,7 @@ void SceneViewer::find_radius(const ViewVolume& volume) {
   const double radius = ViewedScene::radius_in(volume.matrix(), entered_->in_world, entered_->reach,
                                                viewed_.largest_depth());
   viewed_.planes_->radius_of_ends = radius;
-  viewed_.planes_->are_ends_told =
+  viewed_.planes_->compares_ends =
       std::ranges::any_of(scene_->segments(), [&](const RetainedScene::Segment& segment) {
         return segment.touching.kind != Touching::Kind::off &&
                ViewedScene::may_reach(entered_->reach, segment.touching, volume);

@@ -144,7 +144,7 @@ void ViewedScene::find_radius(Planes& planes) const {
     const double radius =
         radius_in(kept->volume().matrix(), kept->largest_in_world(), planes.reach, largest_depth_);
     planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
-    planes.are_ends_told |= may_reach(planes.reach, kept->touching(), kept->volume());
+    planes.compares_ends |= may_reach(planes.reach, kept->touching(), kept->volume());
   }
   set_radius(planes, planes.radius_of_ends, !has_images);
 }

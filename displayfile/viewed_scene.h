@@ -98,7 +98,8 @@ class ViewedScene : public EndsAsEntered {
             viewing_radius(),
             some_may_touch() ? this : nullptr};
   }
-  /// Of items that are not viewed alike no end is on a plane: those are compared in the picture.
+  /// Between items that are not viewed alike no end is on a plane: those are compared in the
+  /// picture.
   Places places(Item item, std::uint32_t corner, Item polygon) const override;
   /// As Primitives::planes. They are found when they are first needed, by whichever thread.
   std::span<const Primitives::PlanePoints> planes() const;
@@ -301,7 +302,7 @@ class ViewedScene : public EndsAsEntered {
     double reach = 0.0;          ///< in world coordinates, the largest
     double radius = 0.0;         ///< touching_radius
     double radius_of_ends = 0.0;
-    bool are_ends_told = false;  ///< may_reach, of what is viewed somehow
+    bool compares_ends = false;  ///< may_reach in one of the views
     bool are_close =
         false;  ///< a polygon in another's plane is little off it: radius_of_ends, or 0
     std::mutex in_turn;
@@ -341,7 +342,7 @@ class ViewedScene : public EndsAsEntered {
   void find_radius(Planes& planes) const;
   EnteredItem in_view_of(std::uint32_t polygon, Item item) const;
   bool some_may_touch() const {
-    return planes_ != nullptr && as_entered_ != nullptr && planes_->are_ends_told;
+    return planes_ != nullptr && as_entered_ != nullptr && planes_->compares_ends;
   }
   std::uint32_t entered_number(Item item) const;
   std::uint32_t entered_plane(Item item) const;

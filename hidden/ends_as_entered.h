@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Of a scene's items, where ends of lines are to the planes that polygons lie in, judged by the
-/// points as they were entered: viewing rounds by many times what they may be apart.
+/// Tells of a scene where ends of lines are to the planes that polygons lie in, by the points as
+/// they were entered: viewing rounds by many times what they may be apart.
 class EndsAsEntered {
  public:
   enum class Place : std::uint8_t {
@@ -19,9 +19,9 @@ class EndsAsEntered {
   using Places = std::array<Place, 2>;  ///< of a line's start and of its end
   static constexpr Places kUnknown{Place::unknown, Place::unknown};
 
-  /// Of the line that ends at that corner of an item, as Primitives names lines, and the plane that
-  /// a polygon lies in. If the line was clipped, of the ends that it was entered with. Exact.
-  /// May be called by several threads.
+  /// The ends of the line that ends at that corner of an item, as Primitives names lines, against
+  /// the plane that a polygon lies in. A line that was clipped has the ends that it was entered
+  /// with. Exact. May be called by several threads.
   virtual Places places(std::uint32_t item, std::uint32_t corner, std::uint32_t polygon) const = 0;
 
  protected:

@@ -13,7 +13,7 @@ namespace displayfile {
 /// Whether a point is on a plane but for rounding.
 enum class OnPlane : std::uint8_t { no, yes, unknown };
 
-/// Of the end v of a line and a plane, which is not edge-on: judged in doubles, in the display
+/// The end v of a line against a plane, which is not edge-on: judged in doubles, in the display
 /// file's coordinates. As entered v is on the plane, but viewing has moved it and each of the
 /// plane's three points by up to `off` in each coordinate. So v may be off the plane by its own
 /// error, and by those of the three in the shares that they have in it, which are large far away

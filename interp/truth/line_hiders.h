@@ -34,7 +34,7 @@ struct Hider {
   /// polygon's sides; in any order, an even number each, also beyond the line's ends.
   std::array<std::vector<Fraction>, 2> crossings;
   EndDepths depth;  ///< of its support plane at the line's ends
-  /// Of each depth of the line the sign of the polygon's less that, at the line's start and at its
+  /// For each depth of the line the sign of the polygon's less that, at the line's start and at its
   /// end, where the points as entered tell it: 0 within reach. Empty: none.
   std::vector<std::array<std::optional<int>, 2>> as_entered;
 };

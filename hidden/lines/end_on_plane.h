@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "clip/point.h"
+#include "hidden/ends_as_entered.h"
 #include "hidden/exact/plane.h"
 
 namespace displayfile {
@@ -30,6 +32,21 @@ inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
   }
   const bool is_on = std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * plane.reach;
   return is_on ? OnPlane::yes : OnPlane::no;
+}
+
+/// The sign of a plane's depth less that of a line's end, by where the end is as entered; nothing
+/// if the display file's coordinates tell it. `rounded` counts where what was entered is not at
+/// hand.
+inline std::optional<int> sign_as_entered(EndsAsEntered::Place place, OnPlane rounded) {
+  using Place = EndsAsEntered::Place;
+  switch (place) {
+    case Place::unknown: break;
+    case Place::on_plane: return 0;
+    case Place::before: return -1;
+    case Place::behind: return 1;
+    case Place::off_plane: return std::nullopt;
+  }
+  return rounded == OnPlane::yes ? std::optional(0) : std::nullopt;
 }
 
 }  // namespace displayfile

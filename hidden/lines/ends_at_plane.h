@@ -41,16 +41,8 @@ inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& 
   const OnPlane start = in_doubles(line.a, corners.start), end = in_doubles(line.b, corners.end);
   if (start == OnPlane::no && end == OnPlane::no) return {};
   const auto sign = [](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
-    using Place = EndsAsEntered::Place;
     if (rounded == OnPlane::no) return std::nullopt;
-    switch (place) {
-      case Place::unknown: break;
-      case Place::on_plane: return 0;
-      case Place::before: return -1;
-      case Place::behind: return 1;
-      case Place::off_plane: return std::nullopt;
-    }
-    return rounded == OnPlane::yes ? std::optional(0) : std::nullopt;
+    return sign_as_entered(place, rounded);
   };
   const auto [of_start, of_end] = scene.places(line, polygon);
   return {sign(start, of_start), sign(end, of_end)};

@@ -269,18 +269,10 @@ std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const Exac
   if (!items_.some_touch()) return all;
   const auto [p, q, r] = *plane_points(item);
   const Plane plane(p, q, r);
-  const auto sign = [&](EndsAsEntered::Place place, const Point3& end) -> std::optional<int> {
-    using Place = EndsAsEntered::Place;
-    switch (place) {
-      case Place::unknown: break;
-      case Place::on_plane: return 0;
-      case Place::before: return -1;
-      case Place::behind: return 1;
-      case Place::off_plane: return std::nullopt;
-    }
-    const bool is_on =
-        items_.touching() > 0.0 && on_plane(end, plane, items_.touching()) == OnPlane::yes;
-    return is_on ? std::optional(0) : std::nullopt;
+  const auto sign = [&](EndsAsEntered::Place place, const Point3& end) {
+    const bool may_touch = items_.touching() > 0.0;
+    return sign_as_entered(place,
+                           may_touch ? on_plane(end, plane, items_.touching()) : OnPlane::no);
   };
   for (const LineId sharer : line.sharers) {
     if (items_.share_plane(sharer.item, item)) {

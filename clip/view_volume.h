@@ -73,6 +73,10 @@ class ViewVolume {
   /// World coordinates to the homogeneous unit cube.
   const glm::dmat4& matrix() const { return world_to_volume_; }
   const Rectangle& viewport() const { return viewport_; }
+  /// World coordinates are device coordinates: viewing rounds nothing.
+  bool is_identity() const {
+    return world_to_volume_ == glm::dmat4(1.0) && viewport_ == Rectangle{0.0, 1.0, 0.0, 1.0};
+  }
   bool is_perspective() const { return perspective_; }
   /// Where the front plane and the back plane are, in view-plane coordinates.
   double front_z() const { return front_z_; }

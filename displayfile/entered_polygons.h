@@ -34,6 +34,10 @@ class EnteredPolygons {
 
   /// Within which distance they touch others.
   const Touching& touching() const { return touching_; }
+  /// Nothing touches but what coincides, and the display file says exactly what was entered.
+  bool are_as_viewed() const {
+    return touching_.kind == Touching::Kind::off && runs_.empty() && volume_.is_identity();
+  }
   std::size_t size() const { return first_.size(); }
   /// The numbers of those without an instruction, rising.
   std::span<const std::uint32_t> not_seen() const { return not_seen_; }

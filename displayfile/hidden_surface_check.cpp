@@ -21,6 +21,7 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
   Primitives items = scene.primitives();
   if (!options.precision.exact) {  // a ROUNDOFF decides what is in one plane
     items.planes = {};
+    items.plane_rests = {};
     items.touching = 0.0;
   }
   SortedPieces sorted = sort_hidden_surfaces(items, method, options);

@@ -80,7 +80,7 @@ class Instructions {
   const EnteredPolygons* as_entered() const {
     const bool is_of_each =
         as_entered_ && as_entered_->seen() == polygons_ && as_entered_->lines() == lines_;
-    return is_of_each ? &*as_entered_ : nullptr;
+    return is_of_each && !as_entered_->are_as_viewed() ? &*as_entered_ : nullptr;
   }
 
   /// A surface's cells follow: the next polygons, if all of it is inside of the view.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "displayfile/entered_polygons.h"
 #include "displayfile/retained_scene.h"
@@ -24,30 +26,40 @@ double largest_coordinate(const PointRow& points) {
 void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
   const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
   const auto end = first + static_cast<std::uint32_t>(polygons.size() + polygons.lines());
-  add({first, end, &polygons, nullptr, 0, true}, polygons.touching(), polygons.largest());
+  add({first, end, &polygons, nullptr, 0}, polygons.touching(), polygons.largest());
 }
 
 void PolygonsAsEntered::add(const RetainedScene& scene) {
   for (const RetainedScene::Segment& segment : scene.segments()) {
     const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
     const std::uint32_t end = first + segment.end - segment.first;
-    const bool may_touch = segment.touching.kind != Touching::Kind::off;
     double largest = 0.0;
-    for (std::uint32_t i = segment.first; may_touch && i < segment.end; ++i) {
+    for (std::uint32_t i = segment.first; i < segment.end; ++i) {
       largest = std::max(largest, largest_coordinate(scene.entered_points(i)));
     }
-    add({first, end, nullptr, &scene, segment.first, may_touch}, segment.touching, largest);
+    add({first, end, nullptr, &scene, segment.first}, segment.touching, largest);
   }
 }
 
 void PolygonsAsEntered::add(const Part& part, const Touching& touching, double largest) {
   parts_.push_back(part);
   reach_ = std::max(reach_, entered_reach(touching, largest));
+  largest_ = std::max(largest_, largest);
 }
 
-TouchingPlanes PolygonsAsEntered::planes() const {
+TouchingPlanes PolygonsAsEntered::planes() const { return planes_within(reach_); }
+
+std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes() const {
+  const double near = 0x1p-24 * largest_;
+  if (!(near > reach_)) return nullptr;
+  TouchingPlanes planes = planes_within(near);
+  planes.keep_members_alone();
+  return std::make_shared<const TouchingPlanes>(std::move(planes));
+}
+
+TouchingPlanes PolygonsAsEntered::planes_within(double reach) const {
   const std::uint32_t polygons = parts_.empty() ? 0 : parts_.back().end;
-  return {polygons, [this](std::uint32_t number) { return polygon(number); }, reach_};
+  return {polygons, [this](std::uint32_t number) { return polygon(number); }, reach};
 }
 
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
@@ -59,7 +71,6 @@ EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
     return {of_segment.points(i), of_segment.modelling(i)};
   }
   const std::uint32_t primitive = part.first_of_scene + i;
-  if (!part.may_touch) return {std::span<const Point3>()};
   if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};
   return {part.scene->entered_points(primitive), &part.scene->modelling_matrix(primitive)};
 }

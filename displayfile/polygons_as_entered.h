@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hidden/entered_polygon.h"
@@ -24,6 +25,9 @@ class PolygonsAsEntered {
 
   /// Throws LimitReached where the thread's budget is used up.
   TouchingPlanes planes() const;
+  /// The same within a reach of 2^-24 of the largest coordinate, members alone: planes that are so
+  /// close would meet where viewing's rounding says. Null if that is not more than the reach.
+  std::shared_ptr<const TouchingPlanes> near_planes() const;
   EnteredPolygon polygon(std::uint32_t number) const;
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 
@@ -33,13 +37,13 @@ class PolygonsAsEntered {
     const EnteredPolygons* polygons;  ///< null: they are those of the scene
     const RetainedScene* scene;
     std::uint32_t first_of_scene;
-    bool may_touch;
   };
+  TouchingPlanes planes_within(double reach) const;
   const Part& part_of(std::uint32_t number) const;
   void add(const Part& part, const Touching& touching, double largest);
 
   std::vector<Part> parts_;
-  double reach_ = 0.0;
+  double reach_ = 0.0, largest_ = 0.0;
 };
 
 }  // namespace displayfile

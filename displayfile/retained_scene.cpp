@@ -159,9 +159,7 @@ void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_p
 void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
-  if (part.touching.kind != Touching::Kind::off) {
-    segment.keep_entered(part.touching, stage.pipeline().volume());
-  }
+  segment.keep_entered(part.touching, stage.pipeline().volume());
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
   std::vector<LineKinds> selected;

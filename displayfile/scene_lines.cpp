@@ -22,6 +22,7 @@ class DrawnItems {
     items_.visible = sides_;
     if (exact) return;  // a ROUNDOFF decides what is in one plane
     items_.planes = {};
+    items_.plane_rests = {};
     items_.touching = 0.0;
     items_.ends = nullptr;
   }

@@ -47,7 +47,6 @@ bool is_solid(const Attributes& attributes) {
 struct SceneViewer::Entered {
   std::shared_ptr<const PolygonsAsEntered> polygons;  // null: not taken yet
   double reach = 0.0, in_world = 0.0;
-  bool may_touch = false;
   std::shared_ptr<const TouchingPlanes> planes;  // null: not found yet
 };
 
@@ -393,10 +392,6 @@ void SceneViewer::take_up_scene() {
   parts_.clear();
   shows_shadows_ = shows_lines_ = is_lit_ = false;
   entered_ = std::make_shared<Entered>();
-  entered_->may_touch =
-      std::ranges::any_of(scene.segments(), [](const RetainedScene::Segment& segment) {
-        return segment.touching.kind != Touching::Kind::off;
-      });
   corners_ = all.all_corners();
   selects_lines_ = scene.selects_lines();
   all_edges_drawn_ = !selects_lines_ && std::ranges::find(all.visible, 0) == all.visible.end();
@@ -546,8 +541,10 @@ void SceneViewer::take_what_was_entered() {
 }
 
 void SceneViewer::begin_planes() {
-  if (!entered_->may_touch) return viewed_.planes_.reset();
-  if (viewed_.planes_ != nullptr) return viewed_.planes_->are_found.store(false);
+  if (viewed_.planes_ != nullptr) {
+    viewed_.planes_->rests_are_found.store(false);
+    return viewed_.planes_->are_found.store(false);
+  }
   take_what_was_entered();
   viewed_.planes_ = std::make_shared<ViewedScene::Planes>();
   viewed_.planes_->entered_reach = entered_->polygons->reach();
@@ -560,6 +557,7 @@ void SceneViewer::begin_planes() {
     }
     return entered->planes;
   };
+  viewed_.planes_->find_near = [entered = entered_] { return entered->polygons->near_planes(); };
   viewed_.planes_->polygon_of = [entered = entered_](std::uint32_t number) {
     return entered->polygons->polygon(number);
   };
@@ -573,8 +571,16 @@ void SceneViewer::begin_planes() {
   };
 }
 
+/// As EnteredPolygons::are_as_viewed, of all segments.
+bool SceneViewer::is_as_viewed(const ViewVolume& volume) const {
+  return volume.is_identity() && scene_->is_entered_in_world() &&
+         std::ranges::all_of(scene_->segments(), [](const RetainedScene::Segment& segment) {
+           return segment.touching.kind == Touching::Kind::off;
+         });
+}
+
 void SceneViewer::find_entered(const ViewVolume& volume) {
-  if (!entered_->may_touch) return viewed_.as_entered_.reset();
+  if (is_as_viewed(volume)) return viewed_.as_entered_.reset();
   take_what_was_entered();
   if (viewed_.as_entered_ == nullptr) {
     viewed_.as_entered_ = std::make_shared<ViewedScene::AsEntered>();
@@ -602,15 +608,14 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
 
 /// Where the planes were found for another view already, they are had for little.
 void SceneViewer::find_radius(const ViewVolume& volume) {
-  if (!entered_->may_touch) return;
+  if (is_as_viewed(volume)) return viewed_.planes_.reset();
   if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved
   const double radius = ViewedScene::radius_in(volume.matrix(), entered_->in_world, entered_->reach,
                                                viewed_.largest_depth());
   viewed_.planes_->radius_of_ends = radius;
   viewed_.planes_->compares_ends =
       std::ranges::any_of(scene_->segments(), [&](const RetainedScene::Segment& segment) {
-        return segment.touching.kind != Touching::Kind::off &&
-               ViewedScene::may_reach(entered_->reach, segment.touching, volume);
+        return ViewedScene::may_reach(entered_->reach, segment.touching, volume);
       });
   for (const SegmentNow& segment : segments_) {
     if (!segment.visible) continue;

@@ -89,6 +89,7 @@ class SceneViewer {
   void take_up_scene();
   void take_what_was_entered();
   void begin_planes();
+  bool is_as_viewed(const ViewVolume& volume) const;
   void find_entered(const ViewVolume& volume);
   void find_radius(const ViewVolume& volume);
   static void find_primitives(const RetainedScene& scene, const ViewedScene& viewed,

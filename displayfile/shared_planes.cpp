@@ -11,12 +11,6 @@ namespace displayfile {
 
 namespace {
 
-bool may_touch(const RetainedScene& scene) {
-  return std::ranges::any_of(scene.segments(), [](const RetainedScene::Segment& segment) {
-    return segment.touching.kind != Touching::Kind::off;
-  });
-}
-
 /// Three points of a polygon's plane; kOwnPlane if it has none.
 Primitives::PlanePoints plane_points(const RetainedScene& scene, std::uint32_t primitive) {
   Primitives::PlanePoints points{Primitives::kOwnPlane, 0, 0};
@@ -33,7 +27,6 @@ Primitives::PlanePoints plane_points(const RetainedScene& scene, std::uint32_t p
 }  // namespace
 
 std::vector<Primitives::PlanePoints> shared_planes(const RetainedScene& scene) {
-  if (!may_touch(scene)) return {};
   PolygonsAsEntered polygons;
   polygons.add(scene);
   const TouchingPlanes touching = polygons.planes();

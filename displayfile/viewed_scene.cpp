@@ -157,7 +157,7 @@ void ViewedScene::set_radius(Planes& planes, double of_planes, bool are_looked_f
 
 bool ViewedScene::may_reach(double reach, const Touching& touching, const ViewVolume& volume) {
   constexpr double kMostOfWindow = 0x1p-10;
-  if (touching.kind != Touching::Kind::automatic) return reach > 0.0;
+  if (touching.kind != Touching::Kind::automatic) return true;
   const Rectangle& window = volume.view().window;
   const double width = std::max(window.x_max - window.x_min, window.y_max - window.y_min);
   return reach > 0.0 && reach <= kMostOfWindow * width;
@@ -275,6 +275,9 @@ void ViewedScene::find_planes(Planes& found) const {
   found.of_items.clear();
   found.founders.clear();
   found.elsewhere.clear();
+  const bool none_is_near = found.near_is_found.load(std::memory_order_acquire) &&
+                            found.near != nullptr && found.near->touching() == 0;
+  if (none_is_near) return;
   const std::shared_ptr<const TouchingPlanes> touching = found.find_touching();
   if (touching->touching() == 0) return;
   if (found.polygons_of_items) {
@@ -613,6 +616,7 @@ void ViewedScene::finish(bool in_place) {
     planes_->find_touching = [polygons] {
       return std::make_shared<const TouchingPlanes>(polygons.planes());
     };
+    planes_->find_near = [polygons] { return polygons.near_planes(); };
     find_radius(*planes_);
   }
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);

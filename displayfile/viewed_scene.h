@@ -88,21 +88,21 @@ class ViewedScene : public EndsAsEntered {
   // ---- Items -----------------------------------------------------------------------------
 
   Primitives primitives() const {
-    return {points_,
-            corners_,
-            edge_visible_,
-            items_,
-            planes(),
-            surfaces_,
-            touching_of_ends(),
-            viewing_radius(),
-            some_may_touch() ? this : nullptr};
+    near_planes();
+    return {points_,          corners_,
+            edge_visible_,    items_,
+            planes(),         plane_rests(),
+            surfaces_,        touching_of_ends(),
+            viewing_radius(), some_may_touch() ? this : nullptr};
   }
   /// Between items that are not viewed alike no end is on a plane: those are compared in the
   /// picture.
   Places places(Item item, std::uint32_t corner, Item polygon) const override;
   /// As Primitives::planes. They are found when they are first needed, by whichever thread.
   std::span<const Primitives::PlanePoints> planes() const;
+  /// As Primitives::plane_rests, of planes as entered that are so close to another that what
+  /// viewing rounds would say where they meet. Found when they are first needed.
+  std::span<const Point3> plane_rests() const;
   std::uint32_t items() const { return static_cast<std::uint32_t>(items_.size()); }
   Primitives::Kind kind(Item item) const { return items_[item].kind; }
   PointRow points(Item item) const {
@@ -179,7 +179,7 @@ class ViewedScene : public EndsAsEntered {
   /// looked for where two are that close. 0 if nothing touches, or the planes are found.
   double touching_radius() const { return planes_ == nullptr ? 0.0 : planes_->radius; }
   /// Viewing rounded coordinates by at most so much, each but the depth. 0 if they are as they were
-  /// entered, if that was not kept (`set-touching off`), or if nothing can be told from them.
+  /// entered, if that was not kept (a dump), or if nothing can be told from them.
   double viewing_radius() const { return as_entered_ == nullptr ? 0.0 : as_entered_->radius; }
   /// How far boundaries may lie from where they are as entered, along x and along y: a vertex is
   /// off by viewing_radius, and a clipped one lies close to its side.
@@ -290,6 +290,8 @@ class ViewedScene : public EndsAsEntered {
   /// The planes of the items, found when they are first needed.
   struct Planes {
     std::function<std::shared_ptr<const TouchingPlanes>()> find_touching;
+    /// As PolygonsAsEntered::near_planes.
+    std::function<std::shared_ptr<const TouchingPlanes>()> find_near;
     /// Writes the number of each item's polygon among those entered; if empty they are
     /// entered_of_item_.
     std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items;
@@ -307,6 +309,12 @@ class ViewedScene : public EndsAsEntered {
         false;  ///< a polygon in another's plane is little off it: radius_of_ends, or 0
     std::mutex in_turn;
     std::atomic<bool> are_found = false;
+    std::mutex near_in_turn;
+    std::atomic<bool> near_is_found = false;
+    std::shared_ptr<const TouchingPlanes> near;
+    std::mutex rests_in_turn;
+    std::atomic<bool> rests_are_found = false;
+    std::vector<Point3> rests;                      ///< empty: none has one
     std::vector<Primitives::PlanePoints> of_items;  ///< empty: none lie in one plane
     /// For each item the polygon, as entered, whose plane it lies in; kNotEntered where it shares
     /// none. Empty if all are so.
@@ -351,6 +359,10 @@ class ViewedScene : public EndsAsEntered {
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
   bool is_edge_on(Item item) const;
   void find_planes(Planes& found) const;
+  const TouchingPlanes* near_planes() const;
+  std::vector<std::uint8_t> find_close_planes() const;
+  std::optional<Primitives::PlanePoints> plane_points(Item item) const;
+  std::vector<Point3> find_rests() const;
   void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                    Planes& found) const;
   std::uint32_t look_of_source(const EnteredPolygons& kept, const ImageTransformation& image) const;

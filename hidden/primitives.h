@@ -39,6 +39,9 @@ struct Primitives {
   using PlanePoints = std::array<std::uint32_t, 3>;
   std::span<const PlanePoints> planes = {};
   static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
+  /// What the depths of the three points that give a polygon's plane lack, by item: of the shared
+  /// plane's, or of the support vertices in their order (Plane::rest). Empty: nothing.
+  std::span<const Point3> plane_rests = {};
   /// The surfaces over grids that were entered, in order, for the perimeter method.
   std::span<const SurfaceMark> surfaces = {};
   /// By how much each coordinate of a point may be off that was entered in a plane: a line both of
@@ -59,6 +62,9 @@ struct Primitives {
     if (ends == nullptr) return EndsAsEntered::kUnknown;
     const auto number = [&](std::uint32_t i) { return numbers.empty() ? i : numbers[i]; };
     return ends->places(number(item), corner, number(polygon));
+  }
+  Point3 plane_rest(std::size_t item) const {
+    return plane_rests.empty() ? Point3(0.0) : plane_rests[item];
   }
   bool has_own_plane(std::size_t item) const {
     return planes.empty() || planes[item][0] == kOwnPlane;

@@ -166,7 +166,7 @@ void TouchingPlanes::Search::enter(std::uint32_t polygons) {
 void TouchingPlanes::Search::find_planes() {
   taken_.resize(own_.size());
   std::iota(taken_.begin(), taken_.end(), 0u);
-  if (own_.empty() || !(result_.reach_ > 0.0)) return;
+  if (own_.empty()) return;
   find_frame();
   find_keys();
   find_linked();

@@ -99,10 +99,16 @@ class BruteForceTruth {
       for (std::size_t i = 0; i < drawn.size(); ++i) of_r.push_back(value_for_r(i));
       r = static_cast<std::size_t>(std::ranges::max_element(of_r) - of_r.begin());
     }
-    if (value_for_r(r) == 0.0) return;
     Polygon polygon{{}, {}, 0, 0, pick};
     for (const Point3& v : drawn) {
       polygon.vertices.push_back({Rational(v.x) * width_, Rational(v.y) * height_, Rational(v.z)});
+    }
+    const auto in_line = [&](std::size_t i) {
+      const Vertex &a = polygon.vertices[p], &b = polygon.vertices[q], &c = polygon.vertices[i];
+      return (b.x - a.x) * (c.y - a.y) == (c.x - a.x) * (b.y - a.y);
+    };
+    for (std::size_t i = 0; i < drawn.size() && in_line(r); ++i) {
+      if (!in_line(i)) r = i;
     }
     // z - zp = dz_dx (x - xp) + dz_dy (y - yp) at q and r, by Cramer's rule.
     const Vertex &P = polygon.vertices[p], &Q = polygon.vertices[q], &R = polygon.vertices[r];

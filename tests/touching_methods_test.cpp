@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "displayfile/hidden_surface_check.h"
@@ -139,6 +140,131 @@ TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {
   }
 }
 
+/// A slope of two triangles, and triangles that pass through it and each other at angles of 1e-14
+/// to 1e-6.
+void enter_tiny_angles(Source& s, GraphicsSystem& g) {
+  const auto between = [&](double least, double most) { return least + (most - least) * s.unit(); };
+  const double low = between(-1.0, 1.0), along = between(-1.0, 1.0), across = between(-1.0, 1.0);
+  const auto on_slope = [&](double x, double z) {
+    return Point3(x, low + along * x + across * z, z);
+  };
+  const Point3 a = on_slope(-2, -2), b = on_slope(-2, 2), c = on_slope(2, 2), d = on_slope(2, -2);
+  g.set_line_style({LineStyle::Kind::none});
+  g.polygon_abs_3({a, b, c});
+  g.polygon_abs_3({a, c, d});
+  for (int k = 0; k < 3; ++k) {
+    const double tilt = std::pow(10.0, between(-14.0, -6.0));
+    const Point3 off = tilt * Point3(between(-1.0, 1.0), between(-1.0, 1.0), 0.3);
+    std::vector<Point3> triangle;
+    for (int corner = 0; corner < 3; ++corner) {
+      Point3 p = on_slope(between(-1.5, 1.5), between(-1.5, 1.5));
+      p.y += off.x * p.x + off.y * p.z + off.z;
+      triangle.push_back(p);
+    }
+    g.polygon_abs_3(triangle);
+  }
+}
+
+/// Planes meet where they do as entered, however little viewing leaves of the angle between them,
+/// and whether or not what is closer would touch.
+TEST(TouchingMethods, PlanesThatMeetAtTinyAngles) {
+  for (int seed = 0; seed < 60 / test::kSlower; ++seed) {
+    for (const bool transformed : {false, true}) {
+      for (const bool touches : {true, false}) {
+        SCOPED_TRACE(fmt::format("seed {}, {} {}", seed, transformed, touches));
+        Source s(static_cast<std::uint64_t>(seed));
+        Retained retained;
+        if (!touches) retained.system.set_touching({Touching::Kind::off});
+        enter_in_view(s, retained.system, enter_tiny_angles, transformed);
+        const EnteredTruth truth = entered_truth(retained.scene, retained.system.display_file(),
+                                                 kSize, kSize, false, std::nullopt);
+        for (const HiddenMethod method : test::kSurfaceMethods) {
+          // Before viewing a modelling transformation has rounded what was entered.
+          if (transformed && method == HiddenMethod::world_ray_cast) continue;
+          EXPECT_EQ(wrong_pixels(ids_by(retained.system, method, kSize), truth.picture), 0u)
+              << name_of(method);
+        }
+      }
+    }
+  }
+}
+
+/// What coincides exactly is in one plane with touching off too.
+TEST(TouchingMethods, WhatCoincidesDoesSoWithTouchingOff) {
+  for (int seed = 0; seed < 24 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Source s(static_cast<std::uint64_t>(seed));
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    test::view_from_anywhere(s, g, kAboutTheOrigin);
+    g.set_touching({Touching::Kind::off});
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    g.polygon_abs_3({{-2, 0.25, -2}, {-2, 0.25, 2}, {2, 0.25, 2}, {2, 0.25, -2}});
+    g.polygon_abs_3({{-1, 0.25, -1}, {-1, 0.25, 1}, {1, 0.25, 1}, {1, 0.25, -1}});
+    g.close_segment();
+    const EnteredTruth truth =
+        entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
+    EXPECT_GT(std::ranges::count(truth.picture.ids, 1), 0);
+    for (const HiddenMethod method : test::kSurfaceMethods) {
+      EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u) << name_of(method);
+    }
+  }
+}
+
+/// Planes all of which are parallel to an axis or to the other one: what a cut leaves of one runs
+/// along others, and a third plane has no point in common with both.
+TEST(TouchingMethods, SortsCutAlongLinesThatOtherPlanesAreParallelTo) {
+  constexpr int kPlanes = 16;
+  for (int seed = 1; seed <= 6 / test::kSlower; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Source s(static_cast<std::uint64_t>(seed));
+    std::vector<std::vector<Point3>> planes;
+    for (int k = 0; k < kPlanes; ++k) {
+      const double z = static_cast<double>(k) / kPlanes, rise = 1.0 - 2.0 * z;
+      planes.push_back({{0, 0, z}, {1, 0, z + rise}, {1, 1, z + rise}, {0, 1, z}});
+      planes.push_back({{0, 0, z}, {1, 0, z}, {1, 1, z + rise}, {0, 1, z + rise}});
+    }
+    for (std::size_t k = planes.size(); k > 1; --k) {
+      std::swap(planes[k - 1], planes[static_cast<std::size_t>(s.below(static_cast<int>(k)))]);
+    }
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    g.set_window(0, 1, 0, 1);
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    for (const std::vector<Point3>& plane : planes) g.polygon_abs_3(plane);
+    g.close_segment();
+    const EnteredTruth truth =
+        entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
+    for (const HiddenMethod method : test::kSurfaceMethods) {
+      EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u) << name_of(method);
+    }
+  }
+}
+
+/// Of a triangle that is thinner than doubles tell, the side that is a left one covers the centres
+/// that it goes through.
+TEST(TouchingMethods, ATriangleThinnerThanDoublesTellCoversCentresOnItsSide) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_window(0, 1, 0, 1);
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{0.984375, 0.734375, 0.5},
+                   {0.359375, 0.234375, 0.75},
+                   {0.3593750000000002, 0.23437500000000017, 0.75}});
+  g.close_segment();
+  constexpr int kPixels = 32;
+  const EnteredTruth truth =
+      entered_truth(retained.scene, g.display_file(), kPixels, kPixels, false, std::nullopt);
+  EXPECT_EQ(std::ranges::count(truth.picture.ids, 0), 3);
+  for (const HiddenMethod method : test::kSurfaceMethods) {
+    EXPECT_EQ(wrong_pixels(ids_by(g, method, kPixels), truth.picture), 0u) << name_of(method);
+  }
+  EXPECT_EQ(displayfile::truth(g.display_file(), kPixels, kPixels, false).ids, truth.picture.ids);
+}
+
 /// A wall that is seen nearly edge-on, so that the picture has one column of it, and two windows in
 /// it: one is as far in front of it as the reach is, the other behind. All are triangles. `steep`:
 /// depth over width.
@@ -182,7 +308,7 @@ TEST(TouchingMethods, WindowsInAWallThatIsSeenNearlyEdgeOn) {
 }
 
 /// A program of the gallery is right in every pixel, by every method, though so many of its
-/// polygons lie in the planes of others; and were nothing to touch, many pixels would be wrong.
+/// polygons lie in the planes of others.
 void expect_program_right(const std::string& name, std::size_t touching) {
   constexpr int kProgramSize = 160;
   const std::string program = DISPLAYFILE_SOURCE_DIR "/programs/" + name + ".draw";
@@ -195,11 +321,6 @@ void expect_program_right(const std::string& name, std::size_t touching) {
     EXPECT_EQ(wrong_pixels(ids_by(retained.system, method, kProgramSize), truth.picture), 0u)
         << name_of(method);
   }
-  GraphicsSystem untouched;
-  untouched.replace_touching({Touching::Kind::off});
-  replay_file(program, untouched);
-  EXPECT_GT(wrong_pixels(ids_by(untouched, HiddenMethod::z_buffer, kProgramSize), truth.picture),
-            truth.picture.ids.size() / 50);
 }
 
 TEST(TouchingMethods, AFurnishedRoom) { expect_program_right("furnished-room", 90); }

@@ -32,9 +32,7 @@ void GraphicsSystem::open_segment(int name) {
   const View view = windows_.in_picture(view_, said_);
   const ViewVolume volume(view);
   Segment& segment = display_file_.create(name);
-  if (touching_.kind != Touching::Kind::off && !retains_alone_) {
-    segment.keep_entered(touching_, volume);
-  }
+  if (!retains_alone_) segment.keep_entered(touching_, volume);
   view_stage_.emplace(volume);
   open_ = name;
   if (RetainedScene* scene = retaining()) scene->open_segment(name, view, touching_);

@@ -20,6 +20,12 @@ struct BallPoint {
 Ball exactly(double value) { return {value, 0.0}; }
 BallPoint exactly(const Point3& p) { return {exactly(p.x), exactly(p.y), exactly(p.z)}; }
 
+/// The plane's first point.
+BallPoint point_of(const Plane& plane) {
+  BallPoint point = exactly(plane.p);
+  point.z.radius = std::abs(plane.rest.x);
+  return point;
+}
 BallPoint normal_of(const Plane& plane) {
   return {{plane.normal.x, plane.bound.x},
           {plane.normal.y, plane.bound.y},
@@ -44,18 +50,23 @@ BallPoint cross(const BallPoint& u, const BallPoint& v) {
 }
 
 Ball value_at(const Plane& plane, const BallPoint& v) {
-  return dot(normal_of(plane), v - exactly(plane.p));
+  return dot(normal_of(plane), v - point_of(plane));
 }
 
 BallPoint lifted(const Point3& p, const Plane& own, int axis) {
-  const auto difference = [&](int i) { return ball_of_difference(p[i], own.p[i]); };
+  const auto difference = [&](int i) {
+    Ball apart = ball_of_difference(p[i], own.p[i]);
+    if (i == 2) apart.radius += std::abs(own.rest.x);
+    return apart;
+  };
   const auto normal = [&](int i) { return Ball{own.normal[i], own.bound[i]}; };
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const Ball slope = normal(i) * difference(i) + normal(j) * difference(j);
   BallPoint point = exactly(p);
   (axis == 0   ? point.x
    : axis == 1 ? point.y
-               : point.z) = exactly(own.p[axis]) - slope / normal(axis);
+               : point.z) =
+      Ball{own.p[axis], axis == 2 ? std::abs(own.rest.x) : 0.0} - slope / normal(axis);
   return point;
 }
 
@@ -73,8 +84,8 @@ BallPoint met_by(const BallPoint& a, const BallPoint& b, const Plane& cut) {
 /// Cramer's rule, seen from a point of the first plane, whose right side is zero then.
 BallPoint meeting(const Plane& first, const Plane& second, const Plane& third) {
   const BallPoint f = normal_of(first), s = normal_of(second), t = normal_of(third);
-  const BallPoint origin = exactly(first.p);
-  const Ball at_s = dot(s, exactly(second.p) - origin), at_t = dot(t, exactly(third.p) - origin);
+  const BallPoint origin = point_of(first);
+  const Ball at_s = dot(s, point_of(second) - origin), at_t = dot(t, point_of(third) - origin);
   return origin + (cross(t, f) * at_s + cross(f, s) * at_t) / dot(f, cross(s, t));
 }
 
@@ -425,6 +436,11 @@ int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoin
 
 DefinedPoint refined(const Definitions& all, const DefinedPoint& v) {
   return closest_to(v, rounded(all, v));
+}
+
+std::optional<DefinedPoint> refined_if_any(const Definitions& all, const DefinedPoint& v) {
+  const auto point = exact_point_if_any(all, v);
+  return point ? std::optional(closest_to(v, rounded(*point))) : std::nullopt;
 }
 
 DefinedPoint with_rest(const Definitions& all, const DefinedPoint& v) {

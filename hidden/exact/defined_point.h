@@ -128,6 +128,8 @@ int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoin
 /// all they can: worth its price once for a point that is badly defined, such as a cut by nearly
 /// parallel planes, since it is asked about many times.
 DefinedPoint refined(const Definitions& all, const DefinedPoint& v);
+/// The same; nothing if the point does not exist.
+std::optional<DefinedPoint> refined_if_any(const Definitions& all, const DefinedPoint& v);
 
 /// The same, and with the first digits of what these doubles lack: for points that lie closer
 /// together than doubles do. A stored point lacks nothing.

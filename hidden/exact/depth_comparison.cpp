@@ -122,6 +122,7 @@ int DepthComparison::Difference::filtered(const Position& at) const {
 }
 
 std::optional<DepthComparison::Hinge> DepthComparison::hinge_of(const Plane& a, const Plane& b) {
+  if (!a.is_plain() || !b.is_plain()) return std::nullopt;
   std::array<Point2, 3> common;
   std::size_t n = 0;
   for (const Point3* point : {&a.p, &a.q, &a.r}) {

@@ -26,7 +26,7 @@ inline PlaneValue slope_value(const Plane& plane, const Position& at) {
   const double value = plane.normal.x * x + plane.normal.y * y;
   const double bound = plane.bound.x * (std::abs(x) + at.error) +
                        plane.bound.y * (std::abs(y) + at.error) +
-                       at.error * (std::abs(plane.normal.x) + std::abs(plane.normal.y)) + kTiny;
+                       at.error * (std::abs(plane.normal.x) + std::abs(plane.normal.y)) + plane.off;
   return {value, bound};
 }
 

@@ -1,5 +1,7 @@
 #include "hidden/exact/exact_point.h"
 
+#include <utility>
+
 #include "clip/error.h"
 
 namespace displayfile {
@@ -10,12 +12,27 @@ ExactVector exact_vector(const Point3& p) {
   return {ExactNumber(p.x), ExactNumber(p.y), ExactNumber(p.z)};
 }
 
+/// With the rest of its depth.
+ExactVector exact_vector(const Point3& p, double rest) {
+  ExactVector exact = exact_vector(p);
+  if (rest != 0.0) exact.z = exact.z + ExactNumber(rest);
+  return exact;
+}
+
+ExactVector normal_of(const Plane& plane) {
+  if (plane.is_plain()) [[likely]] {
+    return cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  }
+  const ExactVector p = exact_vector(plane.p, plane.rest.x);
+  return cross(exact_vector(plane.q, plane.rest.y) - p, exact_vector(plane.r, plane.rest.z) - p);
+}
+
 ExactNumber& component(ExactVector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// p moved along the axis on to the plane: the plane's equation, solved for that coordinate.
 ExactPoint exactly_lifted(const Point3& p, const Plane& own, int axis) {
   ExactPlane plane(own);
-  ExactVector from = exact_difference(p, own.p);
+  ExactVector from = exact_vector(p) - plane.through;
   const ExactNumber c = component(plane.normal, axis);
   component(from, axis) = ExactNumber();
   ExactPoint point{exact_vector(p) * c, c};
@@ -59,16 +76,19 @@ ExactPoint from_definition(const Definitions& all, const DefinedPoint& v) {
 }  // namespace
 
 ExactPlane::ExactPlane(const Plane& plane)
-    : normal(cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p))),
-      through(exact_vector(plane.p)) {}
+    : normal(normal_of(plane)), through(exact_vector(plane.p, plane.rest.x)) {}
 
 ExactPoint exact_point(const Point3& p) { return {exact_vector(p), ExactNumber(1.0)}; }
 
 ExactPoint exact_point(const Definitions& all, const DefinedPoint& v) {
+  auto point = exact_point_if_any(all, v);
+  if (!point) throw Error("a point made by a cut does not exist: what defines it is parallel");
+  return *std::move(point);
+}
+
+std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const DefinedPoint& v) {
   ExactPoint point = from_definition(all, v);
-  if (point.w.sign() == 0) {
-    throw Error("a point made by a cut does not exist: what defines it is parallel");
-  }
+  if (point.w.sign() == 0) return std::nullopt;
   return point;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/exact_vector.h"
 
@@ -21,6 +23,8 @@ ExactPoint exact_point(const Point3& p);
 
 /// Throws Error if the point that v defines does not exist.
 ExactPoint exact_point(const Definitions& all, const DefinedPoint& v);
+/// Nothing if it does not exist.
+std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const DefinedPoint& v);
 
 /// w times the plane's value at the point.
 ExactNumber value_at(const ExactPlane& plane, const ExactPoint& v);

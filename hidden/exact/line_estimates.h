@@ -47,10 +47,11 @@ inline DoubleDouble normal_along(const Plane& plane, int axis) {
   return side(plane.q, j) * side(plane.r, k) - side(plane.q, k) * side(plane.r, j);
 }
 
-/// The plane's value at v.
+/// The plane's value at v. Of a plane with rests nothing is known, here and below.
 inline Estimate estimated_value(const Plane& plane, const Point3& v) {
   constexpr double kError = 0x1p-97;
   constexpr double kUnderflow = 0x1p-700;
+  if (!plane.is_plain()) return {{}, kNothingKnown};
   DoubleDouble sum;
   for (int i = 0; i < 3; ++i) {
     sum = sum + normal_along(plane, i) * exact_difference(v[i], plane.p[i]);
@@ -79,6 +80,7 @@ struct PlaneEstimate {
 inline Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& other,
                                 const Point2& at) {
   constexpr double kError = 0x1p-97, kUnderflow = 0x1p-600, kLargestFigure = 0x1p+100;
+  if (!one.plane.is_plain() || !other.plane.is_plain()) return {{}, kNothingKnown};
   const DoubleDouble apart = exact_difference(one.plane.p.z, other.plane.p.z);
   const DoubleDouble value =
       apart * one.c * other.c - one.slope(at) * other.c + other.slope(at) * one.c;

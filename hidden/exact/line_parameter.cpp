@@ -64,9 +64,7 @@ double point_parameter(const Point2& a, const Point2& b, const Point2& p) {
 
 double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
   const ExactPlane exact(plane);
-  const auto value = [&](const Point3& v) {
-    return dot(exact.normal, exact_difference(v, plane.p));
-  };
+  const auto value = [&](const Point3& v) { return value_at(exact, exact_point(v)); };
   const ExactNumber at_a = value(a);
   return exact_share(at_a, at_a - value(b));
 }
@@ -130,6 +128,7 @@ Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDou
 
 Estimate estimated_value(const Plane& plane, const DefinedEnd& v) {
   constexpr double kError = 0x1p-97, kUnderflow = 0x1p-700;
+  if (!plane.is_plain()) return {{}, kNothingKnown};
   DoubleDouble sum;
   double error = kUnderflow;
   for (int i = 0; i < 3; ++i) {

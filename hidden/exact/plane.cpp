@@ -1,6 +1,6 @@
 #include "hidden/exact/plane.h"
 
-#include "hidden/exact/exact_vector.h"
+#include "hidden/exact/exact_point.h"
 #include "hidden/exact/predicate_counts.h"
 
 namespace displayfile {
@@ -25,12 +25,13 @@ bool is_across_an_axis(const Plane& plane, const Point3& v) {
   const auto are_level = [&](int axis) {
     return v[axis] == plane.p[axis] && v[axis] == plane.q[axis] && v[axis] == plane.r[axis];
   };
-  return are_level(0) || are_level(1) || are_level(2);
+  return plane.is_plain() && (are_level(0) || are_level(1) || are_level(2));
 }
 
 }  // namespace
 
-Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_) : p(p_), q(q_), r(r_) {
+Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_, const Point3& rest_)
+    : p(p_), q(q_), r(r_), rest(rest_) {
   const double ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
   const double vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
   const NormalComponent a = normal_component(uy, vz, uz, vy);
@@ -38,8 +39,14 @@ Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_) : p(p_), q(q_
   const NormalComponent c = normal_component(ux, vy, uy, vx);
   normal = {a.value, b.value, c.value};
   bound = {a.bound, b.bound, c.bound};
+  if (!is_plain()) [[unlikely]] {  // uz and vz lack rests
+    const double u = std::abs(rest.x) + std::abs(rest.y), v = std::abs(rest.x) + std::abs(rest.z);
+    bound.x += (std::abs(uy) * v + std::abs(vy) * u) * (2.0 * kInflate);
+    bound.y += (std::abs(ux) * v + std::abs(vx) * u) * (2.0 * kInflate);
+    off = (std::abs(c.value) + c.bound) * std::abs(rest.x) * kInflate + kTiny;
+  }
   reach =
-      (std::abs(a.value) + std::abs(b.value) + std::abs(c.value) + a.bound + b.bound + c.bound) *
+      (std::abs(a.value) + std::abs(b.value) + std::abs(c.value) + bound.x + bound.y + bound.z) *
       kInflate;
 }
 
@@ -48,8 +55,7 @@ int facing_axis(const Plane& plane) {
   const int most = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
   if (size(most) > plane.bound[most]) [[likely]]
     return most;
-  const ExactVector normal =
-      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
+  const ExactVector normal = ExactPlane(plane).normal;
   if (normal.z.sign() != 0) return 2;
   return normal.y.sign() != 0 ? 1 : 0;
 }
@@ -60,9 +66,7 @@ int exact_side_of_plane(const Point3& v, const Plane& plane) {
     return 0;
   }
   count_exact(Predicate::side_of_plane);
-  const ExactVector normal =
-      cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
-  return dot(normal, exact_difference(v, plane.p)).sign();
+  return value_at(ExactPlane(plane), exact_point(v)).sign();
 }
 
 }  // namespace displayfile

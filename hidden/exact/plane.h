@@ -12,19 +12,34 @@ namespace displayfile {
 /// filters need. Any coordinate system; z toward the viewer where a depth is asked for. The
 /// positive side is the one from which p, q, r run counterclockwise: for a light face seen by
 /// the viewer, the viewer's. Points in line give no plane: every point is then on it.
+///
+/// Where doubles say too little of a plane's depth, each point's z has a rest beside it: z and rest
+/// together are its depth, exactly. Few planes have rests; no rest is larger than the rounding that
+/// it stands for.
 struct Plane {
   Plane() = default;
-  Plane(const Point3& p_, const Point3& q_, const Point3& r_);
+  Plane(const Point3& p_, const Point3& q_, const Point3& r_, const Point3& rest_ = Point3(0.0));
 
   bool same_points(const Plane& other) const {
-    return p == other.p && q == other.q && r == other.r;
+    return p == other.p && q == other.q && r == other.r && rest == other.rest;
   }
-  bool goes_through(const Point3& v) const { return v == p || v == q || v == r; }
+  bool goes_through(const Point3& v) const {
+    return (v == p || v == q || v == r) && (is_plain() || goes_through_point(v));
+  }
+  /// No point has a rest.
+  bool is_plain() const { return rest == Point3(0.0); }
 
   Point3 p{0.0}, q{0.0}, r{0.0};
+  Point3 rest{0.0};    ///< of the depths of p, q and r
+  double off = kTiny;  ///< how much of a value is left out with p's rest, at least kTiny
   Point3 normal{0.0};  ///< (A, B, C), close to (q - p) x (r - p)
   Point3 bound{0.0};   ///< of each component's error, with what the filter's products add
   double reach = 0.0;  ///< |A| + |B| + |C| and their bounds: how fast the value can change
+
+ private:
+  bool goes_through_point(const Point3& v) const {
+    return (v == p && rest.x == 0.0) || (v == q && rest.y == 0.0) || (v == r && rest.z == 0.0);
+  }
 };
 
 int exact_side_of_plane(const Point3& v, const Plane& plane);
@@ -38,7 +53,7 @@ inline PlaneValue plane_value(const Point3& v, const Plane& plane) {
   const double x = v.x - plane.p.x, y = v.y - plane.p.y, z = v.z - plane.p.z;
   const double value = plane.normal.x * x + plane.normal.y * y + plane.normal.z * z;
   const double bound = plane.bound.x * std::abs(x) + plane.bound.y * std::abs(y) +
-                       plane.bound.z * std::abs(z) + kTiny;
+                       plane.bound.z * std::abs(z) + plane.off;
   return {value, bound};
 }
 

@@ -82,6 +82,12 @@ class Exact {
     const Vertex v = defined_cut(line, own, plane);
     return is_badly_known(v) ? refined(all_, v) : v;
   }
+  /// The same; nothing if what it is defined by is parallel.
+  std::optional<Vertex> cut_if_any(const Vertex&, const Vertex&, const SideLine& line,
+                                   std::uint32_t own, std::uint32_t plane) const {
+    const Vertex v = defined_cut(line, own, plane);
+    return is_badly_known(v) ? refined_if_any(all_, v) : v;
+  }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return orientation(all_, a, b, c);
   }
@@ -180,6 +186,10 @@ class Roundoff {
     const double u = plane_value(from, p).value, v = plane_value(to, p).value;
     const double w = u / (u - v);
     return (to - from) * w + from;
+  }
+  std::optional<Vertex> cut_if_any(const Vertex& start, const Vertex& end, const SideLine& line,
+                                   std::uint32_t own, std::uint32_t plane) const {
+    return cut(start, end, line, own, plane);
   }
   int turn(const Vertex& a, const Vertex& b, const Vertex& c) const {
     return turn(Point2(a), Point2(b), Point2(c));

@@ -24,10 +24,8 @@ SupportVertices support_vertices(std::span<const Point3> v) {
   const auto twice_area = [&](std::size_t q, std::size_t i) {
     return std::abs((v[q].x - v[0].x) * (v[i].y - v[0].y) - (v[q].y - v[0].y) * (v[i].x - v[0].x));
   };
-  // In doubles, as the definition says; but three points that are in line although that value is
-  // not 0 have no plane either.
   const auto in_line = [&](std::size_t q, std::size_t r) {
-    return twice_area(q, r) == 0.0 || orientation(v[0], v[q], v[r]) == 0;
+    return orientation(v[0], v[q], v[r]) == 0;
   };
   if (v.size() == 3) return {{0, 1, 2}, in_line(1, 2)};
   std::size_t q = 0, r = 0;
@@ -45,6 +43,10 @@ SupportVertices support_vertices(std::span<const Point3> v) {
       farthest = d;
       r = i;
     }
+  }
+  // What doubles find in line may be beside it.
+  for (std::size_t i = 0; in_line(q, r) && i < v.size(); ++i) {
+    if (!in_line(q, i)) r = i;
   }
   return {{0, static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(r)}, in_line(q, r)};
 }

@@ -68,6 +68,7 @@ void ItemsNearLines::take(const Primitives& all, const std::vector<std::uint8_t>
     number_.push_back(k);
     own_items_.push_back(all.items[k]);
     if (!all.planes.empty()) own_planes_.push_back(all.planes[k]);
+    if (!all.plane_rests.empty()) own_rests_.push_back(all.plane_rests[k]);
   }
   const auto here = [&](std::uint32_t item) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(number_, item) - number_.begin());
@@ -80,6 +81,7 @@ void ItemsNearLines::take(const Primitives& all, const std::vector<std::uint8_t>
   }
   items_.items = own_items_;
   items_.planes = own_planes_;
+  items_.plane_rests = own_rests_;
   items_.surfaces = {};
   items_.numbers = number_;
   names_ = own_names_;

@@ -37,6 +37,7 @@ class ItemsNearLines {
   std::vector<std::uint32_t> number_;  // that an item had
   std::vector<Primitives::Item> own_items_;
   std::vector<Primitives::PlanePoints> own_planes_;
+  std::vector<Point3> own_rests_;
   std::vector<LineName> own_names_;
   std::vector<IntersectionLine> own_intersections_;
 };

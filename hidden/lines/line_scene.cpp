@@ -103,7 +103,8 @@ LineScene::Support LineScene::support_of(std::uint32_t number) const {
   const auto& points = items_.points;
   const int turn = orientation(points[support.p], points[support.q], points[support.r]);
   if (turn == 0) return {};
-  if (turn < 0) std::swap(support.q, support.r);
+  support.is_turned = turn < 0;
+  if (support.is_turned) std::swap(support.q, support.r);
   return support;
 }
 
@@ -153,7 +154,8 @@ void LineScene::find_uneven(int threads) {
   bool all_flat = true;
   const auto may_be_uneven = [&](std::size_t i) {
     const Primitives::Item& item = items_.items[i];
-    return item.kind != Primitives::Kind::line && (item.sides > 3 || !items_.has_own_plane(i));
+    return item.kind != Primitives::Kind::line &&
+           (item.sides > 3 || !items_.has_own_plane(i) || items_.plane_rest(i) != Point3(0.0));
   };
   for (std::size_t i = 0; i < items_.items.size(); ++i) {
     first_corner_.push_back(corners);
@@ -170,8 +172,8 @@ void LineScene::find_uneven(int threads) {
     for (std::uint32_t k = 0; k < sides(i); ++k) {
       const Point3& v = corner(i, k);
       if (own.goes_through(v) || side_of_plane(v, own) == 0) continue;
-      const bool by_rounding =
-          items_.rounding > 0.0 && on_plane(v, own, items_.rounding) == OnPlane::yes;
+      const bool by_rounding = own.is_plain() && items_.rounding > 0.0 &&
+                               on_plane(v, own, items_.rounding) == OnPlane::yes;
       off_plane_[first_corner_[i] + k] = by_rounding ? OffPlane::by_rounding : OffPlane::as_entered;
       is_any = true;
     }

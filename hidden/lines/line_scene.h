@@ -75,8 +75,10 @@ class LineScene {
   /// The support plane of a polygon that has one, or that it is said to lie in, turned to the
   /// viewer.
   Plane plane(std::uint32_t item) const {
-    const auto& [p, q, r] = support_[item];
-    return {items_.points[p], items_.points[q], items_.points[r]};
+    const auto& [p, q, r, is_turned] = support_[item];
+    Point3 rest = items_.plane_rest(item);
+    if (is_turned) std::swap(rest.y, rest.z);
+    return {items_.points[p], items_.points[q], items_.points[r], rest};
   }
   /// As Primitives::touching; infinite where what is within reach may be anywhere.
   double touching() const { return touching_; }
@@ -98,8 +100,9 @@ class LineScene {
   bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
     return off_plane(item, corner) != OffPlane::none;
   }
-  /// The same, by more than viewing rounds. Of the other polygons sides have their own ends' depth,
-  /// which is the plane's: where it is steep rounding alone would decide another.
+  /// The same, by more than viewing rounds, or its plane has a rest. Of the other polygons sides
+  /// have their own ends' depth, which is the plane's: where it is steep rounding alone would
+  /// decide another.
   bool is_uneven_at(std::uint32_t item, std::uint32_t corner) const {
     return off_plane(item, corner) == OffPlane::as_entered;
   }
@@ -116,6 +119,7 @@ class LineScene {
   /// The vertices that give the support plane, as points; p is kNone where there is none.
   struct Support {
     std::uint32_t p = kNone, q = kNone, r = kNone;
+    bool is_turned = false;  ///< q and r are the other way round
   };
   enum class OffPlane : std::uint8_t { none, by_rounding, as_entered };
   OffPlane off_plane(std::uint32_t item, std::uint32_t corner) const {

@@ -83,9 +83,10 @@ struct SortScene {
       if (!all.has_own_plane(i)) {
         for (std::size_t k = 0; k < 3; ++k) through[k] = all.points[all.planes[i][k]];
       }
-      Plane plane(through[0], through[1], through[2]);
+      const Point3 rest = all.plane_rest(i);
+      Plane plane(through[0], through[1], through[2], rest);
       if (space == SortSpace::device && facing(plane) < 0) {
-        plane = Plane(through[0], through[2], through[1]);
+        plane = Plane(through[0], through[2], through[1], {rest.x, rest.z, rest.y});
       }
       planes.push_back(plane);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -33,9 +34,19 @@ class VertexTable {
     if (own == kNoPlane || planes_[own].goes_through(points_[point])) return point;
     return keep(policy_.vertex(point, own));
   }
+  /// Where a side crosses a plane that its ends are on both sides of. An end that counts as on the
+  /// planes that its side lies in may be off them: then what these planes have in common may be
+  /// elsewhere or nothing, and the end that is nearer to the plane stands for it.
   std::uint32_t cut(std::uint32_t from, std::uint32_t to, const SideLine& line, std::uint32_t own,
                     std::uint32_t plane) {
-    return keep(policy_.cut(at(from), at(to), line, own, plane));
+    if (!(touching_ > 0.0)) [[likely]]
+      return keep(policy_.cut(at(from), at(to), line, own, plane));
+    const auto v = policy_.cut_if_any(at(from), at(to), line, own, plane);
+    if (v && is_between(policy_.near(*v), near(from), near(to))) return keep(*v);
+    const auto off = [&](std::uint32_t end) {
+      return std::abs(plane_value(near(end).p, planes_[plane]).value);
+    };
+    return off(from) <= off(to) ? from : to;
   }
   std::uint32_t add_plane(const Plane& plane) {
     planes_.push_back(plane);
@@ -162,6 +173,15 @@ class VertexTable {
   }
 
  private:
+  /// By the coordinates in the projection, and by what touches.
+  bool is_between(const NearPoint& v, const NearPoint& a, const NearPoint& b) const {
+    const double off = v.radius + a.radius + b.radius + 16.0 * touching_;
+    const auto is_between_along = [&](int axis) {
+      const auto [low, high] = std::minmax(a.p[axis], b.p[axis]);
+      return v.p[axis] >= low - off && v.p[axis] <= high + off;
+    };
+    return is_between_along(0) && is_between_along(1);
+  }
   template <class Point>
   static double taxicab(const Point& a, const Point& b) {
     return std::abs(a.x - b.x) + std::abs(a.y - b.y);

@@ -1,9 +1,11 @@
 #include "interp/truth/true_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "clip/large_pages.h"
 #include "clip/work_budget.h"
+#include "interp/truth/whole_numbers.h"
 
 namespace displayfile {
 
@@ -15,6 +17,17 @@ constexpr double kBackgroundDepth = -std::numeric_limits<double>::infinity();
 Integer minor(const TruePoint& a, const TruePoint& b, Integer TruePoint::*i,
               Integer TruePoint::*j) {
   return a.*i * b.*j - a.*j * b.*i;
+}
+
+/// In the projection, exactly.
+bool in_line(const Point3& p, const Point3& q, const Point3& r) {
+  const int places = common_places(std::array{p.x, p.y, q.x, q.y, r.x, r.y});
+  const auto apart = [&](double a, double b) -> Integer {
+    return scaled(a, places) - scaled(b, places);
+  };
+  const Integer left = apart(q.x, p.x) * apart(r.y, p.y);
+  const Integer right = apart(q.y, p.y) * apart(r.x, p.x);
+  return left == right;
 }
 
 }  // namespace
@@ -39,7 +52,10 @@ std::optional<std::array<std::size_t, 3>> support_of(std::span<const Point3> v) 
       if (beside_line(v[q], v[i]) > beside_line(v[q], v[r])) r = i;
     }
   }
-  if (beside_line(v[q], v[r]) == 0.0) return std::nullopt;
+  for (std::size_t i = 0; i < v.size() && in_line(p, v[q], v[r]); ++i) {
+    if (!in_line(p, v[q], v[i])) r = i;
+  }
+  if (in_line(p, v[q], v[r])) return std::nullopt;
   return std::array<std::size_t, 3>{0, q, r};
 }
 

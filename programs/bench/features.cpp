@@ -68,11 +68,6 @@ std::vector<Feature> table() {
        "",
        [](FeatureUse& u) { u.modelling = true; },
        {"ModellingTransformation::", "sine_cosine_of_degrees"}},
-      {"what touches",
-       "set-touching",
-       "",
-       [](FeatureUse& u) { u.touching = true; },
-       {"EnteredPolygons::", "PolygonsAsEntered::", "TouchingPlanes"}},
       {"image transformation",
        "set-image-scale",
        "",
@@ -250,7 +245,6 @@ void set_view(const FeatureUse& use, GraphicsSystem& system) {
 
 void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
   system.set_line_style({use.lines});
-  system.set_touching({use.touching ? Touching::Kind::automatic : Touching::Kind::off});
   if (use.modelling) system.rotate_z_3(1.0);
   if (use.cutting_planes) {
     system.set_cutting_plane(1, 1.0, 0.0, 0.0, -0.5);

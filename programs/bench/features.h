@@ -21,7 +21,6 @@ namespace displayfile::bench {
 struct FeatureUse {
   bool clipped_by_window = false, clipped_by_depth = false, perspective = false;
   bool cutting_planes = false;  ///< two, through the middle
-  bool touching = false;
   bool modelling = false, image_transformation = false, bent_polygons = false;
   LineStyle::Kind lines = LineStyle::Kind::none;
   bool colours = false;           ///< another fill style for each polygon

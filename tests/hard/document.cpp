@@ -58,8 +58,9 @@ what was entered: what lies in one plane there lies in one plane, and what was e
 rounds. Touching is automatic, as it is unless a program sets it:
 
 {2}
-The same scenes with `set-touching off`, against the same right pictures: what is exact is then what rounding has left
-of them. Whatever does not know what touches, or is not exact, draws what it drew before.
+The same scenes with `set-touching off`, against the same right pictures: what coincides exactly, in whole numbers, is
+right then, and what decimals or a modelling transformation round is not. Whatever does not know what touches, or is not
+exact, draws what it drew before.
 
 {3})";
 

@@ -170,7 +170,7 @@ void for_each_touching_scene(std::uint64_t seeds, const Judge& judge) {
 }
 
 /// No exact method has a wrong pixel where touching is automatic, as it is in every scene. With
-/// touching off the first of them has some in every family: rounding would decide.
+/// touching off the first of them has some where decimals or placements have rounded what touches.
 TEST(TouchingFamilies, AreRightByEveryExactMethodAndNotWithoutTouching) {
   constexpr int kSize = 24;
   const std::vector<Method> all = methods();

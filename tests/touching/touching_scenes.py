@@ -480,6 +480,29 @@ def about_the_reach(scene):
         )
 
 
+def tiny_angles(scene):
+    """Triangles that pass through a slope and through each other at angles of 1e-14 to 1e-6."""
+    s = scene.source
+    scene.offset = (0, 0, 0)
+    low, along, across = (float(s.decimal(-1, 1, 3)) for _ in range(3))
+
+    def slope(x, z):
+        return low + along * x + across * z
+
+    square = [(x, slope(x, z), z) for x, z in ((-2, -2), (-2, 2), (2, 2), (2, -2))]
+    triangles = [[square[0], square[1], square[2]], [square[0], square[2], square[3]]]
+    for _ in range(s.randint(2, 4)):
+        tilt = 10.0 ** -s.uniform(6, 14)
+        a, b, c = (s.uniform(-1, 1) for _ in range(3))
+        corners = [(s.uniform(-1.5, 1.5), s.uniform(-1.5, 1.5)) for _ in range(3)]
+        triangles.append(
+            [(x, slope(x, z) + tilt * (a * x + b * z + c / 2), z) for x, z in corners]
+        )
+    s.shuffle(triangles)
+    for triangle in triangles:
+        scene.polygon(*triangle)
+
+
 def same_image(scene):
     """A rug on a floor and a box on it, in segments whose image transformations are one, in other
     words."""
@@ -528,6 +551,7 @@ KINDS = {
         within_length,
         barely_apart,
         about_the_reach,
+        tiny_angles,
         same_image,
     )
 }

@@ -19,7 +19,7 @@ ExactVector exact_vector(const Point3& p, double rest) {
   return exact;
 }
 
-ExactVector normal_of(const Plane& plane) {
+ExactVector exact_normal(const Plane& plane) {
   if (plane.is_plain()) [[likely]] {
     return cross(exact_difference(plane.q, plane.p), exact_difference(plane.r, plane.p));
   }
@@ -76,7 +76,7 @@ ExactPoint from_definition(const Definitions& all, const DefinedPoint& v) {
 }  // namespace
 
 ExactPlane::ExactPlane(const Plane& plane)
-    : normal(normal_of(plane)), through(exact_vector(plane.p, plane.rest.x)) {}
+    : normal(exact_normal(plane)), through(exact_vector(plane.p, plane.rest.x)) {}
 
 ExactPoint exact_point(const Point3& p) { return {exact_vector(p), ExactNumber(1.0)}; }
 

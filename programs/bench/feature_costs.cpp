@@ -36,7 +36,7 @@ std::vector<std::pair<std::string_view, FeatureUse>> drawings() {
   return all;
 }
 
-/// What the vertices and the sides of polygons need, whatever is on.
+/// What the vertices and the sides of polygons need, whatever is on, as viewed.
 struct NeededBytes {
   std::size_t bytes = 0;
   void fill(const FillStyle&) {}
@@ -49,10 +49,13 @@ struct NeededBytes {
   }
 };
 
-/// Beyond that, in the order of entry.
+/// Beyond that and what is kept as entered, in the order of entry.
 double spare_bytes(const DisplayFile& file) {
   NeededBytes needed;
-  for (const Segment& segment : file.segments()) segment.walk_entered(needed);
+  for (const Segment& segment : file.segments()) {
+    segment.walk_entered(needed);
+    if (const auto* kept = segment.entered()->as_entered()) needed.bytes += kept->bytes();
+  }
   return static_cast<double>(file.bytes()) - static_cast<double>(needed.bytes);
 }
 

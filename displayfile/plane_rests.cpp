@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -13,8 +14,10 @@
 
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/entered_outline.h"
+#include "hidden/exact/entered_plane.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/support_plane.h"
+#include "hidden/extents.h"
 
 namespace displayfile {
 
@@ -34,6 +37,58 @@ Point3 rests_in(const PlaneInPicture& plane, const std::array<Point3, 3>& points
     if (!(std::abs(rest[k]) <= kLargest)) return Point3(0.0);
   }
   return rest;
+}
+
+/// In the world; 0 of a polygon without a plane.
+Point3 unit_normal(const EnteredPolygon& polygon) {
+  const auto world = [&](std::size_t i) {
+    const Point3& p = polygon.points[i];
+    return polygon.modelling == nullptr ? p : Point3(*polygon.modelling * glm::dvec4(p, 1.0));
+  };
+  const auto support = support_of_entered({polygon.points.data(), polygon.points.size()});
+  if (!support) return Point3(0.0);
+  const Point3 p = world((*support)[0]);
+  const Point3 normal = glm::cross(world((*support)[1]) - p, world((*support)[2]) - p);
+  return normal / glm::length(normal);
+}
+
+/// Planes at a larger angle meet close to where they do as entered, however small polygons are.
+bool are_nearly_parallel(const Point3& a, const Point3& b) {
+  constexpr double kLargest = 0x1p-20;
+  return glm::length(glm::cross(a, b)) <= kLargest;
+}
+
+Extent box_of(const PointRow& points) {
+  Extent box = Extent::nothing();
+  for (const Point3& p : points) box.include(p);
+  return box;
+}
+
+/// True if the line through some side of the first has the first on one of its sides and the second
+/// on the other, but for what lies on it and for rounding: neighbours in a mesh are apart.
+bool has_separating_side(const PointRow& a, const PointRow& b) {
+  constexpr double kOff = 0x1p-40;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Point3 &from = a[k == 0 ? a.size() - 1 : k - 1], &to = a[k];
+    const double x = to.x - from.x, y = to.y - from.y, off = kOff * (std::abs(x) + std::abs(y));
+    const auto sides = [&](const PointRow& points) {
+      bool left = false, right = false;
+      for (const Point3& p : points) {
+        const double turn = x * (p.y - from.y) - y * (p.x - from.x);
+        left |= turn > off;
+        right |= turn < -off;
+      }
+      return std::array{left, right};
+    };
+    const auto [a_left, a_right] = sides(a);
+    if (a_left == a_right) continue;
+    const auto [b_left, b_right] = sides(b);
+    if (a_left ? !b_left : !b_right) return true;
+  }
+  return false;
+}
+bool are_apart(const PointRow& a, const PointRow& b) {
+  return has_separating_side(a, b) || has_separating_side(b, a);
 }
 
 /// The exact views of a scene's items, made once each.
@@ -78,29 +133,48 @@ std::span<const Point3> ViewedScene::plane_rests() const {
 }
 
 /// By the number of the polygon whose own a plane is, whether it is close to another and not one
-/// with it. Empty if none is.
+/// with it, at nearly no angle, and polygons of both lie over each other. Empty if none is.
 std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
+  constexpr std::size_t kMostTogether = 2048;
   const TouchingPlanes* const near = near_planes();
   if (near == nullptr || near->touching() == 0) return {};
-  std::vector<std::uint32_t> plane_of;  // of the polygons that are items
+  std::vector<Item> item_of(items(), kNone);  // of polygons
   for (Item item = 0; item < items(); ++item) {
     const std::uint32_t polygon = entered_number(item);
-    if (polygon == kNotEntered) continue;
-    if (polygon >= plane_of.size()) plane_of.resize(std::size_t{polygon} + 1, kNotEntered);
-    plane_of[polygon] = entered_plane(item);
+    if (polygon == kNotEntered || kind(item) == Primitives::Kind::line) continue;
+    if (polygon >= item_of.size()) item_of.resize(std::size_t{polygon} + 1, kNone);
+    item_of[polygon] = item;
   }
   std::vector<std::uint8_t> are_close;
-  std::vector<std::uint32_t> together;
+  const auto note = [&](std::uint32_t plane) {
+    are_close.resize(std::max(are_close.size(), std::size_t{plane} + 1), 0);
+    are_close[plane] = 1;
+  };
+  struct Seen {
+    Item item;
+    std::uint32_t plane;
+    Extent box;
+  };
+  std::vector<Seen> together;
   for (std::size_t k = 0; k < near->shared_planes(); ++k) {
     together.clear();
+    const Point3 first = unit_normal(planes_->polygon_of(near->members(k).front()));
     for (const std::uint32_t polygon : near->members(k)) {
-      if (polygon < plane_of.size() && plane_of[polygon] != kNotEntered) {
-        together.push_back(plane_of[polygon]);
+      if (polygon >= item_of.size() || item_of[polygon] == kNone) continue;
+      if (!are_nearly_parallel(first, unit_normal(planes_->polygon_of(polygon)))) continue;
+      const Item item = item_of[polygon];
+      together.push_back({item, entered_plane(item), box_of(points(item))});
+    }
+    if (together.size() > kMostTogether) continue;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Seen &a = together[i], &b = together[j];
+        if (a.plane == b.plane || !a.box.meets_in_projection(b.box)) continue;
+        if (are_apart(points(a.item), points(b.item))) continue;
+        note(a.plane);
+        note(b.plane);
       }
     }
-    if (std::ranges::adjacent_find(together, std::not_equal_to()) == together.end()) continue;
-    are_close.resize(std::max(are_close.size(), std::size_t{std::ranges::max(together)} + 1), 0);
-    for (const std::uint32_t plane : together) are_close[plane] = 1;
   }
   return are_close;
 }

@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -71,11 +72,12 @@ class BruteForceLines {
   /// The plane that the polygon shares with others, unless that is seen edge-on; or else its own.
   std::optional<QPlane> plane_of(std::uint32_t item) const {
     std::optional<QPlane> found;
-    if (const auto* shared = items_.shared_plane(item)) found = plane(*shared);
-    return found ? found : plane(items_.points(item));
+    const Point3 rest = items_.plane_rest(item);
+    if (const auto* shared = items_.shared_plane(item)) found = plane(*shared, rest);
+    return found ? found : plane(items_.points(item), rest);
   }
 
-  static std::optional<QPlane> plane(std::span<const Point3> v) {
+  static std::optional<QPlane> plane(std::span<const Point3> v, const Point3& rest) {
     const auto distance = [&](std::size_t i) {
       const double x = v[i].x - v[0].x, y = v[i].y - v[0].y;
       return x * x + y * y;
@@ -90,8 +92,15 @@ class BruteForceLines {
       for (std::size_t i = 1; i < v.size(); ++i) q = distance(i) > distance(q) ? i : q;
       for (std::size_t i = 1; i < v.size(); ++i) r = beside(i) > beside(r) ? i : r;
     }
-    if (beside(r) == 0.0) return std::nullopt;
-    const QPlane plane(vertex(v[0]), vertex(v[q]), vertex(v[r]));
+    const auto in_line = [&](std::size_t i) {
+      return turn(vertex(v[0]), vertex(v[q]), vertex(v[i])) == 0;
+    };
+    for (std::size_t i = 0; i < v.size() && in_line(r); ++i) {
+      if (!in_line(i)) r = i;
+    }
+    std::array<QPoint, 3> points{vertex(v[0]), vertex(v[q]), vertex(v[r])};
+    for (std::size_t k = 0; k < 3; ++k) points[k].z += Q(rest[static_cast<int>(k)]);
+    const QPlane plane(points[0], points[1], points[2]);
     if (plane.c == 0) return std::nullopt;
     return plane;
   }

@@ -40,8 +40,12 @@ inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& 
   };
   const OnPlane start = in_doubles(line.a, corners.start), end = in_doubles(line.b, corners.end);
   if (start == OnPlane::no && end == OnPlane::no) return {};
-  const auto sign = [](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
+  // The depths of sides of polygons that are close to each other are their planes', with rests.
+  const bool planes_tell =
+      !plane.is_plain() && line.own != LineScene::kNone && !scene.plane(line.own).is_plain();
+  const auto sign = [&](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
     if (rounded == OnPlane::no) return std::nullopt;
+    if (planes_tell && place != EndsAsEntered::Place::on_plane) return std::nullopt;
     return sign_as_entered(place, rounded);
   };
   const auto [of_start, of_end] = scene.places(line, polygon);

@@ -108,6 +108,8 @@ bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const
 
 LineHiders::LineHiders(const LineItems& items, int threads) : items_(items) {
   for (std::uint32_t item = 0; item < items.size(); ++item) {
+    const Point3 rest = items.plane_rest(item);
+    depth_places_ = std::max(depth_places_, common_places(std::array{rest.x, rest.y, rest.z}));
     for (const Point3& p : items.points(item)) {
       places_ = std::max({places_, binary_places(p.x), binary_places(p.y)});
       depth_places_ = std::max(depth_places_, binary_places(p.z));
@@ -127,12 +129,17 @@ std::optional<std::array<Point3, 3>> LineHiders::plane_points(std::uint32_t item
 }
 
 /// The plane through p, q and r, those of the plane that the polygon shares or its support
-/// vertices; nothing if it is edge-on, in doubles or exactly. With (a, b, c) the cross product of q
+/// vertices, with their rests; nothing if it is edge-on. With (a, b, c) the cross product of q
 /// - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
 std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
   const auto points = plane_points(item);
   if (!points) return std::nullopt;
-  const Point p = point((*points)[0]), q = point((*points)[1]), r = point((*points)[2]);
+  Point p = point((*points)[0]), q = point((*points)[1]), r = point((*points)[2]);
+  if (const Point3 rest = items_.plane_rest(item); rest != Point3(0.0)) {
+    p.z += scaled(rest.x, depth_places_);
+    q.z += scaled(rest.y, depth_places_);
+    r.z += scaled(rest.z, depth_places_);
+  }
   const Integer ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
   const Integer vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
   DepthPlane plane{uy * vz - uz * vy, uz * vx - ux * vz, 0, ux * vy - uy * vx};
@@ -153,7 +160,10 @@ double LineHiders::depth(const Integer& over, const Integer& under) const {
 double LineHiders::nearest(std::uint32_t item) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double nearest = -kInfinite;
-  if (items_.points(item).size() == 3 && items_.shared_plane(item) == nullptr) {
+  const bool has_vertices_on_plane = items_.points(item).size() == 3 &&
+                                     items_.shared_plane(item) == nullptr &&
+                                     items_.plane_rest(item) == Point3(0.0);
+  if (has_vertices_on_plane) {
     for (const Point3& p : items_.points(item)) nearest = std::max(nearest, p.z);
     return nearest;
   }
@@ -174,11 +184,13 @@ EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) con
 /// A triangle's ends lie on its plane, and most others but for what viewing rounds: where a plane
 /// is steep its depth there would be anything.
 bool LineHiders::has_own_depth(LineId sharer) const {
-  const bool is_moved =
-      items_.points(sharer.item).size() > 3 || items_.shared_plane(sharer.item) != nullptr;
+  const bool is_moved = items_.points(sharer.item).size() > 3 ||
+                        items_.shared_plane(sharer.item) != nullptr ||
+                        items_.plane_rest(sharer.item) != Point3(0.0);
   if (items_.kind(sharer.item) == LineItems::Kind::line || !is_moved) return true;
   const auto plane = plane_points(sharer.item);
   if (!plane || items_.rounding() == 0.0) return !plane;
+  if (items_.plane_rest(sharer.item) != Point3(0.0)) return false;
   const auto& [p, q, r] = *plane;
   const Plane own(p, q, r);
   return on_plane(items_.from(sharer), own, items_.rounding()) == OnPlane::yes &&
@@ -274,13 +286,21 @@ std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const Exac
     return sign_as_entered(place,
                            may_touch ? on_plane(end, plane, items_.touching()) : OnPlane::no);
   };
+  const Point3 none(0.0);
+  const auto by_planes = [&](EndsAsEntered::Place place) -> std::optional<int> {
+    return place == EndsAsEntered::Place::on_plane ? std::optional(0) : std::nullopt;
+  };
   for (const LineId sharer : line.sharers) {
     if (items_.share_plane(sharer.item, item)) {
       all.push_back({0, 0});
       continue;
     }
     const auto [from, to] = items_.places(sharer, item);
-    std::array signs{sign(from, items_.from(sharer)), sign(to, items_.to(sharer))};
+    const bool planes_tell = items_.plane_rest(item) != none &&
+                             items_.kind(sharer.item) != LineItems::Kind::line &&
+                             items_.plane_rest(sharer.item) != none;
+    std::array signs{planes_tell ? by_planes(from) : sign(from, items_.from(sharer)),
+                     planes_tell ? by_planes(to) : sign(to, items_.to(sharer))};
     if (items_.from(sharer) != line.start) std::swap(signs[0], signs[1]);  // it runs the other way
     all.push_back(signs);
   }

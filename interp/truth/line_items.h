@@ -46,6 +46,9 @@ class LineItems {
     return plane_of_.empty() || plane_of_[item] == kNoPlane ? nullptr : &planes_[plane_of_[item]];
   }
 
+  /// As Primitives::plane_rest.
+  Point3 plane_rest(std::uint32_t item) const { return primitives_.plane_rest(item); }
+
   /// Two polygons share one.
   bool share_plane(std::uint32_t a, std::uint32_t b) const {
     return !plane_of_.empty() && shared_plane(a) != nullptr && shared_plane(b) != nullptr &&

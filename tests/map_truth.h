@@ -39,7 +39,13 @@ class MapTruth {
         return points_[is_own ? items.point(item.first + support.index[k]) : items.planes[i][k]];
       };
       if (is_own ? support.edge_on : turn(at(0), at(1), at(2)) == 0) continue;
-      planes_.back().emplace_back(at(0), at(1), at(2));
+      const Point3 rest = items.plane_rest(i);
+      const auto with_rest = [&](std::size_t k) {
+        QPoint point = at(k);
+        point.z += Q(rest[static_cast<int>(k)]);
+        return point;
+      };
+      planes_.back().emplace_back(with_rest(0), with_rest(1), with_rest(2));
       if (item.kind != Primitives::Kind::solid) continue;
       Polygon polygon{i, {}, Point2(1e300), Point2(-1e300)};
       for (std::uint32_t k = 0; k < item.sides; ++k) {

@@ -109,7 +109,6 @@ class BruteForceEnteredTruth : public BruteForceWorldTruth {
       found_.push_back(place(scene, i, reach));
       if (found_.back().has_plane) order.push_back(i);
     }
-    if (touching.kind == Touching::Kind::off) return;
     std::ranges::stable_sort(
         order, [&](std::size_t a, std::size_t b) { return found_[a].area > found_[b].area; });
     std::vector<std::size_t> planes;

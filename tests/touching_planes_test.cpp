@@ -146,7 +146,7 @@ TEST(TouchingPlanes, OfPolygonsOnCoarseGrids) {
         g.polygon_abs_3(s.below(2) == 0 ? test::triangle(s) : test::flat(s));
       }
     });
-    EXPECT_EQ(touch > 0, touching.kind != Touching::Kind::off);
+    EXPECT_GT(touch, 0u);
   }
 }
 

@@ -180,9 +180,7 @@ void TruePlanes::find_planes() {
   double farthest = 0.0;
   for (std::uint32_t i = 0; i < scene_.size(); ++i) {
     for (const Point3& p : scene_.points(i)) farthest = std::max(farthest, largest(p));
-    if (scene_[i].is_line() || touching_of(scene_.segment_of(i)).kind == Touching::Kind::off) {
-      continue;
-    }
+    if (scene_[i].is_line()) continue;
     area[i] = glm::length(newell_normal(scene_.points(i)));
     polygons.push_back(i);
   }

@@ -42,7 +42,7 @@ inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& 
   if (start == OnPlane::no && end == OnPlane::no) return {};
   // The depths of sides of polygons that are close to each other are their planes', with rests.
   const bool planes_tell =
-      !plane.is_plain() && line.own != LineScene::kNone && !scene.plane(line.own).is_plain();
+      !plane.is_plain() && line.own != LineScene::kNone && scene.has_rests(line.own);
   const auto sign = [&](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
     if (rounded == OnPlane::no) return std::nullopt;
     if (planes_tell && place != EndsAsEntered::Place::on_plane) return std::nullopt;

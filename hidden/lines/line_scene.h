@@ -80,6 +80,8 @@ class LineScene {
     if (is_turned) std::swap(rest.y, rest.z);
     return {items_.points[p], items_.points[q], items_.points[r], rest};
   }
+  /// That plane has rests; false for a polygon without a plane.
+  bool has_rests(std::uint32_t item) const { return items_.plane_rest(item) != Point3(0.0); }
   /// As Primitives::touching; infinite where what is within reach may be anywhere.
   double touching() const { return touching_; }
   /// No point of the scene has a larger sum of shares in three of them, times the double area of

@@ -230,6 +230,7 @@ class LitScene {
     lit.points = seen;
     lit.visible = {};
     lit.planes = planes.planes();
+    lit.plane_rests = {};  // those are of the picture
     const VisibleMap map = visible_map(lit, options);
     const SortedPieces pieces = pieces_of_map(lit, map);
     std::size_t k = 0;

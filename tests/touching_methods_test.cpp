@@ -245,8 +245,7 @@ TEST(TouchingMethods, SortsCutAlongLinesThatOtherPlanesAreParallelTo) {
   }
 }
 
-/// Of a triangle that is thinner than doubles tell, the side that is a left one covers the centres
-/// that it goes through.
+/// A triangle that is thinner than doubles tell covers the centres that its left side goes through.
 TEST(TouchingMethods, ATriangleThinnerThanDoublesTellCoversCentresOnItsSide) {
   Retained retained;
   GraphicsSystem& g = retained.system;

@@ -21,6 +21,7 @@
 #include "tests/line_drawings.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
+#include "tests/without_entered.h"
 
 namespace displayfile {
 namespace {
@@ -364,11 +365,12 @@ TEST(TrueLines, OfHardCases) {
       SCOPED_TRACE(fmt::format("{} {}", hard.name, severity));
       const GraphicsSystem system =
           entered(hard.make(std::min(hard.size, kFewPolygons), severity, 1));
-      const LineItems items(system.display_file());
+      const DisplayFile file = hard.judged_from == JudgedFrom::entered
+                                   ? system.display_file()
+                                   : test::without_entered(system.display_file());
+      const LineItems items(file);
       const auto lines = items.all_lines();
-      // It knows nothing of ends as entered.
-      const bool is_small = lines.size() <= kFewLines / test::kSlower;
-      if (is_small && !items.some_touch()) expect_brute_force(items, 3000);
+      if (lines.size() <= kFewLines / test::kSlower) expect_brute_force(items, 3000);
       if (HasFatalFailure()) return;
       const auto pieces = visible_pieces(true_lines(items, lines));
       ASSERT_TRUE(judge_lines(items, lines, pieces, 20, 1).wrong.empty());

@@ -16,6 +16,7 @@
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
+#include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "interp/draw.h"
 #include "interp/truth/entered_truth.h"
@@ -324,9 +325,11 @@ void expect_program_right(const std::string& name, std::size_t touching) {
         << name_of(method);
   }
   const DisplayFile as_viewed = test::without_entered(retained.system.display_file());
-  const DrawOptions options = test::options_for_ids(kProgramSize, HiddenMethod::z_buffer);
-  EXPECT_GT(wrong_pixels(draw(as_viewed, options).ids, truth.picture),
-            truth.picture.ids.size() / 50);
+  SortedDisplayFile sorted;
+  const DisplayFile& in_order = sorted.update(as_viewed, HiddenMethod::bsp, {});
+  const Picture drawn =
+      draw(in_order, {.width = kProgramSize, .height = kProgramSize, .with_ids = true});
+  EXPECT_GT(wrong_pixels(drawn.ids, truth.picture), truth.picture.ids.size() / 50);
 }
 
 TEST(TouchingMethods, AFurnishedRoom) { expect_program_right("furnished-room", 90); }

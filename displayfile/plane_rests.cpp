@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <mutex>
@@ -16,7 +15,6 @@
 #include "hidden/exact/entered_outline.h"
 #include "hidden/exact/entered_plane.h"
 #include "hidden/exact/exact_number.h"
-#include "hidden/exact/support_plane.h"
 #include "hidden/extents.h"
 
 namespace displayfile {
@@ -41,15 +39,11 @@ Point3 rests_in(const PlaneInPicture& plane, const std::array<Point3, 3>& points
 
 /// In the world; 0 of a polygon without a plane.
 Point3 unit_normal(const EnteredPolygon& polygon) {
-  const auto world = [&](std::size_t i) {
-    const Point3& p = polygon.points[i];
-    return polygon.modelling == nullptr ? p : Point3(*polygon.modelling * glm::dvec4(p, 1.0));
-  };
   const auto support = support_of_entered({polygon.points.data(), polygon.points.size()});
   if (!support) return Point3(0.0);
-  const Point3 p = world((*support)[0]);
-  const Point3 normal = glm::cross(world((*support)[1]) - p, world((*support)[2]) - p);
-  return normal / glm::length(normal);
+  const auto& [p, q, r] = *support;
+  const Point3 at = polygon.in_world(p);
+  return glm::normalize(glm::cross(polygon.in_world(q) - at, polygon.in_world(r) - at));
 }
 
 /// Planes at a larger angle meet close to where they do as entered, however small polygons are.
@@ -182,15 +176,8 @@ std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
 /// The three points that give the item's plane; nothing if it is edge-on.
 std::optional<Primitives::PlanePoints> ViewedScene::plane_points(Item item) const {
   const auto shared = planes();
-  if (!shared.empty() && shared[item][0] != Primitives::kOwnPlane) return shared[item];
-  const PointRow vertices = points(item);
-  const SupportVertices support = support_vertices({vertices.data(), vertices.size()});
-  if (support.edge_on) return std::nullopt;
-  Primitives::PlanePoints plane;
-  for (std::size_t k = 0; k < 3; ++k) {
-    plane[k] = point_number(items_[item].first + support.index[k]);
-  }
-  return plane;
+  const bool is_shared = !shared.empty() && shared[item][0] != Primitives::kOwnPlane;
+  return is_shared ? shared[item] : own_plane_points(item);
 }
 
 /// Once for all items of a plane.

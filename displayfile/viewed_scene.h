@@ -362,6 +362,7 @@ class ViewedScene : public EndsAsEntered {
   const TouchingPlanes* near_planes() const;
   std::vector<std::uint8_t> find_close_planes() const;
   std::optional<Primitives::PlanePoints> plane_points(Item item) const;
+  std::optional<Primitives::PlanePoints> own_plane_points(Item item) const;
   std::vector<Point3> find_rests() const;
   void share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                    Planes& found) const;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/mat4x3.hpp>
+#include <glm/vec4.hpp>
 
 #include "clip/point_row.h"
 
@@ -11,6 +13,12 @@ struct EnteredPolygon {
   PointRow points;  ///< before the modelling transformation
   const glm::dmat4x3* modelling =
       nullptr;  ///< null: the identity; the points are world coordinates
+
+  /// A point in world coordinates, in doubles.
+  Point3 in_world(std::size_t i) const {
+    const Point3& p = points[i];
+    return modelling == nullptr ? p : Point3(*modelling * glm::dvec4(p, 1.0));
+  }
 };
 
 }  // namespace displayfile

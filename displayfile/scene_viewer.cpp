@@ -540,6 +540,18 @@ void SceneViewer::take_what_was_entered() {
   entered_->polygons = std::move(polygons);
 }
 
+std::function<EnteredPolygon(std::uint32_t)> SceneViewer::polygon_of() const {
+  return [entered = entered_](std::uint32_t number) { return entered->polygons->polygon(number); };
+}
+
+std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)>
+SceneViewer::polygons_of_items() const {
+  return [scene = scene_, corners = corners_](const ViewedScene& viewed,
+                                              std::vector<std::uint32_t>& primitives) {
+    find_primitives(*scene, viewed, corners, primitives);
+  };
+}
+
 void SceneViewer::begin_planes() {
   if (viewed_.planes_ != nullptr) {
     viewed_.planes_->rests_are_found.store(false);
@@ -558,17 +570,11 @@ void SceneViewer::begin_planes() {
     return entered->planes;
   };
   viewed_.planes_->find_near = [entered = entered_] { return entered->polygons->near_planes(); };
-  viewed_.planes_->polygon_of = [entered = entered_](std::uint32_t number) {
-    return entered->polygons->polygon(number);
-  };
+  viewed_.planes_->polygon_of = polygon_of();
   viewed_.planes_->polygon_of_item = [scene = scene_, corners = corners_](std::uint32_t first) {
     return first < corners ? scene->primitive_of_corner(first) : ViewedScene::kNotEntered;
   };
-  viewed_.planes_->polygons_of_items = [scene = scene_, corners = corners_](
-                                           const ViewedScene& viewed,
-                                           std::vector<std::uint32_t>& primitives) {
-    find_primitives(*scene, viewed, corners, primitives);
-  };
+  viewed_.planes_->polygons_of_items = polygons_of_items();
 }
 
 /// As EnteredPolygons::are_as_viewed, of all segments.
@@ -584,14 +590,8 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
   take_what_was_entered();
   if (viewed_.as_entered_ == nullptr) {
     viewed_.as_entered_ = std::make_shared<ViewedScene::AsEntered>();
-    viewed_.as_entered_->polygon_of = [entered = entered_](std::uint32_t number) {
-      return entered->polygons->polygon(number);
-    };
-    viewed_.as_entered_->polygons_of_items = [scene = scene_, corners = corners_](
-                                                 const ViewedScene& viewed,
-                                                 std::vector<std::uint32_t>& primitives) {
-      find_primitives(*scene, viewed, corners, primitives);
-    };
+    viewed_.as_entered_->polygon_of = polygon_of();
+    viewed_.as_entered_->polygons_of_items = polygons_of_items();
   }
   ViewedScene::AsEntered& all = *viewed_.as_entered_;
   all.own_volume = volume;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <memory>
 #include <optional>
@@ -88,6 +89,8 @@ class SceneViewer {
   };
   void take_up_scene();
   void take_what_was_entered();
+  std::function<EnteredPolygon(std::uint32_t)> polygon_of() const;
+  std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items() const;
   void begin_planes();
   bool is_as_viewed(const ViewVolume& volume) const;
   void find_entered(const ViewVolume& volume);

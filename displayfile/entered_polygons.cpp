@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numeric>
+#include <utility>
+
+#include "displayfile/free_room.h"
 
 namespace displayfile {
 
 PointRow EnteredPolygons::points(std::size_t i) const {
+  if (are_retained_) return retained_.points(i);
   const std::size_t first = first_[i];
   const std::size_t end = i + 1 < first_.size() ? first_[i + 1] : corners();
   if (corners_.empty()) return std::span(points_).subspan(first, end - first);
@@ -48,6 +53,7 @@ std::size_t EnteredPolygons::bytes() const {
 }
 
 void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
+  keep_by_themselves();
   begin_polygon(modelling);
   for (const Point3& p : points) {
     if (!corners_.empty()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
@@ -58,6 +64,7 @@ void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
 void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
                                    std::span<const std::uint32_t> corners,
                                    const Matrix* modelling) {
+  keep_by_themselves();
   if (corners_.empty()) {
     corners_.resize(points_.size());
     std::iota(corners_.begin(), corners_.end(), 0u);
@@ -83,17 +90,45 @@ void EnteredPolygons::reserve_more(std::size_t polygons, std::size_t corners) {
   make_room(corners_, corners);
 }
 
-/// Where little would be gained, copying the array is not worth it.
-void EnteredPolygons::shrink_to_fit() {
-  const auto shrink = [](auto& array) {
-    if (array.capacity() - array.size() > array.size() / 8) array.shrink_to_fit();
-  };
-  number_of_shared_ = {};
-  shrink(corners_);
-  shrink(first_);
-  shrink(points_);
-  shrink(not_seen_);
-  shrink(line_ends_);
+void EnteredPolygons::free_room() {
+  number_of_shared_ = decltype(number_of_shared_)();  // {} would leave its room
+  displayfile::free_room(corners_);
+  displayfile::free_room(first_);
+  displayfile::free_room(points_);
+  displayfile::free_room(not_seen_);
+  displayfile::free_room(line_ends_);
+}
+
+bool EnteredPolygons::are_those_of(const RetainedPolygons& retained) const {
+  if (are_retained_ || retained.size() != size()) return false;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (retained.primitive(i).is_line()) return false;
+    const PointRow own = points(i), others = retained.points(i);
+    if (own.size() != others.size()) return false;
+    if (std::memcmp(own.data(), others.data(), own.size() * sizeof(Point3)) != 0) return false;
+  }
+  return true;
+}
+
+void EnteredPolygons::keep_in(const RetainedPolygons& retained) {
+  if (!are_those_of(retained)) return;
+  retained_ = retained;
+  are_retained_ = true;
+  points_ = decltype(points_)();  // {} would leave their room
+  corners_ = decltype(corners_)();
+  first_ = decltype(first_)();
+}
+
+/// More are entered.
+void EnteredPolygons::keep_by_themselves() {
+  if (!are_retained_) return;
+  const RetainedPolygons retained = std::exchange(retained_, {});
+  are_retained_ = false;
+  for (std::size_t i = 0; i < retained.size(); ++i) {
+    first_.push_back(static_cast<std::uint32_t>(points_.size()));
+    const PointRow points = retained.points(i);
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
 }
 
 void EnteredPolygons::begin_polygon(const Matrix* modelling) {

@@ -8,6 +8,7 @@
 
 #include "clip/point_row.h"
 #include "clip/view_volume.h"
+#include "displayfile/retained_polygons.h"
 #include "hidden/touching.h"
 
 namespace displayfile {
@@ -16,7 +17,7 @@ namespace displayfile {
 /// in order: one for each polygon instruction, and those of which no instruction was made, since
 /// they are outside of the view or back faces. What touches is judged by them
 /// (hidden/touching_planes.md), since viewing rounds. Beside them the lines of line instructions,
-/// in world coordinates.
+/// in world coordinates. Where a retained scene holds the same points, they are kept once.
 class EnteredPolygons {
  public:
   using Matrix = glm::dmat4x3;  ///< x' = column 0 x + column 1 y + column 2 z + column 3
@@ -38,11 +39,10 @@ class EnteredPolygons {
   bool are_as_viewed() const {
     return touching_.kind == Touching::Kind::off && runs_.empty() && volume_.is_identity();
   }
-  std::size_t size() const { return first_.size(); }
+  std::size_t size() const { return are_retained_ ? retained_.size() : first_.size(); }
   /// The numbers of those without an instruction, rising.
   std::span<const std::uint32_t> not_seen() const { return not_seen_; }
   std::size_t seen() const { return size() - not_seen_.size(); }
-  std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
   /// The points of a polygon, counted from 0.
   PointRow points(std::size_t i) const;
   /// The modelling matrix that was in force; null if the points are in world coordinates. It stays
@@ -60,7 +60,7 @@ class EnteredPolygons {
   std::span<const Point3> line(std::size_t i) const {
     return std::span(line_ends_).subspan(2 * i, 2);
   }
-  std::size_t bytes() const;  ///< of the arrays, as used
+  std::size_t bytes() const;  ///< of the arrays, as used; without those of a retained scene
 
   /// Takes note of a coordinate that was entered, whether or not an instruction is made of it.
   void include(const Point3& p);
@@ -80,7 +80,14 @@ class EnteredPolygons {
   }
   /// Makes room for so many polygons that share vertices, and corners of theirs, more.
   void reserve_more(std::size_t polygons, std::size_t corners);
-  void shrink_to_fit();
+  void free_room();
+
+  /// If the polygons are those of a retained scene, to the bit, they are kept there from here on,
+  /// and no longer by themselves.
+  void keep_in(const RetainedPolygons& retained);
+  bool are_retained() const { return are_retained_; }
+  /// The scene has other arrays in place of those that it had.
+  void move_in(const RetainedPolygons& retained) { retained_ = retained; }
 
  private:
   static constexpr std::uint32_t kNotKept = 0xffffffffu;
@@ -88,11 +95,16 @@ class EnteredPolygons {
     std::uint32_t first;  ///< polygon
     Matrix matrix;
   };
+  std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
+  bool are_those_of(const RetainedPolygons& retained) const;
+  void keep_by_themselves();
   void begin_polygon(const Matrix* modelling);
   void begin_run(const Matrix& matrix);
 
   Touching touching_;
   ViewVolume volume_;
+  bool are_retained_ = false;
+  RetainedPolygons retained_;  // the polygons, in place of the three arrays that follow
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
   std::vector<std::uint32_t> first_;    // corner of each polygon

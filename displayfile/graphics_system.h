@@ -522,6 +522,8 @@ class GraphicsSystem {
   void retain_for(std::string_view what);
   std::optional<Segment> with_lines_selected(const Segment& segment);
   void close(Segment& segment);
+  void keep_entered_once(Segment& closing);
+  void follow_retained();
   void attributes_changed() {
     if (view_stage_) view_stage_->attributes_changed();
   }
@@ -582,6 +584,7 @@ class GraphicsSystem {
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
   bool retains_alone_ = false;
+  RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
 
   Triangulation triangulation_;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered

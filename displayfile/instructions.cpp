@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "displayfile/free_room.h"
+
 namespace displayfile {
 
 void Instructions::set_style(const FillStyle& fill) {
@@ -167,17 +169,17 @@ void Instructions::reserve_more(std::size_t codes, std::size_t points, std::size
   make_room(points_, points_.size() + flat_points_.size() + points);
 }
 
-void Instructions::shrink_to_fit() {
-  op_.shrink_to_fit();
-  points_.shrink_to_fit();
-  flat_points_.shrink_to_fit();
-  style_operands_.shrink_to_fit();
-  intensities_.shrink_to_fit();
-  normals_.shrink_to_fit();
-  side_kinds_.shrink_to_fit();
-  texts_.shrink_to_fit();
-  characters_.shrink_to_fit();
-  if (as_entered_) as_entered_->shrink_to_fit();
+void Instructions::free_room() {
+  displayfile::free_room(op_);
+  displayfile::free_room(points_);
+  displayfile::free_room(flat_points_);
+  displayfile::free_room(style_operands_);
+  displayfile::free_room(intensities_);
+  displayfile::free_room(normals_);
+  displayfile::free_room(side_kinds_);
+  displayfile::free_room(texts_);
+  displayfile::free_room(characters_);
+  if (as_entered_) as_entered_->free_room();
 }
 
 }  // namespace displayfile

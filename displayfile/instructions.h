@@ -156,7 +156,7 @@ class Instructions {
   std::size_t bytes() const;  ///< of the instruction arrays, as used
   /// Makes room for so many codes, points and solid fill styles more, at once.
   void reserve_more(std::size_t codes, std::size_t points, std::size_t fills);
-  void shrink_to_fit();
+  void free_room();  ///< no more are to come
 
  private:
   template <class Visitor>

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "clip/back_face.h"
 #include "clip/error.h"
 #include "displayfile/display_file.h"
+#include "displayfile/free_room.h"
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/side_kinds.h"
 #include "hidden/exact/plane.h"
@@ -36,6 +36,11 @@ const RetainedScene::ModellingMatrix& RetainedScene::modelling_matrix(std::uint3
 std::uint32_t RetainedScene::primitive_of_corner(std::uint32_t first) const {
   const auto found = std::ranges::lower_bound(primitives_, first, {}, &Primitive::first);
   return static_cast<std::uint32_t>(found - primitives_.begin());
+}
+
+RetainedPolygons RetainedScene::entered_polygons(const Segment& segment) const {
+  return {primitives_.part(), entered_.empty() ? points_.part() : entered_.part(), corners_.part(),
+          segment.first, segment.end - segment.first};
 }
 
 double RetainedScene::longest_column() const {
@@ -211,8 +216,8 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
   const auto points = other.points(segment);
   if (other.modellings_.empty()) {
     begin_modelling(nullptr);
-    points_.insert(points_.end(), points.begin(), points.end());
-    if (!modellings_.empty()) entered_.insert(entered_.end(), points.begin(), points.end());
+    points_.append(points);
+    if (!modellings_.empty()) entered_.append(points);
     return;
   }
   auto next =
@@ -253,8 +258,19 @@ void RetainedScene::open_segment(int name, const View& view, const Touching& tou
   segments_.back().touching = touching;
 }
 
+/// As arrays are copied for it, only if the segment that they grew for is a good part of the scene.
+void RetainedScene::free_room(const Segment& segment) {
+  if (segment.end - segment.first <= size() / 8) return;
+  displayfile::free_room(primitives_);
+  displayfile::free_room(points_);
+  displayfile::free_room(entered_);
+  displayfile::free_room(corners_);
+  displayfile::free_room(edge_visible_);
+}
+
 void RetainedScene::close_segment(const LineSelection& lines) {
   Segment& segment = segments_.back();
+  free_room(segment);
   segment.intersections = contains(lines.kinds, LineKind::intersection);
   segment.sides =
       lines.is_all_alone() ? nullptr : std::make_shared<const SideKinds>(*this, segment, lines);
@@ -397,8 +413,7 @@ void RetainedScene::enter_shared_triangles(const SharedVertices& vertices,
 /// From here on corners may share points.
 void RetainedScene::name_points() {
   if (!corners_.empty()) return;
-  corners_.resize(points_.size());
-  std::iota(corners_.begin(), corners_.end(), 0u);
+  for (std::uint32_t point = 0; point < points_.size(); ++point) corners_.push_back(point);
 }
 
 void RetainedScene::require_room(std::size_t corners) const {

@@ -12,6 +12,8 @@
 
 #include "clip/view.h"
 #include "displayfile/attributes.h"
+#include "displayfile/growing_array.h"
+#include "displayfile/retained_polygons.h"
 #include "displayfile/view_stage.h"
 #include "displayfile/watched.h"
 #include "hidden/exact/eye.h"
@@ -30,14 +32,7 @@ class SideKinds;
 /// (GraphicsSystem::retain) fills it; displayfile/retained_views.h draws it in other views.
 class RetainedScene : public Watched<RetainedScene> {
  public:
-  /// A polygon, or a line of two points.
-  struct Primitive {
-    std::uint32_t first;  ///< of its corners
-    std::uint32_t sides;  ///< 2: a line
-    std::uint32_t look;   ///< the number of what it is drawn with
-    std::int32_t pick;    ///< of a line -1 if it has none
-    bool is_line() const { return sides == 2; }
-  };
+  using Primitive = RetainedPrimitive;
   /// A surface over a grid that was entered at once.
   struct Surface {
     Point3 upward;  ///< where its z grows toward
@@ -82,7 +77,8 @@ class RetainedScene : public Watched<RetainedScene> {
   /// transformation, is in the display file, under the same name.
   const std::vector<Segment>& segments() const { return segments_; }
   std::span<const Point3> points(const Segment& segment) const {
-    return std::span(points_).subspan(segment.first_point, segment.end_point - segment.first_point);
+    return std::span<const Point3>(points_).subspan(segment.first_point,
+                                                    segment.end_point - segment.first_point);
   }
   std::span<const Text> texts(const Segment& segment) const {
     return std::span(texts_).subspan(segment.first_text, segment.end_text - segment.first_text);
@@ -114,6 +110,8 @@ class RetainedScene : public Watched<RetainedScene> {
   }
   /// The modelling matrix under which they were entered.
   const ModellingMatrix& modelling_matrix(std::uint32_t i) const;
+  /// The primitives of a segment as they were entered, in the scene's own arrays.
+  RetainedPolygons entered_polygons(const Segment& segment) const;
   /// Where the corners of a segment's primitives begin.
   std::uint32_t first_corner(const Segment& segment) const {
     return segment.first < size() ? primitives_[segment.first].first
@@ -217,9 +215,10 @@ class RetainedScene : public Watched<RetainedScene> {
   void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
 
  private:
-  template <class T>
-  std::span<const T> of(const std::vector<T>& of_corners, std::uint32_t i) const {
-    return std::span(of_corners).subspan(primitives_[i].first, primitives_[i].sides);
+  template <class Row>
+  std::span<const typename Row::value_type> of(const Row& of_corners, std::uint32_t i) const {
+    return std::span(of_corners.data(), of_corners.size())
+        .subspan(primitives_[i].first, primitives_[i].sides);
   }
   std::size_t all_corners() const { return edge_visible_.size(); }
   void require_room(std::size_t corners) const;
@@ -231,6 +230,7 @@ class RetainedScene : public Watched<RetainedScene> {
   void begin_modelling(const ModellingMatrix& matrix);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();
+  void free_room(const Segment& segment);
   std::uint32_t look_of(const Attributes& attributes);
   /// Calls on_primitive(std::uint32_t) and on_text(const Text&) for all that a segment holds.
   template <class OnPrimitive, class OnText>
@@ -242,19 +242,19 @@ class RetainedScene : public Watched<RetainedScene> {
   void append_points(const RetainedScene& other, const Segment& segment);
 
   std::vector<Segment> segments_;
-  std::vector<Primitive> primitives_;
+  GrowingArray<Primitive> primitives_;
   std::vector<Text> texts_;
   std::vector<Attributes> attributes_;             // but for the colours of fills
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks
-  std::vector<Point3> points_;
-  std::vector<Point3> entered_;  // the same as entered; empty: all were entered as they are
+  GrowingArray<Point3> points_;
+  GrowingArray<Point3> entered_;  // the same as entered; empty: all were entered as they are
   struct Modelling {
     std::uint32_t first_point;
     ModellingMatrix matrix;
   };
   std::vector<Modelling> modellings_;       // of the points from there on; the identity before
-  std::vector<std::uint32_t> corners_;      // their points; empty: these in a row
+  GrowingArray<std::uint32_t> corners_;     // their points; empty: these in a row
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
   std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such
   std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some

@@ -74,6 +74,10 @@ class Segment {
   }
   /// What is to be called after each polygon that is entered; null if they are not kept.
   EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }
+  /// The same; null also if the instructions are shared, so that others may be reading them.
+  EnteredPolygons* entered_alone() {
+    return entered_.use_count() == 1 ? entered_->keeping_entered() : nullptr;
+  }
   /// Makes room for polygons of so many corners and fill styles in all.
   void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {
     constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
@@ -85,6 +89,8 @@ class Segment {
     entered_ = std::move(other.entered_);
     sorted_.reset();
   }
+  /// Gives back the room for more instructions.
+  void free_room() { writable().free_room(); }
   /// No more instructions are to come: copies may share them.
   void close() { closed_ = true; }
   bool is_closed() const { return closed_; }

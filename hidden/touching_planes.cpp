@@ -498,9 +498,9 @@ std::size_t TouchingPlanes::bytes() const {
 }
 
 void TouchingPlanes::keep_members_alone() {
-  modellings_ = {};
-  planes_ = {};
-  plane_ = {};
+  modellings_ = decltype(modellings_)();  // {} would leave their room
+  planes_ = decltype(planes_)();
+  plane_ = decltype(plane_)();
 }
 
 }  // namespace displayfile

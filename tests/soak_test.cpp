@@ -9,6 +9,7 @@
 #include <deque>
 
 #include "displayfile/graphics_system.h"
+#include "displayfile/retained_scene.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/raster/software.h"
 #include "programs/bench/counted_memory.h"
@@ -127,6 +128,30 @@ TEST(Soak, ManySegmentsInTheMemoryOfAFew) {
   EXPECT_LE(of_all, 4 * of_few) << "memory grows with the segments that were deleted";
   EXPECT_GT(application.drawn_pixels(), 0u);
   EXPECT_GT(application.refused(), 0u);
+}
+
+/// Points are held in the scene and, as they are viewed, in the display file; nothing else is as
+/// large, nor is there much room to spare.
+TEST(Memory, OfARetainedSegmentIsLittleMoreThanItsPointsInTheWorldAndInTheView) {
+  constexpr int kTriangles = 20'000;  // arrays that double would have room for 32,768
+  constexpr std::int64_t kPoints = 2 * 3 * sizeof(Point3), kNumbers = 16 + 4 * 4 + 3;
+  const auto held = [] {
+    std::int64_t bytes = 0;
+    bench::counted_memory([&] {
+      RetainedScene scene;
+      GraphicsSystem system;
+      system.retain(&scene);
+      system.open_segment(1);
+      for (int i = 0; i < kTriangles; ++i) {
+        const double x = 1e-5 * i;
+        system.polygon_abs_3({{x, 0.1, 0.2}, {x + 0.1, 0.3, 0.1}, {x, 0.7, 0.6}});
+      }
+      system.close_segment();
+      bytes = bench::bytes_held_now();
+    });
+    return bytes;
+  };
+  EXPECT_LE(held(), kTriangles * (kPoints + kNumbers) * 5 / 4);
 }
 
 }  // namespace

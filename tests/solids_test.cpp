@@ -285,7 +285,7 @@ TEST(CombinedSolids, FacesKeepTheColoursAndPickIdentifiersOfTheirParts) {
   EXPECT_NEAR(painted.at(1.0).drawn, 2 * (8 + around) + 4 * 6, 1e-9);
 }
 
-/// Sides are not parted where diagonals of triangles, which nobody entered, meet them.
+/// Sides are not parted where diagonals of triangles, which were not entered, meet them.
 TEST(CombinedSolids, FacesHaveTheCornersOfTheSolidAlone) {
   for (int seed = 0; seed < 8; ++seed) {
     Source s(static_cast<std::uint64_t>(seed));

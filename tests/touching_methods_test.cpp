@@ -213,7 +213,7 @@ TEST(TouchingMethods, WhatCoincidesDoesSoWithTouchingOff) {
       EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u) << name_of(method);
     }
   }
-  EXPECT_GT(seen, 1000);
+  EXPECT_GT(seen, test::kSlower == 1 ? 1000 : 0);
 }
 
 /// Planes all of which are parallel to an axis or to the other one: what a cut leaves of one runs

@@ -53,12 +53,17 @@ void GraphicsSystem::close_segment() {
     throw;
   }
   open_.reset();
+  view_stage_.reset();  // vertices that polygons shared are in them
+  shared_world_ = decltype(shared_world_)();
   record("close-segment", {});
 }
 
 void GraphicsSystem::close(Segment& segment) {
   std::optional<Segment> selected;
   if (retaining() != nullptr) selected = with_lines_selected(segment);
+  Segment& whole = selected ? *selected : segment;
+  keep_entered_once(whole);
+  whole.free_room();
   std::shared_ptr<const SortedScene> sorted;
   std::optional<SortByItself> put_off;
   const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
@@ -67,14 +72,35 @@ void GraphicsSystem::close(Segment& segment) {
   if (hidden_ && is_object_space(method_) && !each_on_its_own) {
     put_off = {method_, options.precision, options.hidden_lines, options.intersections};
   } else if (hidden_ && is_object_space(method_)) {
-    const Segment& whole = selected ? *selected : segment;
     sorted = hidden_surface_check(whole.entered(), {}, method_, options);
   }
   if (selected) segment.take_instructions(std::move(*selected));
   if (sorted) segment.set_sorted(std::move(sorted));
   segment.put_off = put_off;
-  if (EnteredPolygons* const kept = segment.keeping_entered()) kept->shrink_to_fit();
   segment.close();
+}
+
+/// What was entered is in the retained scene too: it stays there alone.
+void GraphicsSystem::keep_entered_once(Segment& closing) {
+  const RetainedScene* const scene = retained();
+  if (scene == nullptr || retains_alone_) return;
+  const RetainedPolygons polygons = scene->entered_polygons(scene->segments().back());
+  if (EnteredPolygons* const kept = closing.entered_alone()) kept->keep_in(polygons);
+  follow_retained();
+}
+
+/// Where the scene has other arrays since, as it has more or less in them, its old ones are kept
+/// by no segment.
+void GraphicsSystem::follow_retained() {
+  const RetainedScene* const scene = retained();
+  if (scene == nullptr || retains_alone_ || scene->segments().empty()) return;
+  const auto place = scene->entered_polygons(scene->segments().back()).place();
+  if (place == retained_in_) return;
+  retained_in_ = place;
+  for (const RetainedScene::Segment& part : scene->segments()) {
+    EnteredPolygons* const kept = display_file_.segment(part.name).entered_alone();
+    if (kept != nullptr && kept->are_retained()) kept->move_in(scene->entered_polygons(part));
+  }
 }
 
 GraphicsSystem::Entered GraphicsSystem::entered() const {
@@ -105,6 +131,7 @@ void GraphicsSystem::take_back(const Entered& before) {
     display_file_.remove(name);
     if (RetainedScene* scene = retaining()) scene->remove(name);
   }
+  follow_retained();
   pen_ = before.pen;
   ordinal_ = before.ordinal;
   triangulated_ = before.triangulated;
@@ -128,6 +155,7 @@ void GraphicsSystem::delete_segment(int name) {
   if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
   display_file_.remove(name);
   if (RetainedScene* scene = retaining()) scene->remove(name);
+  follow_retained();
   record("delete-segment", {name});
 }
 

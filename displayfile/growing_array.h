@@ -48,17 +48,17 @@ class GrowingArray {
   const T* data() const { return elements_.get(); }
   const T* begin() const { return data(); }
   const T* end() const { return data() + size_; }
-  const T& operator[](std::size_t i) const { return elements_[i]; }
-  const T& back() const { return elements_[size_ - 1]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+  const T& back() const { return data()[size_ - 1]; }
 
   void push_back(const T& element) {
     if (size_ == capacity_) [[unlikely]] {
       const T copy = element;  // it may be one of the array's
       reserve(std::max<std::size_t>(8, 2 * capacity_));
-      elements_[size_++] = copy;
+      elements_.get()[size_++] = copy;
       return;
     }
-    elements_[size_++] = element;
+    elements_.get()[size_++] = element;
   }
   /// Elements that are not the array's own.
   void append(std::span<const T> elements) {

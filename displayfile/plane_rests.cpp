@@ -101,13 +101,13 @@ class ExactViews {
 
 }  // namespace
 
-/// Found before the planes that polygons share: mostly there are none, and then none is shared.
 const TouchingPlanes* ViewedScene::near_planes() const {
-  if (planes_ == nullptr) return nullptr;
+  planes();
+  if (planes_ == nullptr || planes_->touching == nullptr) return nullptr;
   if (!planes_->near_is_found.load(std::memory_order_acquire)) {
     const std::lock_guard in_turn(planes_->near_in_turn);
     if (!planes_->near_is_found.load(std::memory_order_relaxed)) {
-      planes_->near = planes_->find_near();
+      planes_->near = planes_->find_near(*planes_->touching);
       planes_->near_is_found.store(true, std::memory_order_release);
     }
   }

@@ -42,24 +42,46 @@ void PolygonsAsEntered::add(const RetainedScene& scene) {
 }
 
 void PolygonsAsEntered::add(const Part& part, const Touching& touching, double largest) {
+  close_ = std::make_shared<Close>();
   parts_.push_back(part);
   reach_ = std::max(reach_, entered_reach(touching, largest));
   largest_ = std::max(largest_, largest);
 }
 
-TouchingPlanes PolygonsAsEntered::planes() const { return planes_within(reach_); }
+const ClosePlanes& PolygonsAsEntered::close() const {
+  std::call_once(close_->are_found, [&] {
+    close_->planes = ClosePlanes(
+        size(), [this](std::uint32_t number) { return polygon(number); }, reach_,
+        std::max(near(), reach_));
+  });
+  return close_->planes;
+}
 
-std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes() const {
-  const double near = 0x1p-24 * largest_;
-  if (!(near > reach_)) return nullptr;
-  TouchingPlanes planes = planes_within(near);
+TouchingPlanes PolygonsAsEntered::planes() const {
+  const ClosePlanes& close = this->close();
+  return planes_within(reach_, [&](std::uint32_t number) { return close.may_touch(number); });
+}
+
+std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes(
+    const TouchingPlanes& touching) const {
+  if (!(near() > reach_)) return nullptr;
+  const std::vector<std::uint8_t> may_be = close().near_others(touching);
+  if (may_be.empty()) return nullptr;
+  TouchingPlanes planes =
+      planes_within(near(), [&](std::uint32_t number) { return may_be[number] != 0; });
   planes.keep_members_alone();
   return std::make_shared<const TouchingPlanes>(std::move(planes));
 }
 
-TouchingPlanes PolygonsAsEntered::planes_within(double reach) const {
-  const std::uint32_t polygons = parts_.empty() ? 0 : parts_.back().end;
-  return {polygons, [this](std::uint32_t number) { return polygon(number); }, reach};
+/// Of some of the polygons; the others are alone in their planes.
+template <class IsOne>
+TouchingPlanes PolygonsAsEntered::planes_within(double reach, const IsOne& is_one) const {
+  return {size(),
+          [&](std::uint32_t number) -> EnteredPolygon {
+            if (!is_one(number)) return {std::span<const Point3>()};
+            return polygon(number);
+          },
+          reach};
 }
 
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {

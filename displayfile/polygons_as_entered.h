@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
+#include "hidden/close_planes.h"
 #include "hidden/entered_polygon.h"
 #include "hidden/touching.h"
 #include "hidden/touching_planes.h"
@@ -25,9 +27,10 @@ class PolygonsAsEntered {
 
   /// Throws LimitReached where the thread's budget is used up.
   TouchingPlanes planes() const;
-  /// The same within a reach of 2^-24 of the largest coordinate, members alone: planes that are so
-  /// close would meet where viewing's rounding says. Null if that is not more than the reach.
-  std::shared_ptr<const TouchingPlanes> near_planes() const;
+  /// The same within a reach of 2^-24 of the largest coordinate, members alone, of polygons that
+  /// may have another plane near that in which they lie: planes that are so close would meet where
+  /// viewing's rounding says. Null if there are none.
+  std::shared_ptr<const TouchingPlanes> near_planes(const TouchingPlanes& touching) const;
   EnteredPolygon polygon(std::uint32_t number) const;
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 
@@ -38,12 +41,21 @@ class PolygonsAsEntered {
     const RetainedScene* scene;
     std::uint32_t first_of_scene;
   };
-  TouchingPlanes planes_within(double reach) const;
+  struct Close {
+    std::once_flag are_found;
+    ClosePlanes planes;
+  };
+  std::uint32_t size() const { return parts_.empty() ? 0 : parts_.back().end; }
+  double near() const { return 0x1p-24 * largest_; }
+  const ClosePlanes& close() const;
+  template <class IsOne>
+  TouchingPlanes planes_within(double reach, const IsOne& is_one) const;
   const Part& part_of(std::uint32_t number) const;
   void add(const Part& part, const Touching& touching, double largest);
 
   std::vector<Part> parts_;
   double reach_ = 0.0, largest_ = 0.0;
+  std::shared_ptr<Close> close_ = std::make_shared<Close>();  // copies find them once
 };
 
 }  // namespace displayfile

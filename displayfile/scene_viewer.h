@@ -88,6 +88,8 @@ class SceneViewer {
     ImageTransformation image = {};
   };
   void take_up_scene();
+  void begin_entered();
+  void leave_what_was_entered();
   void take_what_was_entered();
   std::function<EnteredPolygon(std::uint32_t)> polygon_of() const;
   std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items() const;

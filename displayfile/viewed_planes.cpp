@@ -218,10 +218,8 @@ void ViewedScene::find_planes(Planes& found) const {
   found.of_items.clear();
   found.founders.clear();
   found.elsewhere.clear();
-  const bool none_is_near = found.near_is_found.load(std::memory_order_acquire) &&
-                            found.near != nullptr && found.near->touching() == 0;
-  if (none_is_near) return;
-  const std::shared_ptr<const TouchingPlanes> touching = found.find_touching();
+  found.touching = found.find_touching();
+  const TouchingPlanes* const touching = found.touching.get();
   if (touching->touching() == 0) return;
   if (found.polygons_of_items) {
     found.polygons_of_items(*this, found.polygons);

@@ -374,9 +374,13 @@ void ViewedScene::finish(bool in_place) {
     planes_->polygon_of = polygon_of;
     planes_->entered_reach = polygons.reach();
     planes_->find_touching = [polygons] {
-      return std::make_shared<const TouchingPlanes>(polygons.planes());
+      TouchingPlanes planes = polygons.planes();
+      planes.keep_members_alone();
+      return std::make_shared<const TouchingPlanes>(std::move(planes));
     };
-    planes_->find_near = [polygons] { return polygons.near_planes(); };
+    planes_->find_near = [polygons](const TouchingPlanes& touching) {
+      return polygons.near_planes(touching);
+    };
     find_radius(*planes_);
   }
   if (!edge_visible_.empty()) edge_visible_.resize(points_.size(), 1);

@@ -291,7 +291,7 @@ class ViewedScene : public EndsAsEntered {
   struct Planes {
     std::function<std::shared_ptr<const TouchingPlanes>()> find_touching;
     /// As PolygonsAsEntered::near_planes.
-    std::function<std::shared_ptr<const TouchingPlanes>()> find_near;
+    std::function<std::shared_ptr<const TouchingPlanes>(const TouchingPlanes&)> find_near;
     /// Writes the number of each item's polygon among those entered; if empty they are
     /// entered_of_item_.
     std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items;
@@ -311,6 +311,7 @@ class ViewedScene : public EndsAsEntered {
     std::atomic<bool> are_found = false;
     std::mutex near_in_turn;
     std::atomic<bool> near_is_found = false;
+    std::shared_ptr<const TouchingPlanes> touching;  ///< members alone, once they are found
     std::shared_ptr<const TouchingPlanes> near;
     std::mutex rests_in_turn;
     std::atomic<bool> rests_are_found = false;

@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "clip/error.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/depth_order.h"
+#include "hidden/exact/exact_point.h"
 #include "tests/predicate_truth.h"
 
 namespace displayfile {
@@ -451,6 +453,51 @@ TEST(DefinedPoints, RoundedCoordinatesAreTheNearest) {
       ASSERT_TRUE(c.right()) << c.text() << hex(c.found);
     }
   }
+}
+
+/// Double-doubles say which double is nearest, but for few that are badly conditioned.
+TEST(DefinedPoints, CloseNumbersRoundAsExactOnesDoAndNearlyAlways) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  const auto point = [&] {
+    return Point3(coordinate(random), coordinate(random), coordinate(random));
+  };
+  int decided = 0;
+  constexpr int kScenes = 400;
+  for (int n = 0; n < kScenes; ++n) {
+    std::vector<Point3> points;
+    std::vector<Plane> planes;
+    for (int i = 0; i < 2; ++i) points.push_back(point());
+    for (int i = 0; i < 3; ++i) planes.emplace_back(point(), point(), point());
+    const Definitions all{points, planes};
+    for (const DefinedPoint& v : {lifted_point(all, 0, 0), edge_cut(all, 0, 1, 1),
+                                  lifted_edge_cut(all, 0, 1, 0, 1), plane_cut(all, 0, 1, 2)}) {
+      const ExactPoint exact = exact_point(all, v);
+      const auto close = rounded_closely(all, v);
+      decided += close ? 1 : 0;
+      if (!close) continue;
+      EXPECT_EQ(*close, Point3(rounded_quotient(exact.xyz.x, exact.w),
+                               rounded_quotient(exact.xyz.y, exact.w),
+                               rounded_quotient(exact.xyz.z, exact.w)));
+    }
+  }
+  EXPECT_GE(decided, 4 * kScenes * 99 / 100);
+}
+
+/// A coordinate midway between two doubles, which no radius decides.
+TEST(DefinedPoints, CloseNumbersDoNotDecideTies) {
+  const std::vector<Point3> points{{0.0, 0.0, 0.0}, {1.0 + 0x1p-52, 1.0, 1.0}};
+  const std::vector<Plane> planes{Plane({0.5, 0.5, 0.5}, {0.5, 1.5, 0.5}, {0.5, 0.5, 1.5})};
+  const Definitions all{points, planes};
+  const DefinedPoint v = edge_cut(all, 0, 1, 0);
+  const ExactPoint exact = exact_point(all, v);
+  EXPECT_EQ(rounded(all, v).x, 0.5);
+  EXPECT_EQ(rounded(all, v).y, rounded_quotient(exact.xyz.y, exact.w));
+  const std::vector<Point3> beside{{1.0, 0.0, 0.0}, {1.0 + 0x1p-52, 1.0, 0.0}};
+  const std::vector<Plane> midway{Plane({0.0, 0.5, 0.0}, {1.0, 0.5, 0.0}, {0.0, 0.5, 1.0})};
+  const Definitions tied{beside, midway};
+  EXPECT_FALSE(rounded_closely(tied, edge_cut(tied, 0, 1, 0)));
+  EXPECT_EQ(rounded(tied, edge_cut(tied, 0, 1, 0)).x, 1.0);
 }
 
 struct DepthAtPointCase : SceneCase {

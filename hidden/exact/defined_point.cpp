@@ -439,6 +439,7 @@ DefinedPoint refined(const Definitions& all, const DefinedPoint& v) {
 }
 
 std::optional<DefinedPoint> refined_if_any(const Definitions& all, const DefinedPoint& v) {
+  if (const auto close = rounded_closely(all, v)) return closest_to(v, *close);
   const auto point = exact_point_if_any(all, v);
   return point ? std::optional(closest_to(v, rounded(*point))) : std::nullopt;
 }
@@ -459,7 +460,9 @@ DefinedPoint with_rest(const Definitions& all, const DefinedPoint& v) {
 }
 
 Point3 rounded(const Definitions& all, const DefinedPoint& v) {
-  return v.kind == DefinedPoint::Kind::stored ? v.near : rounded(exact_point(all, v));
+  if (v.kind == DefinedPoint::Kind::stored) return v.near;
+  const auto close = rounded_closely(all, v);
+  return close ? *close : rounded(exact_point(all, v));
 }
 
 }  // namespace displayfile

@@ -283,7 +283,7 @@ void OutlineRows::add_side(const EnteredOutline::Vertex& low, const EnteredOutli
           ? 32.0 * kUnit * (std::abs(a.x) + std::abs(b.x) + 2.0 * std::abs(dx_dy) * heights)
           : std::numeric_limits<double>::infinity();
   sides_.push_back({first_row, end_row, a.x, a.y, dx_dy, error,
-                    cross({low.x, low.y, low.w}, {high.x, high.y, high.w})});
+                    cross(ExactVector{low.x, low.y, low.w}, ExactVector{high.x, high.y, high.w})});
 }
 
 void OutlineRows::find_columns(int row) {

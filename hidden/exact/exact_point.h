@@ -7,17 +7,21 @@
 
 namespace displayfile {
 
-/// A plane by exact numbers: the points x with normal . (x - through) = 0.
-struct ExactPlane {
-  explicit ExactPlane(const Plane& plane);
-  ExactVector normal, through;
+/// A plane: the points x with normal . (x - through) = 0.
+template <class Number>
+struct PlaneOf {
+  explicit PlaneOf(const Plane& plane);
+  VectorOf<Number> normal, through;
 };
+using ExactPlane = PlaneOf<ExactNumber>;
 
-/// The point xyz / w, by exact numbers; w is not zero.
-struct ExactPoint {
-  ExactVector xyz;
-  ExactNumber w;
+/// The point xyz / w; w is not zero.
+template <class Number>
+struct PointOf {
+  VectorOf<Number> xyz;
+  Number w;
 };
+using ExactPoint = PointOf<ExactNumber>;
 
 ExactPoint exact_point(const Point3& p);
 
@@ -26,7 +30,15 @@ ExactPoint exact_point(const Definitions& all, const DefinedPoint& v);
 /// Nothing if it does not exist.
 std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const DefinedPoint& v);
 
+/// The doubles nearest to the coordinates of the point that v defines, each as the exact numbers
+/// give it, if double-doubles say which they are; they do but for one in 10^13 or so, and for what
+/// is badly conditioned.
+std::optional<Point3> rounded_closely(const Definitions& all, const DefinedPoint& v);
+
 /// w times the plane's value at the point.
-ExactNumber value_at(const ExactPlane& plane, const ExactPoint& v);
+template <class Number>
+Number value_at(const PlaneOf<Number>& plane, const PointOf<Number>& v) {
+  return dot(plane.normal, v.xyz - plane.through * v.w);
+}
 
 }  // namespace displayfile

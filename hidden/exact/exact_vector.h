@@ -5,33 +5,44 @@
 
 namespace displayfile {
 
-/// Three exact numbers, for the exact stages.
-struct ExactVector {
-  ExactNumber x, y, z;
+/// Three numbers: exact ones, for the exact stages, or balls.
+template <class Number>
+struct VectorOf {
+  Number x, y, z;
 };
+using ExactVector = VectorOf<ExactNumber>;
 
+/// a - b.
+template <class Number>
+VectorOf<Number> difference_of(const Point3& a, const Point3& b) {
+  return {Number(a.x) - Number(b.x), Number(a.y) - Number(b.y), Number(a.z) - Number(b.z)};
+}
 inline ExactVector exact_difference(const Point3& a, const Point3& b) {
-  return {ExactNumber(a.x) - ExactNumber(b.x), ExactNumber(a.y) - ExactNumber(b.y),
-          ExactNumber(a.z) - ExactNumber(b.z)};
+  return difference_of<ExactNumber>(a, b);
 }
 
-inline ExactVector cross(const ExactVector& u, const ExactVector& v) {
+template <class Number>
+VectorOf<Number> cross(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-inline ExactNumber dot(const ExactVector& u, const ExactVector& v) {
+template <class Number>
+Number dot(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
-inline ExactVector operator+(const ExactVector& u, const ExactVector& v) {
+template <class Number>
+VectorOf<Number> operator+(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return {u.x + v.x, u.y + v.y, u.z + v.z};
 }
 
-inline ExactVector operator-(const ExactVector& u, const ExactVector& v) {
+template <class Number>
+VectorOf<Number> operator-(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return {u.x - v.x, u.y - v.y, u.z - v.z};
 }
 
-inline ExactVector operator*(const ExactVector& u, const ExactNumber& factor) {
+template <class Number>
+VectorOf<Number> operator*(const VectorOf<Number>& u, const Number& factor) {
   return {u.x * factor, u.y * factor, u.z * factor};
 }
 

@@ -20,9 +20,9 @@ namespace {
 
 using Polygon = std::vector<Point3>;
 
-class Scene {
+class ScenePlanes {
  public:
-  explicit Scene(std::uint64_t seed) : random_(seed) {}
+  explicit ScenePlanes(std::uint64_t seed) : random_(seed) {}
 
   double coordinate() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
   Point3 point() { return {coordinate(), coordinate(), coordinate()}; }
@@ -48,23 +48,23 @@ class Scene {
   std::mt19937_64 random_;
 };
 
-constexpr double kReach = 0x1p-49, kNear = 0x1p-24;
+constexpr double kTouching = 0x1p-49, kNearby = 0x1p-24;
 
 TEST(ClosePlanes, ThatTouchAreFoundInAllDirections) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    Scene scene(seed);
+    ScenePlanes scene(seed);
     if (seed % 3 == 0) {
       scene.modelling = glm::dmat4x3(0.6, 0.8, 0.0, -1.6, 1.2, 0.0, 0.0, 0.0, 1.5, 0.1, 0.2, 0.3);
     }
     for (int n = 0; n < 12; ++n) {
       const Point3 at = scene.point(), u = 0.3 * scene.point(), v = 0.3 * scene.point();
-      scene.enter(Scene::square(at, u, v));
+      scene.enter(ScenePlanes::square(at, u, v));
       if (n % 2 == 0) continue;
       const double turned = n % 4 == 1 ? 1.0 : -1.0;  // the other side up
-      scene.enter(Scene::square(at + 0.4 * u - 0.7 * v, 0.5 * u, turned * 0.2 * v));
+      scene.enter(ScenePlanes::square(at + 0.4 * u - 0.7 * v, 0.5 * u, turned * 0.2 * v));
     }
-    const ClosePlanes close = scene.close(kReach, kNear);
-    const TouchingPlanes touching(scene.size(), scene.polygon_of(), kReach);
+    const ClosePlanes close = scene.close(kTouching, kNearby);
+    const TouchingPlanes touching(scene.size(), scene.polygon_of(), kTouching);
     EXPECT_GT(touching.touching(), 0u);
     for (std::size_t k = 0; k < touching.shared_planes(); ++k) {
       for (const std::uint32_t polygon : touching.members(k)) {
@@ -75,9 +75,9 @@ TEST(ClosePlanes, ThatTouchAreFoundInAllDirections) {
 }
 
 TEST(ClosePlanes, OfPolygonsThatLieAnyhowFewAre) {
-  Scene scene(5);
+  ScenePlanes scene(5);
   for (int n = 0; n < 500; ++n) scene.enter_anywhere();
-  const ClosePlanes close = scene.close(kReach, kNear);
+  const ClosePlanes close = scene.close(kTouching, kNearby);
   int found = 0;
   for (std::uint32_t i = 0; i < scene.size(); ++i) found += close.may_touch(i) ? 1 : 0;
   EXPECT_LE(found, 2);
@@ -85,38 +85,38 @@ TEST(ClosePlanes, OfPolygonsThatLieAnyhowFewAre) {
 
 /// Within reach of a plane lies a polygon that is as small, whatever its normal.
 TEST(ClosePlanes, WhereOneIsThinAllMayBe) {
-  Scene scene(6);
+  ScenePlanes scene(6);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
   const Point3 p = scene.point(), along(0.1, 0.2, 0.0);
   scene.enter({p, p + along, p + 0.5 * along + Point3(0.0, 0.0, 1e-12)});
-  const ClosePlanes close = scene.close(kReach, kNear);
+  const ClosePlanes close = scene.close(kTouching, kNearby);
   for (std::uint32_t i = 0; i < scene.size(); ++i) EXPECT_TRUE(close.may_touch(i));
 }
 
 TEST(ClosePlanes, WhereOneIsBentAllMayBe) {
-  Scene scene(7);
+  ScenePlanes scene(7);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
   scene.enter({{0, 0, 0}, {1, 0, 0}, {1, 1, 1e-6}, {0, 1, 0}});
-  const ClosePlanes close = scene.close(kReach, kNear);
+  const ClosePlanes close = scene.close(kTouching, kNearby);
   for (std::uint32_t i = 0; i < scene.size(); ++i) EXPECT_TRUE(close.may_touch(i));
 }
 
 TEST(ClosePlanes, AreNearOthersOnlyIfTheseAreNotOneWithThem) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Scene scene(seed);
+    ScenePlanes scene(seed);
     for (int n = 0; n < 10; ++n) scene.enter_anywhere();
     const std::uint32_t floor = scene.size();
     const Point3 at = scene.point(), u = 0.3 * scene.point(), v = 0.3 * scene.point();
     for (const double part : {1.0, 0.5, 0.25}) {
-      scene.enter(Scene::square(at, part * u, part * v));
+      scene.enter(ScenePlanes::square(at, part * u, part * v));
     }
     const TouchingPlanes one(scene.size(), scene.polygon_of(), 0x1p-45);
-    EXPECT_TRUE(scene.close(0x1p-45, kNear).near_others(one).empty()) << "seed " << seed;
+    EXPECT_TRUE(scene.close(0x1p-45, kNearby).near_others(one).empty()) << "seed " << seed;
 
     const Point3 off = 1e-9 * glm::normalize(glm::cross(u, v));
-    scene.enter(Scene::square(at + off, 0.5 * u, 0.5 * v));
+    scene.enter(ScenePlanes::square(at + off, 0.5 * u, 0.5 * v));
     const TouchingPlanes two(scene.size(), scene.polygon_of(), 0x1p-45);
-    const auto near = scene.close(0x1p-45, kNear).near_others(two);
+    const auto near = scene.close(0x1p-45, kNearby).near_others(two);
     ASSERT_EQ(near.size(), scene.size());
     for (std::uint32_t i = 0; i < scene.size(); ++i) EXPECT_EQ(near[i], i >= floor) << i;
   }
@@ -124,7 +124,7 @@ TEST(ClosePlanes, AreNearOthersOnlyIfTheseAreNotOneWithThem) {
 
 /// Tangent planes of a sphere around the point that distances are from would all have one.
 TEST(ClosePlanes, ManyOfOneDistanceAreAllLookedAt) {
-  Scene scene(8);
+  ScenePlanes scene(8);
   const Point3 least(-2.0), size(4.0), from = least + Point3(0.6180, 0.2716, 0.4142) * size;
   scene.enter({least, least + Point3(0.1, 0, 0), least + Point3(0, 0.1, 0)});
   scene.enter({-least, -least + Point3(0.1, 0, 0), -least + Point3(0, 0, 0.1)});
@@ -133,7 +133,7 @@ TEST(ClosePlanes, ManyOfOneDistanceAreAllLookedAt) {
                  v = glm::cross(normal, u), at = from + 0.5 * normal;
     scene.enter({at, at + 0.01 * u, at + 0.01 * v});
   }
-  const ClosePlanes close = scene.close(kReach, kNear);
+  const ClosePlanes close = scene.close(kTouching, kNearby);
   for (std::uint32_t i = 0; i < scene.size(); ++i) EXPECT_TRUE(close.may_touch(i));
 }
 

@@ -153,8 +153,8 @@ bool ClosePlanes::find_touching() {
 
 /// Polygons in one plane follow each other mostly: they are looked at together, by the first.
 std::vector<std::uint8_t> ClosePlanes::near_others(const TouchingPlanes& touching) const {
-  const std::vector<std::uint8_t> all(polygons_, 1);
-  if (!is_known_) return all;
+  const auto all = [this] { return std::vector<std::uint8_t>(polygons_, 1); };
+  if (!is_known_) return all();
   std::vector<std::uint32_t> plane_of(polygons_);
   std::iota(plane_of.begin(), plane_of.end(), 0u);
   for (std::size_t k = 0; k < touching.shared_planes(); ++k) {
@@ -178,7 +178,7 @@ std::vector<std::uint8_t> ClosePlanes::near_others(const TouchingPlanes& touchin
     for (std::size_t b = a + 1; b + 1 < first.size(); ++b) {
       const Entered& other = planes_[first[b]];
       if (other.off - last.off > window_) break;
-      if (++compared > kMostCompared * (planes_.size() + 1)) return all;
+      if (++compared > kMostCompared * (planes_.size() + 1)) return all();
       const bool are_one = plane_of[one.polygon] == plane_of[other.polygon];
       if (are_one || !are_alike(one.normal, other.normal)) continue;
       note(a);

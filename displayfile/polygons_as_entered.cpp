@@ -73,7 +73,7 @@ std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes(
   return std::make_shared<const TouchingPlanes>(std::move(planes));
 }
 
-/// Of some of the polygons; the others are alone in their planes.
+/// Searches some of the polygons; the others are alone in their planes.
 template <class IsOne>
 TouchingPlanes PolygonsAsEntered::planes_within(double reach, const IsOne& is_one) const {
   return {size(),

@@ -111,7 +111,7 @@ std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const Defin
   return point;
 }
 
-/// Of points that are so large that nothing is near, products may be too large for doubles.
+/// Where points are so large that nothing is near, products may be too large for doubles.
 std::optional<Point3> rounded_closely(const Definitions& all, const DefinedPoint& v) {
   if (!std::isfinite(v.radius) || !is_double_double_sound()) return std::nullopt;
   const PointOf<WideBall> p = from_definition<WideBall>(all, v);

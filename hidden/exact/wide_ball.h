@@ -48,7 +48,7 @@ class WideBall {
   }
 
  private:
-  // Of the sizes of operands or results, twice what double_double.h says, which also makes up for
+  // Parts of the operands or results: twice what double_double.h says, which also makes up for
   // the rounding of radii; an operation that underflows is off by less than kTiny.
   static constexpr double kOfSum = 0x1p-103, kOfProduct = 0x1p-102, kOfQuotient = 0x1p-101;
 

@@ -18,18 +18,16 @@
 namespace displayfile {
 namespace {
 
-using Polygon = std::vector<Point3>;
-
 class ScenePlanes {
  public:
   explicit ScenePlanes(std::uint64_t seed) : random_(seed) {}
 
   double coordinate() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
   Point3 point() { return {coordinate(), coordinate(), coordinate()}; }
-  void enter(const Polygon& polygon) { polygons.push_back(polygon); }
+  void enter(const std::vector<Point3>& polygon) { polygons.push_back(polygon); }
   void enter_anywhere() { enter({point(), point(), point()}); }
   /// A quadrilateral about `at`, in the plane of u and v.
-  static Polygon square(const Point3& at, const Point3& u, const Point3& v) {
+  static std::vector<Point3> square(const Point3& at, const Point3& u, const Point3& v) {
     return {at - u - v, at + u - v, at + u + v, at - u + v};
   }
 
@@ -41,7 +39,7 @@ class ScenePlanes {
   }
   ClosePlanes close(double reach, double near) const { return {size(), polygon_of(), reach, near}; }
 
-  std::vector<Polygon> polygons;
+  std::vector<std::vector<Point3>> polygons;
   std::optional<glm::dmat4x3> modelling;
 
  private:

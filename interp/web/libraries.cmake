@@ -42,9 +42,10 @@ add_compile_definitions(FMT_USE_LONG_DOUBLE=0)
 # leaves them, they would make it slower by far, and no smaller.
 set(DISPLAYFILE_SIZE -O2 -fno-unroll-loops "SHELL:-mllvm -inline-threshold=10"
     "SHELL:-mllvm -inlinehint-threshold=100")
-# What most of the time is spent in: predicates, scan conversion, the painters, methods of image space;
-# and views of what is retained.
-string(CONCAT DISPLAYFILE_SPEED "^(exact|scan)/|"
+# What most of the time is spent in: predicates (not exact numbers, which they seldom need), scan
+# conversion, the painters, methods of image space; and views of what is retained.
+string(CONCAT DISPLAYFILE_SPEED "^scan/|"
+  "^exact/(common_line|defined_point|depth|entered|eye|line_parameter|orientation|p[il]|support)|"
   "^(scene_viewer|triangle_sieve|view_points|view_rounding|view_volume)\\.|"
   "^raster/(fill_paints|painter|sorted_painter|write_pixels)|"
   "^visibility/(depth_row|image_space|pixel_tree|ray_|row_|scan_line|span_sweep|warnock\\.|z_buffer)")

@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <csetjmp>
-#include <cstring>
 #include <istream>
 #include <ostream>
+#include <span>
 #include <vector>
 
 #include "clip/error.h"
 #include "clip/large_pages.h"
 #include "displayfile/output.h"
 #include "interp/files/binary_input.h"
+#include "interp/files/pixel_bytes.h"
 #include "interp/picture.h"
 
 namespace displayfile {
@@ -138,7 +139,7 @@ class PngRowFile : public RowFile {
 PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha)
     : file_(output_to(to)), channels_(alpha == Alpha::stored ? 4 : 3) {
   require_picture_size(width, height);
-  row_.resize(channels_ * static_cast<std::size_t>(width));
+  row_.resize(channels_ * static_cast<std::size_t>(width) + 1);  // as write_channels has it
   if (writer_.info == nullptr) throw Error("not enough memory for a PNG file");
   std::ostream* out = &file_->stream();
   const int colour_type = alpha == Alpha::stored ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
@@ -156,12 +157,15 @@ PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha
 }
 
 void PngRowFile::write(const Picture& rows) {
-  const std::uint32_t* pixel = rows.pixels.data();
+  const auto width = static_cast<std::size_t>(rows.width);
   write_by([&] {
     for (int y = 0; y < rows.height; ++y) {
-      for (std::size_t x = 0; x < row_.size(); x += channels_) {
-        const std::uint32_t rgba = in_bytes(*pixel++);
-        std::memcpy(&row_[x], &rgba, channels_);
+      const auto pixels =
+          std::span(rows.pixels).subspan(static_cast<std::size_t>(y) * width, width);
+      if (channels_ == 3) {
+        write_channels<3>(pixels, row_.data());
+      } else {
+        write_channels<4>(pixels, row_.data());
       }
       png_write_row(writer_.png, row_.data());
     }

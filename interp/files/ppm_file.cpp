@@ -6,10 +6,12 @@
 #include <cstring>
 #include <istream>
 #include <ostream>
+#include <span>
 #include <vector>
 
 #include "displayfile/output.h"
 #include "interp/files/binary_input.h"
+#include "interp/files/pixel_bytes.h"
 #include "interp/picture.h"
 
 namespace displayfile {
@@ -46,17 +48,15 @@ class PpmRowFile : public RowFile {
  public:
   PpmRowFile(const Destination& to, int width, int height) : file_(output_to(to)) {
     require_picture_size(width, height);
-    row_.resize(3 * static_cast<std::size_t>(width));
+    row_.resize(3 * static_cast<std::size_t>(width) + 1);
     file_->stream() << fmt::format("P6\n{} {}\n255\n", width, height);
   }
   void write(const Picture& rows) override {
-    const std::uint32_t* pixel = rows.pixels.data();
+    const std::size_t width = row_.size() / 3;
     for (int y = 0; y < rows.height; ++y) {
-      for (std::size_t x = 0; x < row_.size(); x += 3) {
-        const std::uint32_t rgba = in_bytes(*pixel++);
-        std::memcpy(&row_[x], &rgba, 3);
-      }
-      file_->stream().write(row_.data(), static_cast<std::streamsize>(row_.size()));
+      write_channels<3>(std::span(rows.pixels).subspan(static_cast<std::size_t>(y) * width, width),
+                        row_.data());
+      file_->stream().write(row_.data(), static_cast<std::streamsize>(3 * width));
     }
   }
   void finish() override { file_->finish(); }
@@ -64,7 +64,7 @@ class PpmRowFile : public RowFile {
 
  private:
   std::unique_ptr<Output> file_;
-  std::vector<char> row_;
+  std::vector<char> row_;  // and a byte more
 };
 
 }  // namespace

@@ -125,30 +125,40 @@ class ObjReader {
 
  private:
   void read_statement(std::string_view keyword) {
-    if (keyword == "v") {
-      read_vertex();
-    } else if (keyword == "vt") {
+    switch (keyword.size() == 1 ? keyword[0] : '\0') {
+      case 'v': read_vertex(); break;
+      case 'f': read_face(); break;
+      case 'l':
+        read_corners();
+        if (!corners_.empty()) mesh_.skip_points_and_lines(corners_.size() - 1);
+        break;
+      case 'p':
+        read_corners();
+        mesh_.skip_points_and_lines(corners_.size());
+        break;
+      case 'o': begin_object(text_.rest_of_line()); break;
+      case 'g': begin_group(text_.rest_of_line()); break;
+      default: read_longer_statement(keyword);
+    }
+  }
+
+  void read_longer_statement(std::string_view keyword) {
+    if (keyword == "vt") {
       indices_.define(ObjIndices::texture);
     } else if (keyword == "vn") {
       read_normal();
-    } else if (keyword == "f" || keyword == "fo") {
-      read_corners();
-      if (!corners_.empty()) mesh_.add_face(corners_, normals_);
-    } else if (keyword == "l") {
-      read_corners();
-      if (!corners_.empty()) mesh_.skip_points_and_lines(corners_.size() - 1);
-    } else if (keyword == "p") {
-      read_corners();
-      mesh_.skip_points_and_lines(corners_.size());
-    } else if (keyword == "o") {
-      begin_object(text_.rest_of_line());
-    } else if (keyword == "g") {
-      begin_group(text_.rest_of_line());
+    } else if (keyword == "fo") {
+      read_face();
     } else if (keyword == "usemtl") {
       use_material(text_.rest_of_line());
     } else if (keyword == "mtllib") {
       materials_.add_library(text_.rest_of_line());
     }
+  }
+
+  void read_face() {
+    read_corners();
+    if (!corners_.empty()) mesh_.add_face(corners_, normals_);
   }
 
   /// x y z, then nothing, a weight w, or a colour r g b.

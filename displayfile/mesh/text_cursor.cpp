@@ -47,7 +47,9 @@ std::size_t TextCursor::after_joined_line_end(std::size_t at) const {
 
 std::string_view TextCursor::field() {
   while (at_ < text_.size()) {
-    if (is_blank(text_[at_])) {
+    const char c = text_[at_];
+    if (c > ' ' && c != '\\') break;  // most are
+    if (is_blank(c)) {
       ++at_;
     } else if (const std::size_t next = after_joined_line_end(at_);
                next != std::string_view::npos) {
@@ -57,7 +59,9 @@ std::string_view TextCursor::field() {
     }
   }
   const std::size_t start = at_;
-  while (at_ < text_.size() && !ends_field(text_[at_])) ++at_;
+  const auto end =
+      std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), ends_field);
+  at_ = static_cast<std::size_t>(end - text_.begin());
   if (at_ > start && text_[at_ - 1] == '\\' &&
       after_joined_line_end(at_ - 1) != std::string_view::npos) {
     --at_;  // the line goes on, the field does not

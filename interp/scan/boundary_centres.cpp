@@ -106,12 +106,15 @@ NotedCentres::NotedCentres(const PixelSet& centres, const PictureSize& size)
   }
 }
 
-/// Most polygons are far from all centres: a look at the bits of their bounding box tells.
+/// Most polygons are far from all centres: rows have none, or the bits of the bounding box tell.
 ScanConverter::Region NotedCentres::rows_of(std::span<const Point3> polygon) const {
   const Rectangle box = bounding_box(polygon, size_, {1.0, 1.0});
   Pixels rows = centres_in({box.y_min, box.y_max}, centres_.row_begin(), centres_.row_end());
   const Pixels columns = centres_in({box.x_min, box.x_max}, 0, size_.width);
-  const auto any = [&](int row) { return centres_.any(row, columns.first, columns.end); };
+  const auto any = [&](int row) {
+    const auto k = static_cast<std::size_t>(row - centres_.row_begin());
+    return row_start_[k] < row_start_[k + 1] && centres_.any(row, columns.first, columns.end);
+  };
   while (rows.first < rows.end && !any(rows.first)) ++rows.first;
   while (rows.first < rows.end && !any(rows.end - 1)) --rows.end;
   return {size_, rows.first, rows.end};

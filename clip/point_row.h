@@ -28,6 +28,7 @@ class PointRow {
   PointRow(const PointRow&) = delete;
   PointRow& operator=(const PointRow&) = delete;
 
+  std::span<const Point3> row() const { return row_; }
   const Point3* data() const { return row_.data(); }
   std::size_t size() const { return row_.size(); }
   bool empty() const { return row_.empty(); }

@@ -58,30 +58,23 @@ const ClosePlanes& PolygonsAsEntered::close() const {
 }
 
 TouchingPlanes PolygonsAsEntered::planes() const {
-  const ClosePlanes& close = this->close();
-  return planes_within(reach_, [&](std::uint32_t number) { return close.may_touch(number); });
+  return planes_within(reach_, close().may_touch());
 }
 
 std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes(
     const TouchingPlanes& touching) const {
   if (!(near() > reach_)) return nullptr;
-  const std::vector<std::uint8_t> may_be = close().near_others(touching);
+  const std::vector<std::uint32_t> may_be = close().near_others(touching);
   if (may_be.empty()) return nullptr;
-  TouchingPlanes planes =
-      planes_within(near(), [&](std::uint32_t number) { return may_be[number] != 0; });
+  TouchingPlanes planes = planes_within(near(), may_be);
   planes.keep_members_alone();
   return std::make_shared<const TouchingPlanes>(std::move(planes));
 }
 
 /// Searches some of the polygons; the others are alone in their planes.
-template <class IsOne>
-TouchingPlanes PolygonsAsEntered::planes_within(double reach, const IsOne& is_one) const {
-  return {size(),
-          [&](std::uint32_t number) -> EnteredPolygon {
-            if (!is_one(number)) return {std::span<const Point3>()};
-            return polygon(number);
-          },
-          reach};
+TouchingPlanes PolygonsAsEntered::planes_within(double reach,
+                                                std::span<const std::uint32_t> looked_at) const {
+  return {size(), looked_at, [&](std::uint32_t number) { return polygon(number); }, reach};
 }
 
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "hidden/close_planes.h"
@@ -48,8 +49,7 @@ class PolygonsAsEntered {
   std::uint32_t size() const { return parts_.empty() ? 0 : parts_.back().end; }
   double near() const { return 0x1p-24 * largest_; }
   const ClosePlanes& close() const;
-  template <class IsOne>
-  TouchingPlanes planes_within(double reach, const IsOne& is_one) const;
+  TouchingPlanes planes_within(double reach, std::span<const std::uint32_t> looked_at) const;
   const Part& part_of(std::uint32_t number) const;
   void add(const Part& part, const Touching& touching, double largest);
 

@@ -9,6 +9,8 @@
 #include <glm/mat4x3.hpp>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace displayfile {
 
@@ -30,7 +32,7 @@ struct PlaneInWorld {
 };
 
 /// Three corners that are far apart, the first of them the polygon's first.
-std::array<std::size_t, 3> spread_corners(const PointRow& points) {
+std::array<std::size_t, 3> spread_corners(std::span<const Point3> points) {
   if (points.size() == 3) return {0, 1, 2};
   std::array<std::size_t, 3> spread{0, 0, 0};
   double farthest = -1.0;
@@ -39,29 +41,35 @@ std::array<std::size_t, 3> spread_corners(const PointRow& points) {
     const double off = glm::dot(along, along);
     if (off > farthest) farthest = off, spread[1] = k;
   }
+  const Point3 along = points[spread[1]] - points[0];
   farthest = -1.0;
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const Point3 across = glm::cross(points[spread[1]] - points[0], points[k] - points[0]);
+    const Point3 across = glm::cross(along, points[k] - points[0]);
     const double off = glm::dot(across, across);
     if (off > farthest) farthest = off, spread[2] = k;
   }
   return spread;
 }
 
-/// Its width is no number if its corners are in line.
-PlaneInWorld plane_in_world(const EnteredPolygon& polygon,
-                            const std::array<std::size_t, 3>& spread) {
-  const Point3 at = polygon.in_world(spread[0]), a = polygon.in_world(spread[1]) - at,
-               b = polygon.in_world(spread[2]) - at, c = b - a;
+/// Of world points. Its width is no number if its corners are in line.
+PlaneInWorld plane_of(std::span<const Point3> points) {
+  const std::array<std::size_t, 3> spread = spread_corners(points);
+  const Point3 at = points[spread[0]], a = points[spread[1]] - at, b = points[spread[2]] - at,
+               c = b - a;
   const Point3 normal = glm::cross(a, b);
   const double twice_area = glm::length(normal);
-  const double longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+  const double longest =
+      std::sqrt(std::max(std::max(glm::dot(a, a), glm::dot(b, b)), glm::dot(c, c)));
   PlaneInWorld plane{normal / twice_area, at, longest, twice_area / longest, false};
-  for (std::size_t k = 0; polygon.points.size() > 3 && k < polygon.points.size(); ++k) {
-    const Point3 to = polygon.in_world(k) - at;
-    plane.size = std::max(plane.size, glm::length(to));
-    plane.is_bent |= std::abs(glm::dot(plane.normal, to)) > kBent * plane.width;
+  if (points.size() == 3) return plane;
+  double size = 0.0, off = 0.0;  // the squared size
+  for (const Point3& p : points) {
+    const Point3 to = p - at;
+    size = std::max(size, glm::dot(to, to));
+    off = std::max(off, std::abs(glm::dot(plane.normal, to)));
   }
+  plane.size = std::max(longest, std::sqrt(size));
+  plane.is_bent = off > kBent * plane.width;
   return plane;
 }
 
@@ -90,7 +98,13 @@ ClosePlanes::ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf
                          double reach, double near)
     : polygons_(polygons) {
   is_known_ = enter(polygons, polygon_of, reach, near) && find_touching();
-  if (!is_known_) may_touch_.clear();
+  if (!is_known_) may_touch_ = all();
+}
+
+std::vector<std::uint32_t> ClosePlanes::all() const {
+  std::vector<std::uint32_t> numbers(polygons_);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
 }
 
 /// False if some polygon's plane is not known well enough.
@@ -98,15 +112,24 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
                         double reach, double near) {
   Point3 least(std::numeric_limits<double>::infinity()), most(-least);
   double thinnest = least.x, longest = 1.0, largest_size = 0.0;
-  std::vector<Point3> through;
+  glm::dmat4x3 modelling(1.0);
+  std::vector<Point3> through, world;
+  planes_.reserve(polygons);
+  through.reserve(polygons);
   for (std::uint32_t i = 0; i < polygons; ++i) {
     const EnteredPolygon polygon = polygon_of(i);
     if (has_no_plane(polygon.points)) continue;
-    const PlaneInWorld plane = plane_in_world(polygon, spread_corners(polygon.points));
+    world.clear();
+    for (std::size_t k = 0; polygon.modelling != nullptr && k < polygon.points.size(); ++k) {
+      world.push_back(polygon.in_world(k));
+    }
+    const PlaneInWorld plane =
+        plane_of(polygon.modelling == nullptr ? polygon.points.row() : std::span(world));
     if (plane.is_bent || !(plane.width > 0.0)) return false;
     thinnest = std::min(thinnest, plane.width);
-    if (polygon.modelling != nullptr) {
-      longest = std::max(longest, longest_column(*polygon.modelling));
+    if (polygon.modelling != nullptr && *polygon.modelling != modelling) {
+      modelling = *polygon.modelling;
+      longest = std::max(longest, longest_column(modelling));
     }
     least = glm::min(least, plane.through);
     most = glm::max(most, plane.through);
@@ -127,9 +150,9 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
   return thinnest >= std::max(kWidths * reach * longest, kRoundings * largest);
 }
 
-/// False if it takes too many comparisons.
+/// False if it takes too many comparisons. Planes that are close to no other are left out.
 bool ClosePlanes::find_touching() {
-  may_touch_.assign(polygons_, 0);
+  std::vector<Entered> close;
   std::size_t compared = 0;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     bool has_one = false;
@@ -146,17 +169,19 @@ bool ClosePlanes::find_touching() {
       look_at(j);
     }
     if (compared > kMostCompared * (planes_.size() + 1)) return false;
-    may_touch_[planes_[i].polygon] = has_one ? 1 : 0;
+    if (has_one) close.push_back(planes_[i]);
   }
+  planes_ = std::move(close);
+  for (const Entered& plane : planes_) may_touch_.push_back(plane.polygon);
+  std::ranges::sort(may_touch_);
   return true;
 }
 
 /// Polygons in one plane follow each other mostly: they are looked at together, by the first.
-std::vector<std::uint8_t> ClosePlanes::near_others(const TouchingPlanes& touching) const {
-  const auto all = [this] { return std::vector<std::uint8_t>(polygons_, 1); };
+std::vector<std::uint32_t> ClosePlanes::near_others(const TouchingPlanes& touching) const {
   if (!is_known_) return all();
-  std::vector<std::uint32_t> plane_of(polygons_);
-  std::iota(plane_of.begin(), plane_of.end(), 0u);
+  if (planes_.empty()) return {};
+  std::vector<std::uint32_t> plane_of = all();
   for (std::size_t k = 0; k < touching.shared_planes(); ++k) {
     const auto members = touching.members(k);
     for (const std::uint32_t polygon : members) plane_of[polygon] = members.front();
@@ -167,24 +192,25 @@ std::vector<std::uint8_t> ClosePlanes::near_others(const TouchingPlanes& touchin
     if (!goes_on) first.push_back(i);
   }
   first.push_back(planes_.size());
-  std::vector<std::uint8_t> found;
-  const auto note = [&](std::size_t run) {
-    if (found.empty()) found.assign(polygons_, 0);
-    for (std::size_t i = first[run]; i < first[run + 1]; ++i) found[planes_[i].polygon] = 1;
-  };
+  std::vector<std::uint8_t> is_found(first.size(), 0);  // of the runs
   std::size_t compared = 0;
   for (std::size_t a = 0; a + 1 < first.size(); ++a) {
     const Entered &one = planes_[first[a]], &last = planes_[first[a + 1] - 1];
     for (std::size_t b = a + 1; b + 1 < first.size(); ++b) {
       const Entered& other = planes_[first[b]];
       if (other.off - last.off > window_) break;
-      if (++compared > kMostCompared * (planes_.size() + 1)) return all();
+      if (++compared > kMostCompared * (std::size_t{polygons_} + 1)) return all();
       const bool are_one = plane_of[one.polygon] == plane_of[other.polygon];
       if (are_one || !are_alike(one.normal, other.normal)) continue;
-      note(a);
-      note(b);
+      is_found[a] = is_found[b] = 1;
     }
   }
+  std::vector<std::uint32_t> found;
+  for (std::size_t run = 0; run + 1 < first.size(); ++run) {
+    if (is_found[run] == 0) continue;
+    for (std::size_t i = first[run]; i < first[run + 1]; ++i) found.push_back(planes_[i].polygon);
+  }
+  std::ranges::sort(found);
   return found;
 }
 

@@ -18,12 +18,13 @@ class ClosePlanes {
   ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf& polygon_of, double reach,
               double near);
 
-  /// False: no other polygon lies in its plane, nor does it lie in another's. True of all where
-  /// doubles do not tell: where polygons are so thin that they may lie in planes of other normals.
-  bool may_touch(std::uint32_t polygon) const { return may_touch_.empty() || may_touch_[polygon]; }
-  /// By its number whether a polygon may have a plane near its own other than the one that it lies
-  /// in. Empty: none has.
-  std::vector<std::uint8_t> near_others(const TouchingPlanes& touching) const;
+  /// The numbers, rising, of the polygons that may lie in another's plane, or another in theirs.
+  /// All where doubles do not tell: where polygons are so thin that they may lie in planes of other
+  /// normals.
+  const std::vector<std::uint32_t>& may_touch() const { return may_touch_; }
+  /// The numbers, rising, of those that may have a plane near their own other than the one that
+  /// they lie in.
+  std::vector<std::uint32_t> near_others(const TouchingPlanes& touching) const;
 
  private:
   struct Entered {
@@ -35,11 +36,13 @@ class ClosePlanes {
              double near);
   bool find_touching();
 
+  std::vector<std::uint32_t> all() const;
+
   std::uint32_t polygons_ = 0;
-  std::vector<Entered> planes_;  // by rising distance from the point
+  std::vector<Entered> planes_;  // of those that may touch, by rising distance from the point
   double window_ = 0.0;          // how much closer or farther one that is close may be
   bool is_known_ = true;         // all planes are, well enough
-  std::vector<std::uint8_t> may_touch_;
+  std::vector<std::uint32_t> may_touch_;
 };
 
 }  // namespace displayfile

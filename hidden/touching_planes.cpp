@@ -29,6 +29,12 @@ constexpr double kWider = 1.0 + 0x1p-40;
 constexpr Point3 kFrom(0.5719, -0.8327, 0.4113);
 constexpr std::array kAlong{Point3(0.6682, 0.3787, -0.6257), Point3(-0.3525, 0.6323, 0.6750)};
 
+std::vector<std::uint32_t> all_of(std::uint32_t polygons) {
+  std::vector<std::uint32_t> numbers(polygons);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
+}
+
 }  // namespace
 
 /// While the planes are looked for. Polygons that have a plane are numbered anew, in order of
@@ -38,7 +44,7 @@ class TouchingPlanes::Search {
   Search(TouchingPlanes& result, const PolygonOf& polygon_of)
       : result_(result), polygon_of_(polygon_of) {}
 
-  void enter(std::uint32_t polygons);
+  void enter(std::span<const std::uint32_t> polygons);
   void find_planes();
   void keep(std::uint32_t polygons);
 
@@ -124,12 +130,12 @@ std::uint32_t TouchingPlanes::Search::modelling_of(const EnteredPolygon& polygon
 }
 
 /// Takes the polygons' own planes, areas and bounds.
-void TouchingPlanes::Search::enter(std::uint32_t polygons) {
+void TouchingPlanes::Search::enter(std::span<const std::uint32_t> polygons) {
   std::vector<Point3> world;
-  own_.reserve(polygons);
-  sides_.reserve(polygons);
-  area_.reserve(polygons);
-  for (std::uint32_t i = 0; i < polygons; ++i) {
+  own_.reserve(polygons.size());
+  sides_.reserve(polygons.size());
+  area_.reserve(polygons.size());
+  for (const std::uint32_t i : polygons) {
     steps_.step();
     const EnteredPolygon polygon = polygon_of_(i);
     const std::span<const Point3> points(polygon.points.data(), polygon.points.size());
@@ -473,10 +479,14 @@ void TouchingPlanes::Search::keep_members(const std::vector<std::uint32_t>& shar
 }
 
 TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach)
+    : TouchingPlanes(polygons, all_of(polygons), polygon_of, reach) {}
+
+TouchingPlanes::TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
+                               const PolygonOf& polygon_of, double reach)
     : reach_(reach) {
   const RoundToNearest mode;
   Search search(*this, polygon_of);
-  search.enter(polygons);
+  search.enter(looked_at);
   search.find_planes();
   search.keep(polygons);
 }

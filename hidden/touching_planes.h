@@ -31,6 +31,9 @@ class TouchingPlanes {
   /// plane only if they do exactly. Coordinates in
   /// the world are finite. Throws LimitReached where the budget in force is used up.
   TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);
+  /// The same, of these polygons alone, whose numbers rise: the others have no plane.
+  TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
+                 const PolygonOf& polygon_of, double reach);
 
   /// The polygon whose support plane the polygon lies in: itself where it touches no other's, or
   /// has no plane.

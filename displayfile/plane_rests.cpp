@@ -85,6 +85,38 @@ bool are_apart(const PointRow& a, const PointRow& b) {
   return has_separating_side(a, b) || has_separating_side(b, a);
 }
 
+/// A polygon of those that lie together near one plane.
+struct Together {
+  ViewedScene::Item item;
+  std::uint32_t plane;
+  Extent box;
+};
+
+/// Calls note(plane) for each plane of polygons that lie over others of another plane; for all of
+/// them where to look at pairs takes too long.
+template <class LieOver, class Note>
+void note_planes(std::vector<Together>& together, const LieOver& lie_over, const Note& note) {
+  constexpr std::size_t kMostCompared = 512;  // of a polygon, on average
+  std::ranges::sort(together, {}, [](const Together& a) { return a.box.x_min; });
+  std::vector<const Together*> before;  // those that reach the place along x
+  std::size_t compared = 0;
+  for (const Together& a : together) {
+    compared += before.size();
+    if (compared > kMostCompared * together.size()) {
+      for (const Together& each : together) note(each.plane);
+      return;
+    }
+    std::erase_if(before, [&](const Together* b) { return b->box.x_max < a.box.x_min; });
+    for (const Together* b : before) {
+      if (a.plane == b->plane || !a.box.meets_in_projection(b->box)) continue;
+      if (!lie_over(a, *b)) continue;
+      note(a.plane);
+      note(b->plane);
+    }
+    before.push_back(&a);
+  }
+}
+
 /// The exact views of a scene's items, made once each.
 class ExactViews {
  public:
@@ -129,7 +161,6 @@ std::span<const Point3> ViewedScene::plane_rests() const {
 /// By the number of the polygon whose own a plane is, whether it is close to another and not one
 /// with it, at nearly no angle, and polygons of both lie over each other. Empty if none is.
 std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
-  constexpr std::size_t kMostTogether = 2048;
   const TouchingPlanes* const near = near_planes();
   if (near == nullptr || near->touching() == 0) return {};
   std::vector<Item> item_of(items(), kNone);  // of polygons
@@ -144,12 +175,10 @@ std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
     are_close.resize(std::max(are_close.size(), std::size_t{plane} + 1), 0);
     are_close[plane] = 1;
   };
-  struct Seen {
-    Item item;
-    std::uint32_t plane;
-    Extent box;
+  const auto lie_over = [&](const Together& a, const Together& b) {
+    return !are_apart(points(a.item), points(b.item));
   };
-  std::vector<Seen> together;
+  std::vector<Together> together;
   for (std::size_t k = 0; k < near->shared_planes(); ++k) {
     together.clear();
     const Point3 first = unit_normal(planes_->polygon_of(near->members(k).front()));
@@ -159,16 +188,7 @@ std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
       const Item item = item_of[polygon];
       together.push_back({item, entered_plane(item), box_of(points(item))});
     }
-    if (together.size() > kMostTogether) continue;
-    for (std::size_t i = 0; i < together.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Seen &a = together[i], &b = together[j];
-        if (a.plane == b.plane || !a.box.meets_in_projection(b.box)) continue;
-        if (are_apart(points(a.item), points(b.item))) continue;
-        note(a.plane);
-        note(b.plane);
-      }
-    }
+    note_planes(together, lie_over, note);
   }
   return are_close;
 }

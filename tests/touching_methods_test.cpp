@@ -117,6 +117,41 @@ TEST(TouchingMethods, SortsCutNoVerticesThatTouchOff) {
   }
 }
 
+/// Tiles pass through a floor at angles that are as small as what viewing rounds: half of each is
+/// seen, as it was entered.
+void expect_tiles_seen(int rows, int columns, int size) {
+  Source s(4);
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  test::view_from_anywhere(s, g, kAboutTheOrigin);
+  g.set_touching({Touching::Kind::length, 1e-30});
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});
+  const double x_step = 4.0 / rows, z_step = 4.0 / columns;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const double x = -2.0 + row * x_step, z = -2.0 + column * z_step;
+      const double x_end = x + 0.9 * x_step, z_end = z + 0.9 * z_step;
+      const double up = (s.below(2) == 0 ? 1.0 : -1.0) * 1e-16 * (1.0 + s.below(4));
+      g.polygon_abs_3({{x, up, z}, {x, up, z_end}, {x_end, -up, z_end}, {x_end, -up, z}});
+    }
+  }
+  g.close_segment();
+  const EnteredTruth truth =
+      entered_truth(retained.scene, g.display_file(), size, size, false, std::nullopt);
+  for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
+    EXPECT_EQ(wrong_pixels(ids_by(g, method, size), truth.picture), 0u) << name_of(method);
+  }
+}
+
+TEST(TouchingMethods, SortsTellManyPlanesApartThatAreClose) {
+  constexpr int kTiles = test::kSlower > 1 ? 12 : 47;
+  expect_tiles_seen(kTiles, kTiles, 2 * kTiles);
+  // Each is as long as the picture: there are too many pairs to look at.
+  if (test::kSlower == 1) expect_tiles_seen(1, 2000, kSize);
+}
+
 /// Two floors are apart by somewhat more than the reach: the lower one, entered later, is hidden,
 /// though no vertex is farther from the other's plane than what viewing may round.
 TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {

@@ -14,6 +14,7 @@
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
+#include "hidden/touching.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/interrupts.h"
@@ -61,6 +62,23 @@ struct DevicePolygons {
   GraphicsSystem system;
 };
 
+/// What touches along the given axes, in device coordinates: along each the reach is that of the
+/// numbers given, and the largest counts.
+Touching in_device(const Touching& touching, std::span<const Point3> given,
+                   const std::array<Axis, 3>& axes) {
+  if (touching.kind == Touching::Kind::off) return touching;
+  double reach = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const auto [low, high] = std::ranges::minmax(given, {}, [a](const Point3& p) { return p[a]; });
+    if (low[a] == high[a]) continue;  // nothing was rounded
+    const double largest = std::max(std::abs(low[a]), std::abs(high[a]));
+    reach =
+        std::max(reach, entered_reach(touching, largest) * axes[static_cast<std::size_t>(a)].scale);
+  }
+  reach = std::max(reach, entered_reach({Touching::Kind::automatic}, 1.0));
+  return {Touching::Kind::length, std::min(reach, kCoordinateLimit)};
+}
+
 void require_coordinates(std::span<const Point3> points) {
   if (std::ranges::all_of(points, in_range)) return;
   throw Error("polygons: expected finite coordinates up to 1e100 in magnitude");
@@ -69,7 +87,8 @@ void require_coordinates(std::span<const Point3> points) {
 /// `given` has the polygons' points, and after them those of the segments, two each, whose pick
 /// identifiers follow those of the polygons.
 void enter(const Polygons& polygons, const std::vector<Point3>& given, bool sides_drawn,
-           const std::optional<LineSelection>& lines, DevicePolygons& device) {
+           const std::optional<LineSelection>& lines, const Touching& touching,
+           DevicePolygons& device) {
   const std::size_t corner_count = polygons.points.size();
   const std::size_t segment_count = (given.size() - corner_count) / 2;
   if (polygons.sides.size() + segment_count > std::numeric_limits<std::int32_t>::max()) {
@@ -89,6 +108,7 @@ void enter(const Polygons& polygons, const std::vector<Point3>& given, bool side
     device.first.push_back(device.first.back() + polygons.sides[k]);
   }
   GraphicsSystem& system = device.system;
+  system.set_touching(in_device(touching, given, device.axes));
   if (lines) system.replace_lines(*lines);
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
@@ -167,6 +187,7 @@ struct Asked {
   HiddenMethod method;
   bool lines_alone;  ///< no fills: the lines that are seen
   int threads;
+  Touching touching;
   bool whole = false, hidden = false;
   std::optional<LineSelection> lines{};
 
@@ -182,8 +203,16 @@ HiddenMethod method_in(py::handle value, bool lines_alone) {
                           lines_alone ? "franklin, appel or roberts" : "depth-sort, bsp or map"));
 }
 
+/// A length in the coordinates given, "auto" or "off".
+Touching touching_in(py::handle value) {
+  if (PyUnicode_Check(value.ptr()) != 0) return touching(word_in(value, "touching"));
+  const Touching length{Touching::Kind::length, number_in(value, "touching")};
+  require_touching(length);
+  return length;
+}
+
 Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::handle method,
-               py::handle threads, bool lines_alone) {
+               py::handle threads, py::handle touching, bool lines_alone) {
   Polygons given = polygons_in(polygons, sides, "polygons");
   std::vector<Point3> points = given.points;
   if (!segments.is_none()) {
@@ -191,8 +220,8 @@ Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::h
     points.insert(points.end(), ends.begin(), ends.end());
   }
   require_coordinates(points);
-  return {std::move(given), std::move(points), method_in(method, lines_alone), lines_alone,
-          threads_in(threads)};
+  return {std::move(given), std::move(points),   method_in(method, lines_alone),
+          lines_alone,      threads_in(threads), touching_in(touching)};
 }
 
 DrawnPieces found(const Asked& asked) {
@@ -200,7 +229,7 @@ DrawnPieces found(const Asked& asked) {
   const bool segments_alone = asked.lines_alone && asked.has_segments();
   DevicePolygons device;
   enter(asked.polygons, asked.points, asked.method != HiddenMethod::map && !segments_alone,
-        asked.lines, device);
+        asked.lines, asked.touching, device);
   HiddenSurfaceOptions options;
   options.method = asked.method;
   options.threads = asked.threads;
@@ -231,16 +260,17 @@ py::tuple arrays_found(const Asked& asked) {
 }  // namespace
 
 void add_polygons(py::module_& module) {
-  module.def("_pieces_of", [](py::handle polygons, py::handle sides, py::handle method,
-                              py::handle threads, py::handle segments, py::handle whole) {
-    Asked asked = asked_of(polygons, sides, segments, method, threads, false);
-    asked.whole = switch_in(whole, "whole");
-    return arrays_found(asked);
-  });
+  module.def("_pieces_of",
+             [](py::handle polygons, py::handle sides, py::handle method, py::handle threads,
+                py::handle segments, py::handle whole, py::handle touching) {
+               Asked asked = asked_of(polygons, sides, segments, method, threads, touching, false);
+               asked.whole = switch_in(whole, "whole");
+               return arrays_found(asked);
+             });
   module.def("_lines_of",
              [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
-                py::handle hidden, py::handle threads, py::handle segments) {
-               Asked asked = asked_of(polygons, sides, segments, method, threads, true);
+                py::handle hidden, py::handle threads, py::handle segments, py::handle touching) {
+               Asked asked = asked_of(polygons, sides, segments, method, threads, touching, true);
                asked.hidden = switch_in(hidden, "hidden");
                asked.lines = if_said(lines, "lines", [](py::handle value, std::string_view what) {
                  return line_selection(word_in(value, what));

@@ -210,6 +210,7 @@ def _lines_of(
     hidden: bool,
     threads: int,
     segments: _Numbers | None,
+    touching: float | str,
 ) -> _Pieces: ...
 def _pieces_of(
     polygons: _Polygons,
@@ -218,6 +219,7 @@ def _pieces_of(
     threads: int,
     segments: _Numbers | None,
     whole: bool,
+    touching: float | str,
 ) -> _Pieces: ...
 def _numbered(path: _Path, number: int, all: int) -> str: ...
 def _ask_limits() -> None: ...

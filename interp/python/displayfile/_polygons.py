@@ -59,6 +59,7 @@ def sort(
     whole: bool = False,
     method: str = "depth-sort",
     threads: int = 1,
+    touching: float | str = "auto",
 ) -> PolygonPieces:
     """Put polygons in order from back to front, cut where there is no order otherwise.
 
@@ -76,6 +77,9 @@ def sort(
             polygon that is not flat was sorted as triangles.
         method: "depth-sort", or "bsp", which cuts more.
         threads: How many may work, 1 to 1024.
+        touching: Within which distance polygons touch, as set_touching of System: what touches a
+            plane lies in it, and of polygons in one plane the later one is nearer. "auto" is by the
+            precision of the numbers, "off" is what coincides exactly.
 
     Returns:
         The pieces, in order.
@@ -86,13 +90,17 @@ def sort(
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
     points, first, item, own, _ = _displayfile._pieces_of(
-        polygons, sides, method, threads, segments, whole
+        polygons, sides, method, threads, segments, whole, touching
     )
     return PolygonPieces(points, first, item, own)
 
 
 def visible_pieces(
-    polygons: _Polygons, *, sides: _Numbers | None = None, threads: int = 1
+    polygons: _Polygons,
+    *,
+    sides: _Numbers | None = None,
+    threads: int = 1,
+    touching: float | str = "auto",
 ) -> VisiblePieces:
     """Find the pieces of polygons that are seen. They do not overlap in the picture.
 
@@ -100,6 +108,7 @@ def visible_pieces(
         polygons: As in sort.
         sides: As in sort.
         threads: As in sort.
+        touching: As in sort.
 
     Returns:
         The pieces, each without holes.
@@ -108,7 +117,7 @@ def visible_pieces(
         Error: As in sort.
     """
     points, first, item, _, _ = _displayfile._pieces_of(
-        polygons, sides, "map", threads, None, False
+        polygons, sides, "map", threads, None, False, touching
     )
     return VisiblePieces(points, first, item)
 
@@ -122,6 +131,7 @@ def visible_lines(
     hidden: bool = False,
     method: str = "franklin",
     threads: int = 1,
+    touching: float | str = "auto",
 ) -> VisibleLines:
     """Find where the sides of polygons are seen, or where lines among polygons are.
 
@@ -133,6 +143,7 @@ def visible_lines(
         hidden: Return the parts that are hidden, too.
         method: "franklin", "appel" or "roberts", which find the same.
         threads: As in sort.
+        touching: As in sort: a line whose ends touch a plane lies in it, and is seen there.
 
     Returns:
         The parts that are seen.
@@ -141,6 +152,6 @@ def visible_lines(
         Error: As in sort; or kinds that are unknown.
     """
     points, _, item, kinds, is_hidden = _displayfile._lines_of(
-        polygons, sides, method, lines, hidden, threads, segments
+        polygons, sides, method, lines, hidden, threads, segments, touching
     )
     return VisibleLines(points.reshape(-1, 2, 3), item, kinds[1::2], is_hidden.view(bool))

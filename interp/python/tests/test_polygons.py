@@ -196,6 +196,41 @@ def test_any_range(scale, shift):
     assert np.allclose(np.array(list(areas(pieces).values())) / scale / scale, 0.5)
 
 
+def rug_on_floor(shift: float, gap: float = 0.0) -> np.ndarray:
+    """A rug on a sloping floor, in decimals: at most in the doubles' last digits in its plane."""
+    floor = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    corners = np.array([floor, 0.2 + 0.4 * floor, 0.3 + 0.1 * floor]) + shift
+    z = 0.3 * corners[..., 0] + 0.7 * corners[..., 1]
+    z[1:] += gap
+    return np.dstack([corners, z])
+
+
+@pytest.mark.parametrize("shift", [0.1, 1e3 / 3, 1e6 / 3, -1e8 / 3])
+def test_what_touches_lies_in_one_plane(shift):
+    scene = rug_on_floor(shift)
+    shown = areas(visible_pieces(scene))
+    assert shown == pytest.approx({0: 0.84, 1: 0.15, 2: 0.01}, rel=1e-6)
+    lines = visible_lines(scene)
+    length = np.linalg.norm((lines.points[:, 1] - lines.points[:, 0])[:, :2], axis=1)
+    assert np.sum(length) == pytest.approx(4 + 1.6 + 0.4, rel=1e-6)
+    for method in ("depth-sort", "bsp"):
+        assert painted_last(sort(scene, method=method), shift + 0.25, shift + 0.25) == 1
+        assert painted_last(sort(scene, method=method), shift + 0.35, shift + 0.35) == 2
+
+
+def test_touching_is_set():
+    scene = rug_on_floor(0.0, -1e-3)
+    for find in (visible_pieces, sort, visible_lines):
+        find(scene, touching=1e-2)
+    assert set(areas(visible_pieces(scene)).keys()) == {0}
+    assert set(areas(visible_pieces(scene, touching="off")).keys()) == {0}
+    assert set(areas(visible_pieces(scene, touching=1e-2)).keys()) == {0, 1, 2}
+    assert set(visible_lines(scene).item.tolist()) == {0}
+    assert set(visible_lines(scene, touching=1e-2).item.tolist()) == {0, 1, 2}
+    assert painted_last(sort(scene), 0.25, 0.25) == 0
+    assert painted_last(sort(scene, touching=1e-2), 0.25, 0.25) == 1
+
+
 def test_flat_ranges():
     edge_on = np.array([[[0, 0, 0], [1, 0, 0], [1, 0, 1]]], float)
     assert len(visible_pieces(edge_on).item) == 0
@@ -296,4 +331,8 @@ def test_options_that_are_refused():
             visible_lines(CROSSING, lines=lines)
     with pytest.raises(Error):
         visible_lines(CROSSING, hidden="perhaps")
+    for find in (sort, visible_pieces, visible_lines):
+        for touching in (0, -1.0, "near", np.nan, None, True, 1e200):
+            with pytest.raises(Error):
+                find(CROSSING, touching=touching)
     assert "map" in displayfile.methods()

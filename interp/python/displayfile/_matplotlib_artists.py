@@ -173,6 +173,15 @@ def projected(points: Floats, matrix: Floats) -> Floats:
     return np.column_stack([rows[0] / w, rows[1] / w, -rows[2] / w])
 
 
+def rounding_of_projected(limits: Floats, matrix: Floats) -> float:
+    """How far projected moves points within the axes' limits (3, 2), about: as much as the terms of
+    its sums are rounded. That is much on axes of dates, whose numbers are large against a picture.
+    """
+    magnitude = np.abs(matrix[:, :3]) @ np.abs(limits).max(axis=1) + np.abs(matrix[:, 3])
+    w = abs(matrix[3, :3] @ limits.mean(axis=1) + matrix[3, 3])
+    return float(4 * 2.0**-53 * (magnitude[:3].max() + magnitude[3]) / w)
+
+
 class Polygons:
     """The polygons of a scene. Polygon k has the corners from first[k] to first[k + 1]."""
 

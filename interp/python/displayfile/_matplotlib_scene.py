@@ -23,6 +23,7 @@ from ._matplotlib_artists import (
     add_polygons,
     cycled,
     projected,
+    rounding_of_projected,
     style_of,
 )
 from ._matplotlib_paths import Paths, add_pieces, add_polylines
@@ -120,6 +121,8 @@ class Scene(Collection):  # type: ignore[misc]
         low, high = polygons.points.min(axis=0), polygons.points.max(axis=0)
         size = np.where(high > low, high - low, 1.0)
         raised = np.array([0.0, 0.0, size[2] * self._lift])
+        limits = np.reshape(self.axes.get_w_lims(), (3, 2))
+        touching = 16 * rounding_of_projected(limits, self.axes.M)
 
         # What opaque polygons hide is left out.
         shown = np.flatnonzero(~self._is_hidden)
@@ -128,10 +131,10 @@ class Scene(Collection):  # type: ignore[misc]
         segments = np.concatenate(
             [lines.segments + raised, np.stack([places - half, places + half], axis=1)]
         )
-        parts, item = _parts_seen(polygons.some(opaque), segments)
+        parts, item = _parts_seen(polygons.some(opaque), segments, touching)
         # What is behind translucent polygons is sorted with them; what is not is drawn last.
         count = len(lines.segments)
-        behind = _is_behind(polygons.some(~opaque), parts) if not opaque.all() else None
+        behind = _is_behind(polygons.some(~opaque), parts, touching) if not opaque.all() else None
         if behind is not None:
             parts, of_parts, behind_part = behind
             item = item[of_parts]
@@ -149,6 +152,7 @@ class Scene(Collection):  # type: ignore[misc]
             segments=parts[sorted_too] if len(sorted_too) else None,
             whole=True,
             method=self._method,
+            touching=touching,
         )
         of_item = np.full(len(polygons.sides) + len(sorted_too), -1)
         of_item[len(polygons.sides) :] = item[sorted_too]
@@ -257,24 +261,26 @@ def _unscaled(pattern: Any, scale: float) -> Any:
     return offset / scale, [d / scale for d in dashes]
 
 
-def _parts_seen(polygons: tuple[Floats, Indices], segments: Floats) -> tuple[Floats, Indices]:
+def _parts_seen(
+    polygons: tuple[Floats, Indices], segments: Floats, touching: float
+) -> tuple[Floats, Indices]:
     """The parts of segments that are seen, in the order of the segments and along them."""
     points, sides = polygons
     if not len(sides) or not len(segments):
         return segments, np.arange(len(segments))
-    seen = visible_lines(points, sides=sides, segments=segments)
+    seen = visible_lines(points, sides=sides, segments=segments, touching=touching)
     order = _order_along(segments, seen.points, seen.item)
     return seen.points[order], seen.item[order].astype(np.int64)
 
 
 def _is_behind(
-    polygons: tuple[Floats, Indices], segments: Floats
+    polygons: tuple[Floats, Indices], segments: Floats, touching: float
 ) -> tuple[Floats, Indices, npt.NDArray[np.bool_]] | None:
     """The parts of segments that polygons are before, and those that none is before."""
     points, sides = polygons
     if not len(segments):
         return None
-    seen = visible_lines(points, sides=sides, segments=segments, hidden=True)
+    seen = visible_lines(points, sides=sides, segments=segments, hidden=True, touching=touching)
     order = _order_along(segments, seen.points, seen.item)
     return seen.points[order], seen.item[order].astype(np.int64), seen.hidden[order]
 

@@ -80,6 +80,38 @@ def surface(ax: Any, x: Any, y: Any, z: Any, colour: str, **options: Any) -> Any
     )
 
 
+def rug_on_floor(shift: float) -> Any:
+    """Axes with a rug in the plane of a sloping floor, and a line on the rug."""
+    ax = pyplot.figure(figsize=(4, 4), dpi=100).add_subplot(projection="3d")
+    ax.set_axis_off()
+    floor = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
+    corners = np.array([floor, 0.1 + 0.6 * floor])
+    z = 0.3 * corners[..., 0] + 0.7 * corners[..., 1]
+    shapes = np.dstack([corners + shift, z])
+    ax.add_collection3d(art3d.Poly3DCollection(shapes[:1], facecolor="blue"))
+    ax.add_collection3d(art3d.Poly3DCollection(shapes[1:], facecolor="red"))
+    ends = shapes[1][[0, 2]]
+    ax.plot(*ends.T, color="lime", linewidth=4)
+    ax.set(xlim=(shift - 1, shift + 1), ylim=(shift - 1, shift + 1), zlim=(-1, 1))
+    return ax
+
+
+@pytest.mark.parametrize("proj_type", ["persp", "ortho"])
+@pytest.mark.parametrize("shift", [738_000.0 / 3, 1e9])
+def test_what_touches_lies_in_one_plane_on_axes_of_dates(shift: float, proj_type: str) -> None:
+    for azim in (-60, 15, 130):
+        pictures = []
+        for off in (0.0, shift):
+            ax = rug_on_floor(off)
+            ax.set_proj_type(proj_type)
+            ax.view_init(55, azim)
+            exact(ax)
+            pictures.append(pixels(ax))
+        assert differ(*pictures)[1] < 0.002
+        red = (np.abs(pictures[1] - rgb("red")).max(axis=2) < 50).mean()
+        assert red > 0.03
+
+
 @pytest.mark.parametrize("method", ["depth-sort", "bsp"])
 def test_planes_that_cross_hide_each_other_where_calculation_says(method: str) -> None:
     ax = axes(proj_type="ortho")

@@ -37,6 +37,43 @@ std::string colours_of(const Mesh& mesh) {
   return text;
 }
 
+// ---- What OBJ has that is not read ------------------------------------------------------
+
+TEST_F(MeshDialects, StatementsOfObjThatAreNotReadAreNamed) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const auto warnings = [&](const std::string& text) {
+    return read("a.obj", text).skipped.warnings;
+  };
+  EXPECT_EQ(warnings(corners + "# F\n\ns off\nvp 0.5\nlod 3\nf 1 2 3\nend\n"), Sentences{});
+  EXPECT_EQ(warnings(corners + "f 1 2 3\nF 1 3 4\n"),
+            Sentences{"6:1: 'F': not read: the line is left out"});
+  EXPECT_EQ(warnings(corners + "call b.obj\nf 1 2 3\nF 1 3 4\n"),
+            Sentences{"5:1: 'call': not read: 2 such lines are left out"});
+  EXPECT_EQ(warnings(corners + "f 1 2 3\ncurv 0 1 1 2\n"),
+            Sentences{"left out: 1 curve or surface"});
+  EXPECT_EQ(warnings(corners + "f 1 2 3\nsurf 0 1 0 1 1\ncurv2 1 2\n"),
+            Sentences{"left out: 2 curves and surfaces"});
+}
+
+TEST_F(MeshDialects, WordsBehindAVertexAreNamed) {
+  const auto warnings = [&](const std::string& words) {
+    return read("a.obj", "v 0 0 0 " + words + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").skipped.warnings;
+  };
+  EXPECT_EQ(warnings("# origin"), Sentences{});
+  EXPECT_EQ(warnings("1"), Sentences{});
+  EXPECT_EQ(warnings("0.5 0.5 0.5"), Sentences{});
+  const std::string expected = "expected a weight or a colour behind a vertex: left out";
+  EXPECT_EQ(warnings("words of mine"), Sentences{"1:9: 'words': " + expected});
+  EXPECT_EQ(warnings("\rv 9 9 9"), Sentences{"1:10: 'v': " + expected});
+}
+
+TEST_F(MeshDialects, AGroupAfterAnObjectIsNotThatObject) {
+  const Mesh mesh =
+      read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\no b\nf 1 2 3\ng a\nf 1 2 3\n");
+  ASSERT_EQ(mesh.objects.size(), 3u);
+  EXPECT_EQ(mesh.objects[1].name, "b");
+}
+
 // ---- Line ends -------------------------------------------------------------------------
 
 std::string with_line_ends(std::string text, const std::string& end) {

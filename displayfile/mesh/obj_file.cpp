@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -105,6 +106,12 @@ class ObjIndices {
   std::optional<Missing> missing_texture_;  // one that no later one can stand for
 };
 
+/// Statements that say nothing of where polygons are, and parts of those of curves and surfaces.
+constexpr std::string_view kOfNoPolygons[] = {
+    "s",         "vp",     "mg",     "bevel",  "c_interp", "d_interp", "lod",   "shadow_obj",
+    "trace_obj", "usemap", "maplib", "cstype", "deg",      "bmat",     "step",  "parm",
+    "trim",      "hole",   "scrv",   "sp",     "end",      "con",      "ctech", "stech"};
+
 class ObjReader {
  public:
   explicit ObjReader(const MeshFile& file)
@@ -119,6 +126,7 @@ class ObjReader {
     } while (text_.next_line());
     indices_.check_all_defined(text_);
     if (auto missing = indices_.missing_texture(text_)) mesh_.warn(std::move(*missing));
+    warn();
     materials_.tell(mesh_);
     return std::move(mesh_).finish();
   }
@@ -153,6 +161,26 @@ class ObjReader {
       use_material(text_.rest_of_line());
     } else if (keyword == "mtllib") {
       materials_.add_library(text_.rest_of_line());
+    } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
+      ++curves_;
+    } else if (TextCursor::is_content(keyword) &&
+               std::ranges::find(kOfNoPolygons, keyword) == std::end(kOfNoPolygons)) {
+      if (unknown_++ == 0) first_unknown_ = keyword;
+    }
+  }
+
+  /// What there was that a mesh does not have.
+  void warn() {
+    mesh_.warn_left_out(curves_, "{} curve or surface", "{} curves and surfaces");
+    if (unknown_ > 0) {
+      mesh_.warn(fmt::format("{}: {}: not read: {}", text_.place(text_.offset(first_unknown_)),
+                             TextCursor::quoted(first_unknown_),
+                             unknown_ == 1 ? "the line is left out"
+                                           : fmt::format("{} such lines are left out", unknown_)));
+    }
+    if (!extra_.empty()) {
+      mesh_.warn(fmt::format("{}: {}: expected a weight or a colour behind a vertex: left out",
+                             text_.place(text_.offset(extra_)), TextCursor::quoted(extra_)));
     }
   }
 
@@ -167,7 +195,11 @@ class ObjReader {
     std::array<std::string_view, 5> fields;
     const auto rest = text_.fields(fields);
     mesh_.add_vertex(rest.size() == 1 ? text_.over_weight(p, rest[0]) : p);
-    if (const auto colour = text_.colour(rest)) mesh_.add_vertex_colour(*colour);
+    if (const auto colour = text_.colour(rest)) {
+      mesh_.add_vertex_colour(*colour);
+    } else if (rest.size() > 1 && extra_.empty()) {
+      extra_ = rest[0];
+    }
     indices_.define(ObjIndices::vertex);
   }
 
@@ -220,6 +252,7 @@ class ObjReader {
   /// An object that is named again goes on.
   void begin_object(std::string_view name) {
     if (name.empty()) return;
+    group_.clear();
     const auto [known, is_new] = objects_.try_emplace(std::string(name), 0);
     if (is_new) {
       known->second = mesh_.begin_object(name);
@@ -243,6 +276,8 @@ class ObjReader {
   std::vector<std::uint32_t> corners_, normals_;  // of the face that is read
   std::map<std::string, std::size_t> objects_;    // the first of each name
   std::string group_;
+  std::size_t curves_ = 0, unknown_ = 0;
+  std::string_view first_unknown_, extra_;  // extra words behind a vertex
 };
 
 }  // namespace

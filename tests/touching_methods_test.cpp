@@ -152,6 +152,34 @@ TEST(TouchingMethods, SortsTellManyPlanesApartThatAreClose) {
   if (test::kSlower == 1) expect_tiles_seen(2000, 1, kSize);
 }
 
+/// Far away before they are moved, so that world coordinates are off by more than the reach there.
+void enter_rug_far_away(GraphicsSystem& g) {
+  g.set_view_plane_normal({-1, -2, -2});
+  g.set_parallel({1, 2, 2});
+  g.set_window(-2, 2, -2, 2);
+  g.set_line_style({LineStyle::Kind::none});
+  g.translate_3(-1e5, -1e5, -1e5);
+  g.rotate_x_3(13.0);
+  g.open_segment(1);
+  const double low = 1e5 - 1.3, high = 1e5 + 1.2, y = 1e5 + 0.1;
+  g.polygon_abs_3({{low, y, low}, {low, y, high}, {high, y, high}, {high, y, low}});
+  g.polygon_abs_3(
+      {{1e5 - 0.7, y, 1e5 - 0.7}, {1e5 - 0.4, y, 1e5 + 0.7}, {1e5 + 0.9, y, 1e5 + 0.4}});
+  g.close_segment();
+}
+
+TEST(TouchingMethods, ACuttingPlaneThatCutsNothingChangesNothing) {
+  Retained plain, with_plane;
+  enter_rug_far_away(plain.system);
+  with_plane.system.set_cutting_plane(1, 1, 0, 0, 9);
+  enter_rug_far_away(with_plane.system);
+  for (const HiddenMethod method : test::kSurfaceMethods) {
+    const auto ids = ids_by(plain.system, method, kSize);
+    EXPECT_GT(std::ranges::count(ids, 1), 50) << name_of(method);
+    EXPECT_EQ(ids_by(with_plane.system, method, kSize), ids) << name_of(method);
+  }
+}
+
 /// Two floors are apart by somewhat more than the reach: the lower one, entered later, is hidden,
 /// though no vertex is farther from the other's plane than what viewing may round.
 TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {

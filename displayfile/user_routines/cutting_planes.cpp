@@ -22,8 +22,10 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
 
 /// What the cutting planes leave of a polygon. A triangle whose normals differ stays one, or
 /// becomes several about its first vertex, with invisible diagonals: normals are interpolated over
-/// triangles.
+/// triangles. A polygon that no plane cuts is what it is without them; what is left of others
+/// counts as entered in world coordinates.
 void GraphicsSystem::enter_cut(const WorldPolygon& polygon) {
+  if (!cutting_planes_.cut_some(polygon.vertices)) return enter_whole(polygon);
   const CutPolygon cut =
       cutting_planes_.cut(polygon.vertices, polygon.edge_visible, polygon.vertex_normals);
   const auto& vertices = cut.vertices;

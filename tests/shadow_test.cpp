@@ -2,6 +2,7 @@
 // and the hidden-surface method; what is lit has no speckles; and with shadows off nothing changes.
 // The independent judge is a ray in world coordinates from every point that is seen.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "displayfile/retained_views.h"
+#include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "interp/draw.h"
@@ -370,6 +372,31 @@ TEST(Shadows, OneOnAnotherCoplanarFillIsNot) {
     const Polygons scene{square({0, 0, 0}, u, v), square({0, 0, 0}, 0.5 * u, 0.5 * v),
                          square(0.1 * u, 0.3 * v, 0.2 * u)};
     EXPECT_EQ(shadowed(picture(drawn(scene, light, viewer))), 0u);
+  }
+}
+
+/// Far from the origin, in decimals; and a rug that lies in the floor's plane by a length.
+TEST(Shadows, OneOnAnotherThatItTouchesIsNot) {
+  for (const char* scene :
+       {"set-view-reference-point 5000000 0 0\n{}\nopen-segment 1\n"
+        "polygon-abs-3 4999998.7 0.52 -1.3  4999998.7 0.25 1.4  5000001.5 -0.59 1.4"
+        "  5000001.5 -0.32 -1.3\n"
+        "set-fill-style solid 1 0.5 0.5\n"
+        "polygon-abs-3 4999999.5 0.21 -0.6  4999999.7 0.06 0.3  5000000.6 -0.19 0.1\n",
+        "set-touching 0.001\n{}\nopen-segment 1\n"
+        "polygon-abs-3 -2 0 -2  -2 0 2  2 0 2  2 0 -2\n"
+        "set-fill-style solid 1 0.5 0.5\n"
+        "polygon-abs-3 -1 -0.0004 -1  -1 -0.0004 1  1 -0.0004 1  1 -0.0004 -1\n"}) {
+    const auto picture = [&](const char* shadows) {
+      GraphicsSystem g;
+      replay(
+          "set-view-plane-normal -1 -2 -2\nset-parallel 1 2 2\nset-window -2 2 -2 2\n"
+          "set-line-style none\nset-light 0.3 1 0.2 0.3\nset-fill-style solid 0.5 1 0.5\n" +
+              fmt::format(fmt::runtime(scene), shadows) + "close-segment\n",
+          "touching.draw", g);
+      return draw(g, {.width = 64, .height = 64});
+    };
+    EXPECT_EQ(picture("set-shadows on").pixels, picture("set-shadows off").pixels);
   }
 }
 

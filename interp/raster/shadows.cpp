@@ -27,14 +27,15 @@ constexpr double kSafety = 2.0;
 constexpr double kNoPlane = std::numeric_limits<double>::infinity();
 
 /// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
-/// plane, and what rounding adds.
-double largest_value(std::span<const Point3> vertices, const Plane& plane) {
+/// plane, and what rounding, or what touches, adds.
+double largest_value(std::span<const Point3> vertices, const Plane& plane,
+                     double vertex_error = kVertexError) {
   double largest = 0.0;
   for (const Point3& v : vertices) {
     const auto [value, bound] = plane_value(v, plane);
     largest = std::max(largest, std::abs(value) + bound);
   }
-  return kSafety * (largest + kVertexError * plane.reach);
+  return kSafety * (largest + vertex_error * plane.reach);
 }
 
 }  // namespace
@@ -65,7 +66,8 @@ Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   }
   const auto& [p, q, r] = spread.index;
   const Plane plane(vertices[p], vertices[q], vertices[r]);
-  return {plane.p, plane.normal, largest_value(vertices, plane), item};
+  const double vertex_error = std::max(kVertexError, scene_->touching_of_ends());
+  return {plane.p, plane.normal, largest_value(vertices, plane, vertex_error), item};
 }
 
 /// Boxes are made larger by more than what the tests of rays lose.

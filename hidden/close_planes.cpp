@@ -51,7 +51,7 @@ std::array<std::size_t, 3> spread_corners(std::span<const Point3> points) {
   return spread;
 }
 
-/// Of world points. Its width is no number if its corners are in line.
+/// The plane of world points; its width is no number if they are in line.
 PlaneInWorld plane_of(std::span<const Point3> points) {
   const std::array<std::size_t, 3> spread = spread_corners(points);
   const Point3 at = points[spread[0]], a = points[spread[1]] - at, b = points[spread[2]] - at,

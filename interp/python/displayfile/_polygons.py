@@ -79,7 +79,8 @@ def sort(
         threads: How many may work, 1 to 1024.
         touching: Within which distance polygons touch, as set_touching of System: what touches a
             plane lies in it, and of polygons in one plane the later one is nearer. "auto" is by the
-            precision of the numbers, "off" is what coincides exactly.
+            precision of the numbers, "off" is what coincides exactly. A length in the coordinates
+            given counts as no less than what moving them into the unit cube rounds: 2e-15 of it.
 
     Returns:
         The pieces, in order.

@@ -81,6 +81,7 @@ CuttingPlanes::Place CuttingPlanes::crossing(int n, const Place& inside,
   Place v;
   v.position = inside.position + (outside.position - inside.position) * t;
   by.snap(v.position);
+  v.entered = inside.entered + (outside.entered - inside.entered) * t;
   v.normal = inside.normal;
   if (inside.normal != outside.normal) {
     v.normal += (outside.normal - inside.normal) * t;
@@ -101,17 +102,18 @@ CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex
 
 CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible,
-                              std::span<const Point3> normals) {
+                              std::span<const Point3> normals, std::span<const Point3> entered) {
   unsigned any = 0, all = ~0u;
   in_.clear();
   for (std::size_t i = 0; i < world.size(); ++i) {
-    in_.push_back({{world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i])},
+    in_.push_back({{world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i]),
+                    entered.empty() ? Point3(0.0) : entered[i]},
                    outcode(world[i]),
                    edge_visible.empty() ? std::uint8_t{1} : edge_visible[i]});
     any |= in_.back().outcode;
     all &= in_.back().outcode;
   }
-  if (any == 0) return {world, edge_visible, normals};
+  if (any == 0) return {world, edge_visible, normals, entered};
   if (all != 0) return {};
   for (int k = 0; k < kMost; ++k) {
     if ((any >> k & 1u) == 0) continue;
@@ -126,16 +128,18 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
   vertices_.clear();
   visible_.clear();
   normals_.clear();
+  entered_.clear();
   for (const Vertex& v : in_) {
     vertices_.push_back(v.place.position);
     visible_.push_back(v.edge_visible);
     if (!normals.empty()) normals_.push_back(v.place.normal);
+    if (!entered.empty()) entered_.push_back(v.place.entered);
   }
-  return {vertices_, visible_, normals_};
+  return {vertices_, visible_, normals_, entered_};
 }
 
 bool CuttingPlanes::cut_line(Point3& a, Point3& b) const {
-  Vertex from{{a, Point3(0.0)}, outcode(a), 1}, to{{b, Point3(0.0)}, outcode(b), 1};
+  Vertex from{{a, Point3(0.0), {}}, outcode(a), 1}, to{{b, Point3(0.0), {}}, outcode(b), 1};
   if ((from.outcode | to.outcode) == 0) return true;
   for (int k = 0; k < kMost; ++k) {
     if ((from.outcode & to.outcode) != 0) return false;

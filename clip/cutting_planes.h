@@ -15,6 +15,7 @@ struct CutPolygon {
   std::span<const Point3> vertices;
   std::span<const std::uint8_t> edge_visible;  ///< may be empty: all are
   std::span<const Point3> normals;             ///< if the polygon had some
+  std::span<const Point3> entered;  ///< the vertices as they were entered, if these were given
 };
 
 /// Up to six planes of world coordinates, each of which cuts away what has a x + b y + c z + d < 0:
@@ -47,9 +48,11 @@ class CuttingPlanes {
 
   /// What is left of a polygon; edge_visible empty for "all sides", normals one a vertex or none.
   /// A normal where an edge is cut is that which runs linearly along the edge, between normals of
-  /// length 1. What is not cut is returned as it was given. Valid until the next call.
+  /// length 1. `entered` are the vertices before the modelling transformation, or none: they are
+  /// cut at the same places. What is not cut is returned as it was given. Valid until the next
+  /// call.
   CutPolygon cut(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-                 std::span<const Point3> normals);
+                 std::span<const Point3> normals, std::span<const Point3> entered = {});
   /// What is left of the line from a to b, in their place; false if that is nothing.
   bool cut_line(Point3& a, Point3& b) const;
 
@@ -68,6 +71,7 @@ class CuttingPlanes {
   struct Place {
     Point3 position;
     Point3 normal;
+    Point3 entered{0.0};  ///< before the modelling transformation, where that is wanted
   };
   /// Where the edge between a vertex inside of plane n and one outside of it, or on it, crosses:
   /// the point that `cut` makes there, bit for bit.
@@ -95,7 +99,7 @@ class CuttingPlanes {
   std::array<Plane, kMost> planes_{};
   unsigned on_ = 0;
   std::vector<Vertex> in_, out_;
-  std::vector<Point3> vertices_, normals_;
+  std::vector<Point3> vertices_, normals_, entered_;
   std::vector<std::uint8_t> visible_;
 };
 

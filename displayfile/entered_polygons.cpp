@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "displayfile/free_room.h"
+#include "hidden/exact/bent_polygon.h"
 
 namespace displayfile {
 
@@ -49,7 +50,7 @@ double EnteredPolygons::longest() const {
 std::size_t EnteredPolygons::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
   return size(points_) + size(corners_) + size(first_) + size(runs_) + size(not_seen_) +
-         size(line_ends_);
+         size(bent_) + size(line_ends_);
 }
 
 void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
@@ -59,6 +60,7 @@ void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
     if (!corners_.empty()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
     points_.push_back(p);
   }
+  note_if_bent(points, modelling);
 }
 
 void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
@@ -78,6 +80,13 @@ void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
     }
     corners_.push_back(number);
   }
+  if (corners.size() > 3) note_if_bent({vertices, corners}, modelling);
+}
+
+/// The polygon that was entered last.
+void EnteredPolygons::note_if_bent(const PointRow& points, const Matrix* modelling) {
+  if (points.size() <= 3 || !is_bent({points.row(), modelling}, largest_)) return;
+  bent_.push_back(static_cast<std::uint32_t>(size() - 1));
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -96,6 +105,7 @@ void EnteredPolygons::free_room() {
   displayfile::free_room(first_);
   displayfile::free_room(points_);
   displayfile::free_room(not_seen_);
+  displayfile::free_room(bent_);
   displayfile::free_room(line_ends_);
 }
 

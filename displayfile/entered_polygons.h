@@ -9,6 +9,7 @@
 #include "clip/point_row.h"
 #include "clip/view_volume.h"
 #include "displayfile/retained_polygons.h"
+#include "hidden/entered_polygon.h"
 #include "hidden/touching.h"
 
 namespace displayfile {
@@ -37,12 +38,15 @@ class EnteredPolygons {
   const Touching& touching() const { return touching_; }
   /// Nothing touches but what coincides, and the display file says exactly what was entered.
   bool are_as_viewed() const {
-    return touching_.kind == Touching::Kind::off && runs_.empty() && volume_.is_identity();
+    return touching_.kind == Touching::Kind::off && runs_.empty() && volume_.is_identity() &&
+           bent_.empty();
   }
   std::size_t size() const { return are_retained_ ? retained_.size() : first_.size(); }
   /// The numbers of those without an instruction, rising.
   std::span<const std::uint32_t> not_seen() const { return not_seen_; }
   std::size_t seen() const { return size() - not_seen_.size(); }
+  /// The numbers of those that are not flat (hidden/exact/bent_polygon.h), rising.
+  std::span<const std::uint32_t> bent() const { return bent_; }
   /// The points of a polygon, counted from 0.
   PointRow points(std::size_t i) const;
   /// The modelling matrix that was in force; null if the points are in world coordinates. It stays
@@ -53,6 +57,8 @@ class EnteredPolygons {
   /// No coordinate of what is kept, nor any of the products that it is a sum of, is larger in world
   /// coordinates.
   double largest_in_world() const;
+  /// By how many times 2^-53 of that they are off (hidden/entered_polygon.h).
+  double roundings_in_world() const { return has_cuts_ ? kRoundingsWhereCut : kRoundingsInWorld; }
   /// The length of the longest column of the modelling matrices, at least 1.
   double longest() const;
   std::size_t lines() const { return line_ends_.size() / 2; }
@@ -74,6 +80,8 @@ class EnteredPolygons {
                     const Matrix* modelling);
   /// No instruction was made of the polygon that was entered last.
   void note_not_seen() { not_seen_.push_back(static_cast<std::uint32_t>(size() - 1)); }
+  /// Cutting planes had cut the polygon that was entered last.
+  void note_cut() { has_cuts_ = true; }
   /// A line of which an instruction was made.
   void enter_line(const Point3& from, const Point3& to) {
     line_ends_.insert(line_ends_.end(), {from, to});
@@ -99,10 +107,12 @@ class EnteredPolygons {
   bool are_those_of(const RetainedPolygons& retained) const;
   void keep_by_themselves();
   void begin_polygon(const Matrix* modelling);
+  void note_if_bent(const PointRow& points, const Matrix* modelling);
   void begin_run(const Matrix& matrix);
 
   Touching touching_;
   ViewVolume volume_;
+  bool has_cuts_ = false;
   bool are_retained_ = false;
   RetainedPolygons retained_;  // the polygons, in place of the three arrays that follow
   std::vector<Point3> points_;
@@ -110,7 +120,7 @@ class EnteredPolygons {
   std::vector<std::uint32_t> first_;    // corner of each polygon
   std::vector<Run> runs_;               // polygons before the first are in world coordinates
   double largest_ = 0.0;
-  std::vector<std::uint32_t> not_seen_;
+  std::vector<std::uint32_t> not_seen_, bent_;
   std::vector<Point3> line_ends_;
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
 };

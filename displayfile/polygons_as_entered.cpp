@@ -8,6 +8,7 @@
 
 #include "displayfile/entered_polygons.h"
 #include "displayfile/retained_scene.h"
+#include "hidden/exact/bent_polygon.h"
 
 namespace displayfile {
 
@@ -27,17 +28,29 @@ void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
   const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
   const auto end = first + static_cast<std::uint32_t>(polygons.size() + polygons.lines());
   add({first, end, &polygons, nullptr, 0}, polygons.touching(), polygons.largest());
+  for (const std::uint32_t i : polygons.bent()) bent_.push_back(first + i);
 }
 
-void PolygonsAsEntered::add(const RetainedScene& scene) {
-  for (const RetainedScene::Segment& segment : scene.segments()) {
+void PolygonsAsEntered::add(const RetainedScene& scene,
+                            const std::function<bool(std::size_t)>& is_visible) {
+  for (std::size_t k = 0; k < scene.segments().size(); ++k) {
+    const RetainedScene::Segment& segment = scene.segments()[k];
     const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;
     const std::uint32_t end = first + segment.end - segment.first;
+    if (is_visible && !is_visible(k)) {
+      parts_.push_back({first, end, nullptr, &scene, segment.first, false});
+      continue;
+    }
     double largest = 0.0;
     for (std::uint32_t i = segment.first; i < segment.end; ++i) {
       largest = std::max(largest, largest_coordinate(scene.entered_points(i)));
     }
     add({first, end, nullptr, &scene, segment.first}, segment.touching, largest);
+    for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+      if (scene[i].sides <= 3) continue;
+      const std::uint32_t number = first + i - segment.first;
+      if (is_bent(polygon(number), largest)) bent_.push_back(number);
+    }
   }
 }
 
@@ -85,6 +98,7 @@ EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
     if (i >= of_segment.size()) return {of_segment.line(i - of_segment.size())};
     return {of_segment.points(i), of_segment.modelling(i)};
   }
+  if (!part.is_visible) return {std::span<const Point3>()};
   const std::uint32_t primitive = part.first_of_scene + i;
   if (part.scene->is_entered_in_world()) return {part.scene->entered_points(primitive)};
   return {part.scene->entered_points(primitive), &part.scene->modelling_matrix(primitive)};

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -23,8 +25,8 @@ class PolygonsAsEntered {
   /// Those of a segment, which are numbered on from those before, and then its lines.
   void add(const EnteredPolygons& polygons);
   /// The primitives of a scene, each numbered as there if nothing was added before; lines have two
-  /// points. Those of segments in which nothing may touch have none.
-  void add(const RetainedScene& scene);
+  /// points. Those of segments, by their places, that are not visible have none; empty: all are.
+  void add(const RetainedScene& scene, const std::function<bool(std::size_t)>& is_visible = {});
 
   /// Throws LimitReached where the thread's budget is used up.
   TouchingPlanes planes() const;
@@ -33,6 +35,8 @@ class PolygonsAsEntered {
   /// viewing's rounding says. Null if there are none.
   std::shared_ptr<const TouchingPlanes> near_planes(const TouchingPlanes& touching) const;
   EnteredPolygon polygon(std::uint32_t number) const;
+  /// The numbers of those that are not flat (hidden/exact/bent_polygon.h), rising.
+  const std::vector<std::uint32_t>& bent() const { return bent_; }
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 
  private:
@@ -41,6 +45,7 @@ class PolygonsAsEntered {
     const EnteredPolygons* polygons;  ///< null: they are those of the scene
     const RetainedScene* scene;
     std::uint32_t first_of_scene;
+    bool is_visible = true;
   };
   struct Close {
     std::once_flag are_found;
@@ -54,6 +59,7 @@ class PolygonsAsEntered {
   void add(const Part& part, const Touching& touching, double largest);
 
   std::vector<Part> parts_;
+  std::vector<std::uint32_t> bent_;
   double reach_ = 0.0, largest_ = 0.0;
   std::shared_ptr<Close> close_ = std::make_shared<Close>();  // copies find them once
 };

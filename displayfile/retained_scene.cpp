@@ -235,6 +235,7 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   open_segment(segment.name, segment.view, segment.touching);
   const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
   append_points(other, segment);
+  has_cuts_ = has_cuts_ || other.has_cuts_;
   const auto append_primitive = [&](std::uint32_t i) {
     const Primitive& primitive = other.primitives_[i];
     begin_primitive(primitive.sides, other.attributes(i), primitive.pick);
@@ -327,6 +328,7 @@ void RetainedScene::enter_polygon(const WorldPolygon& polygon, const Attributes&
   if (segments_.empty()) return;  // opened before the scene was retained
   begin_primitive(polygon.vertices.size(), attributes, polygon.pick);
   begin_modelling(polygon.modelling);
+  has_cuts_ = has_cuts_ || (polygon.is_cut && polygon.modelling != nullptr);
   const std::span<const Point3> world = polygon.vertices;
   enter_corners(world,
                 polygon.modelling != nullptr ? std::span<const Point3>(polygon.entered) : world);

@@ -16,6 +16,7 @@
 #include "displayfile/retained_polygons.h"
 #include "displayfile/view_stage.h"
 #include "displayfile/watched.h"
+#include "hidden/entered_polygon.h"
 #include "hidden/exact/eye.h"
 #include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
@@ -98,11 +99,13 @@ class RetainedScene : public Watched<RetainedScene> {
   double longest_column() const;
   /// No world coordinate, nor any of the products that it is a sum of, is larger.
   double largest_in_world() const;
+  /// By how many times 2^-53 of that world coordinates are off (hidden/entered_polygon.h).
+  double roundings_in_world() const { return has_cuts_ ? kRoundingsWhereCut : kRoundingsInWorld; }
   /// No modelling transformation was in force.
   bool is_entered_in_world() const { return modellings_.empty(); }
-  /// A polygon's points as they were entered, before the modelling transformation. What cutting
-  /// planes and operations of solids made counts as entered in world coordinates; so do the ends of
-  /// lines.
+  /// A polygon's points as they were entered, before the modelling transformation; where cutting
+  /// planes have cut it, that is where they did. What operations of solids made counts as entered
+  /// in world coordinates; so do the ends of lines.
   PointRow entered_points(std::uint32_t i) const {
     if (entered_.empty()) return points(i);
     if (corners_.empty()) return of(entered_, i);
@@ -259,6 +262,7 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such
   std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
+  bool has_cuts_ = false;                        // cutting planes have cut some polygon
 };
 
 }  // namespace displayfile

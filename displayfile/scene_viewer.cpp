@@ -447,14 +447,20 @@ void SceneViewer::share_equal_vertices() {
   points_ = welded_;
 }
 
-/// True if they are drawn with what they were drawn with in the last view.
+/// True if they are drawn with what they were drawn with in the last view. Polygons lie in planes
+/// of visible ones: where others are visible now, planes are found anew.
 bool SceneViewer::take_segments() {
-  bool same = true;
+  bool same = true, shows_same = true;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     const Segment& now = attributes_->segment(scene_->segments()[k].name);
-    same = same && segments_[k].visible == now.visible && segments_[k].image == now.image;
+    shows_same = shows_same && segments_[k].visible == now.visible;
+    same = same && shows_same && segments_[k].image == now.image;
     segments_[k].visible = now.visible;
     segments_[k].image = now.image;
+  }
+  if (!shows_same) {
+    leave_what_was_entered();
+    begin_entered();
   }
   return same;
 }

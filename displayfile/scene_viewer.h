@@ -94,7 +94,7 @@ class SceneViewer {
   std::function<EnteredPolygon(std::uint32_t)> polygon_of() const;
   std::function<void(const ViewedScene&, std::vector<std::uint32_t>&)> polygons_of_items() const;
   void begin_planes();
-  bool is_as_viewed(const ViewVolume& volume) const;
+  bool is_as_viewed(const ViewVolume& volume);
   void find_entered(const ViewVolume& volume);
   void find_radius(const ViewVolume& volume);
   static void find_primitives(const RetainedScene& scene, const ViewedScene& viewed,

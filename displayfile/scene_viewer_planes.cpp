@@ -18,7 +18,8 @@ namespace displayfile {
 
 struct SceneViewer::Entered {
   std::shared_ptr<const PolygonsAsEntered> polygons;  // null: not taken yet
-  double reach = 0.0, in_world = 0.0;
+  double reach = 0.0;
+  ViewedScene::InWorld in_world;
   std::shared_ptr<const TouchingPlanes> planes;  // null: not found yet
 };
 
@@ -52,9 +53,9 @@ void SceneViewer::find_primitives(const RetainedScene& scene, const ViewedScene&
 void SceneViewer::take_what_was_entered() {
   if (entered_->polygons != nullptr) return;
   auto polygons = std::make_shared<PolygonsAsEntered>();
-  polygons->add(*scene_);
+  polygons->add(*scene_, [this](std::size_t segment) { return segments_[segment].visible; });
   entered_->reach = polygons->reach() * scene_->longest_column();
-  entered_->in_world = scene_->largest_in_world();
+  entered_->in_world = {scene_->largest_in_world(), scene_->roundings_in_world()};
   entered_->polygons = std::move(polygons);
 }
 
@@ -73,6 +74,7 @@ SceneViewer::polygons_of_items() const {
 void SceneViewer::begin_planes() {
   if (viewed_.planes_ != nullptr) {
     viewed_.planes_->rests_are_found.store(false);
+    viewed_.planes_->coincident_are_found.store(false);
     return viewed_.planes_->are_found.store(false);
   }
   take_what_was_entered();
@@ -98,14 +100,17 @@ void SceneViewer::begin_planes() {
 }
 
 /// As EnteredPolygons::are_as_viewed, of all segments.
-bool SceneViewer::is_as_viewed(const ViewVolume& volume) const {
-  return volume.is_identity() && scene_->is_entered_in_world() &&
+bool SceneViewer::is_as_viewed(const ViewVolume& volume) {
+  if (!volume.is_identity()) return false;
+  take_what_was_entered();
+  return entered_->polygons->bent().empty() && scene_->is_entered_in_world() &&
          std::ranges::all_of(scene_->segments(), [](const RetainedScene::Segment& segment) {
            return segment.touching.kind == Touching::Kind::off;
          });
 }
 
 void SceneViewer::find_entered(const ViewVolume& volume) {
+  viewed_.find_bent({});
   if (is_as_viewed(volume)) return viewed_.as_entered_.reset();
   take_what_was_entered();
   if (viewed_.as_entered_ == nullptr) {
@@ -124,6 +129,7 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
   }
   all.radius = longest * ViewedScene::radius_in(volume.matrix(), entered_->in_world, 0.0,
                                                 viewed_.largest_depth());
+  viewed_.find_bent(entered_->polygons->bent());
 }
 
 /// Where the planes were found for another view already, they are had for little.

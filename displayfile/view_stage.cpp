@@ -17,7 +17,9 @@ ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attribu
 
 /// With what is interpolated over it; equal normals, whatever their length, need nothing.
 ClippedPolygon ViewStage::clip_smooth(const WorldPolygon& polygon, const Attributes& attributes) {
-  const auto& [vertices, edge_visible, normal, normals, pick, entered, modelling] = polygon;
+  const auto& vertices = polygon.vertices;
+  const auto& edge_visible = polygon.edge_visible;
+  const auto& normals = polygon.vertex_normals;
   if (attributes.shading != Shading::phong) {
     return gouraud_.clip(pipeline_, vertices, edge_visible, normals, *attributes.light);
   }
@@ -37,6 +39,7 @@ void keep_entered(const WorldPolygon& polygon, bool is_seen, Segment& segment) {
   if (kept == nullptr) return;
   for (const Point3& p : as_entered(polygon)) kept->include(p);
   kept->enter(as_entered(polygon), polygon.modelling);
+  if (polygon.is_cut && polygon.modelling != nullptr) kept->note_cut();
   if (!is_seen) kept->note_not_seen();
 }
 

@@ -28,6 +28,7 @@ struct WorldPolygon {
   /// matrix. Null: the vertices are what was entered.
   PointRow entered = std::span<const Point3>();
   const glm::dmat4x3* modelling = nullptr;
+  bool is_cut = false;  ///< cutting planes have cut it
 };
 
 /// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the

@@ -21,6 +21,10 @@
 
 namespace displayfile {
 
+ViewedScene::InWorld ViewedScene::in_world(const EnteredPolygons& kept) {
+  return {kept.largest_in_world(), kept.roundings_in_world()};
+}
+
 void ViewedScene::find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of) {
   as_entered_ = std::make_shared<AsEntered>();
   as_entered_->polygon_of = polygon_of;
@@ -29,8 +33,7 @@ void ViewedScene::find_entered(const std::function<EnteredPolygon(std::uint32_t)
     as_entered_->volumes.push_back(kept == nullptr ? nullptr : &kept->volume());
     as_entered_->images.push_back(&source.image);
     if (kept == nullptr) continue;
-    const double radius =
-        radius_in(kept->volume().matrix(), kept->largest_in_world(), 0.0, largest_depth_);
+    const double radius = radius_in(kept->volume().matrix(), in_world(*kept), 0.0, largest_depth_);
     as_entered_->radius = std::max(as_entered_->radius, radius * longest_of(source.image));
   }
 }
@@ -88,7 +91,7 @@ void ViewedScene::find_radius(Planes& planes) const {
     const EnteredPolygons* const kept = source.instructions->as_entered();
     if (kept == nullptr) continue;
     const double radius =
-        radius_in(kept->volume().matrix(), kept->largest_in_world(), planes.reach, largest_depth_);
+        radius_in(kept->volume().matrix(), in_world(*kept), planes.reach, largest_depth_);
     planes.radius_of_ends = std::max(planes.radius_of_ends, radius * longest_of(source.image));
     planes.compares_ends |= may_reach(planes.reach, kept->touching(), kept->volume());
   }
@@ -120,19 +123,21 @@ double ViewedScene::longest_of(const ImageTransformation& image) {
   return std::max(1.0, std::abs(image.scale.x) + std::abs(image.scale.y));
 }
 
-/// With u = 2^-53: a world point is a sum of products, off by 4 u of the sum of their sizes, and so
-/// is each homogeneous coordinate of a viewed one; a plane's points are off it by the reach too. W
-/// is at least what it is at the nearest depth in the scene: depth is A + B / W.
-double ViewedScene::radius_in(const glm::dmat4& view, double in_world, double reach,
+/// With u = 2^-53: a world point is a sum of products, off by so many u of the sum of their sizes,
+/// and each homogeneous coordinate of a viewed one by 4 u of its own; a plane's points are off it
+/// by the reach too, and by what flat polygons may be bent (kFlatAsEntered, no more than 8 u of
+/// these sums). W is at least what it is at the nearest depth in the scene: depth is A + B / W.
+double ViewedScene::radius_in(const glm::dmat4& view, const InWorld& in_world, double reach,
                               double largest_depth) {
   constexpr double kU = 0x1p-53;
   constexpr double kCoarsest = 0x1p-10;  // beyond it, or without a bound, nothing can be told
-  const double off = reach + 4.0 * kU * in_world;  // in the world, each coordinate
+  const double largest = in_world.largest;
+  const double off = reach + (8.0 + in_world.roundings) * kU * largest;  // each coordinate
   const auto row = [&](int k) {
     return std::abs(view[0][k]) + std::abs(view[1][k]) + std::abs(view[2][k]);
   };
   const auto error = [&](int k) {
-    return row(k) * (off + 4.0 * kU * in_world) + 4.0 * kU * std::abs(view[3][k]);
+    return row(k) * (off + 4.0 * kU * largest) + 4.0 * kU * std::abs(view[3][k]);
   };
   double least_w = 1.0;
   if (row(3) > 0.0) {  // perspective: the rows of Z and W are the same but for a factor and a sum
@@ -214,7 +219,17 @@ bool ViewedScene::is_edge_on(Item item) const {
   return support_vertices({vertices.data(), vertices.size()}).edge_on;
 }
 
+/// Those that polygons share, and those of polygons that are bent.
 void ViewedScene::find_planes(Planes& found) const {
+  find_shared_planes(found);
+  if (bent_.empty()) return;
+  found.of_items.resize(items(), {Primitives::kOwnPlane, 0, 0});
+  for (const auto& [item, plane] : bent_) {
+    if (found.of_items[item][0] == Primitives::kOwnPlane) found.of_items[item] = plane;
+  }
+}
+
+void ViewedScene::find_shared_planes(Planes& found) const {
   found.of_items.clear();
   found.founders.clear();
   found.elsewhere.clear();
@@ -276,6 +291,7 @@ bool is_nearly_edge_on(const Plane& plane) {
 }  // namespace
 
 std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) const {
+  if (const auto* const of_bent = plane_of_bent(item)) return *of_bent;
   const PointRow vertices = points(item);
   const SupportVertices support = support_vertices({vertices.data(), vertices.size()});
   if (support.edge_on) return std::nullopt;
@@ -288,10 +304,12 @@ std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) 
 
 /// Several polygons of a plane are viewed alike, none of them edge-on: the one whose plane it is as
 /// entered stands for it; or else, if that is not in the scene or little of it, from which the
-/// plane would be known badly elsewhere, the one that is seen largest.
+/// plane would be known badly elsewhere, the one that is seen largest. Where that may be far from
+/// the plane there are rests (find_rests).
 void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                               Planes& found) const {
-  if (in_plane.size() < 2) return;
+  const bool is_its_own = in_plane.size() < 2 && (found.are_close || in_plane[0] == founder);
+  if (is_its_own || (!found.are_close && is_plane_edge_on(in_plane[0]))) return;
   const auto area = [&](Item item) {
     constexpr double kOfFounder = 16.0;
     return std::abs(newell_c(points(item))) * (item == founder ? kOfFounder : 1.0);

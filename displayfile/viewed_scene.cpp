@@ -370,6 +370,7 @@ void ViewedScene::finish(bool in_place) {
     }
     const auto polygon_of = [polygons](std::uint32_t number) { return polygons.polygon(number); };
     find_entered(polygon_of);
+    find_bent(polygons.bent());
     planes_ = std::make_shared<Planes>();
     planes_->polygon_of = polygon_of;
     planes_->entered_reach = polygons.reach();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,6 +25,7 @@
 #include "displayfile/vertex_values.h"
 #include "hidden/entered_polygon.h"
 #include "hidden/exact/plane.h"
+#include "hidden/extents.h"
 #include "hidden/primitives.h"
 #include "hidden/touching_planes.h"
 
@@ -89,11 +91,16 @@ class ViewedScene : public EndsAsEntered {
 
   Primitives primitives() const {
     near_planes();
-    return {points_,          corners_,
-            edge_visible_,    items_,
-            planes(),         plane_rests(),
-            surfaces_,        touching_of_ends(),
-            viewing_radius(), some_may_touch() ? this : nullptr};
+    return {points_,
+            corners_,
+            edge_visible_,
+            items_,
+            planes_where_they_coincide(),
+            plane_rests(),
+            surfaces_,
+            touching_of_ends(),
+            viewing_radius(),
+            some_may_touch() ? this : nullptr};
   }
   /// Between items that are not viewed alike no end is on a plane: those are compared in the
   /// picture.
@@ -213,8 +220,19 @@ class ViewedScene : public EndsAsEntered {
     planes();
     return !planes_->elsewhere.empty() && planes_->elsewhere[item] != 0;
   }
+  /// The item's polygon lies in another's plane as entered, and may be far off it: where the reach
+  /// is not small beside the picture.
+  bool is_off_its_plane(Item item) const {
+    if (planes_ == nullptr || planes_->are_close) return false;
+    planes();
+    return !planes_->founders.empty() && planes_->founders[item] != kNotEntered;
+  }
+  /// What the depths of the points lack is rounded.
   Plane plane_through(const Primitives::PlanePoints& plane) const {
-    return {points_[plane[0]], points_[plane[1]], points_[plane[2]]};
+    const Point3 &p = points_[plane[0]], &q = points_[plane[1]], &r = points_[plane[2]];
+    const Point3* const rest = rest_of_bent(plane);
+    if (rest == nullptr) return {p, q, r};
+    return {p + Point3(0, 0, rest->x), q + Point3(0, 0, rest->y), r + Point3(0, 0, rest->z)};
   }
   /// The plane that the fill shares with others as entered, the same for all of these, or else its
   /// own.
@@ -222,9 +240,11 @@ class ViewedScene : public EndsAsEntered {
     const auto* const shared = shared_plane(item_of(fill));
     return shared != nullptr ? plane_through(*shared) : plane(fill);
   }
-  /// The plane through the support vertices (interp/truth/truth.md), which are not in line.
+  /// The plane through the support vertices, which are not in line: those of the item
+  /// (interp/truth/truth.md), or of the polygon as entered if that is bent.
   Plane plane(Fill fill) const {
     const Item item = item_of(fill);
+    if (const auto* const of_bent = plane_of_bent(item)) return plane_through(*of_bent);
     const std::uint32_t first = items_[item].first;
     if (items_[item].sides == 3) return {point(first), point(first + 1), point(first + 2)};
     const auto& [p, q, r] = of_many_sided_[many_sided_[item]].support;
@@ -234,6 +254,14 @@ class ViewedScene : public EndsAsEntered {
   const Primitives::PlanePoints* shared_plane(Item item) const {
     const auto all = planes();
     return all.empty() || all[item][0] == Primitives::kOwnPlane ? nullptr : &all[item];
+  }
+  /// The plane of an item whose polygon is not flat as entered (hidden/exact/bent_polygon.h), which
+  /// may be far from that of other vertices; null for all others.
+  const Primitives::PlanePoints* plane_of_bent(Item item) const {
+    if (bent_.empty()) [[likely]]
+      return nullptr;
+    const auto at = std::ranges::lower_bound(bent_, item, {}, &Bent::item);
+    return at != bent_.end() && at->item == item ? &at->plane : nullptr;
   }
   /// As they were entered.
   bool are_in_one_plane(Fill a, Fill b) const {
@@ -313,6 +341,9 @@ class ViewedScene : public EndsAsEntered {
     std::atomic<bool> near_is_found = false;
     std::shared_ptr<const TouchingPlanes> touching;  ///< members alone, once they are found
     std::shared_ptr<const TouchingPlanes> near;
+    std::mutex coincident_in_turn;
+    std::atomic<bool> coincident_are_found = false;
+    std::vector<Primitives::PlanePoints> coincident;  ///< as of_items, where some are bent
     std::mutex rests_in_turn;
     std::atomic<bool> rests_are_found = false;
     std::vector<Point3> rests;                      ///< empty: none has one
@@ -338,9 +369,15 @@ class ViewedScene : public EndsAsEntered {
     std::vector<std::uint32_t> polygons;  // of the items, once polygons_of_items was called
   };
   bool is_certainly_apart(Item a, Item b) const;
+  /// What bounds how far world coordinates are off: the largest sum of the products that one is a
+  /// sum of, and by how many times 2^-53 of it.
+  struct InWorld {
+    double largest = 0.0, roundings = kRoundingsInWorld;
+  };
+  static InWorld in_world(const EnteredPolygons& kept);
   /// By how much a coordinate of a point of a plane may be off it, as entered within the reach and
   /// viewed; from the view's matrix and bounds of world coordinates and of the reach there.
-  static double radius_in(const glm::dmat4& view, double in_world, double reach,
+  static double radius_in(const glm::dmat4& view, const InWorld& in_world, double reach,
                           double largest_depth);
   static double small_radius(double radius);
   /// Whether ends of lines may lie on planes: not where coordinates are so large that all that is
@@ -355,13 +392,40 @@ class ViewedScene : public EndsAsEntered {
   }
   std::uint32_t entered_number(Item item) const;
   std::uint32_t entered_plane(Item item) const;
+  /// An item whose polygon is not flat as entered.
+  struct Bent {
+    Item item;
+    Primitives::PlanePoints plane;
+  };
   struct EnteredLine;
   std::optional<EnteredLine> entered_line(Item item, std::uint32_t corner) const;
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
   bool is_edge_on(Item item) const;
+  bool is_plane_edge_on(Item item) const;
+  void find_bent(std::span<const std::uint32_t> polygons);
+  std::optional<Bent> bent_item(Item item, std::uint32_t polygon);
+  const Point3* rest_of_bent(const Primitives::PlanePoints& plane) const {
+    if (rests_of_bent_.empty()) [[likely]]
+      return nullptr;
+    const auto at = rests_of_bent_.find(plane);
+    return at == rests_of_bent_.end() ? nullptr : &at->second;
+  }
   void find_planes(Planes& found) const;
+  void find_shared_planes(Planes& found) const;
   const TouchingPlanes* near_planes() const;
+  /// A polygon of those that lie together near one plane.
+  struct Together {
+    Item item;
+    std::uint32_t plane;  ///< the polygon whose own it is
+    Extent box;
+  };
+  template <class Visit>
+  void visit_near_planes(const Visit& visit) const;
+  bool lie_over_each_other(const Together& a, const Together& b) const;
   std::vector<std::uint8_t> find_close_planes() const;
+  std::span<const Primitives::PlanePoints> planes_where_they_coincide() const;
+  void unite_coincident(std::vector<Primitives::PlanePoints>& planes) const;
+  bool do_planes_coincide(std::uint32_t a, std::uint32_t b) const;
   std::optional<Primitives::PlanePoints> plane_points(Item item) const;
   std::optional<Primitives::PlanePoints> own_plane_points(Item item) const;
   std::vector<Point3> find_rests() const;
@@ -486,7 +550,9 @@ class ViewedScene : public EndsAsEntered {
     std::uint32_t corners_before;  // of those before it
   };
   std::vector<ManySided> of_many_sided_;
-  std::uint32_t many_sided_corners_ = 0;  // of all of them
+  std::uint32_t many_sided_corners_ = 0;                     // of all of them
+  std::vector<Bent> bent_;                                   // rising
+  std::map<Primitives::PlanePoints, Point3> rests_of_bent_;  // of planes of theirs that lack some
   std::uint32_t fills_ = 0;
   std::vector<Item> fill_item_;  // empty while every item is a fill
   VertexValues<double> intensities_;

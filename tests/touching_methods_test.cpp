@@ -180,6 +180,104 @@ TEST(TouchingMethods, ACuttingPlaneThatCutsNothingChangesNothing) {
   }
 }
 
+/// In millimetres, a rug that is above the floor by less than the length within which things touch.
+void enter_rug_in_millimetres(GraphicsSystem& g) {
+  g.set_view_plane_normal({-1, -2, -2});
+  g.set_parallel({1, 2, 2});
+  g.set_window(-2, 2, -2, 2);
+  g.set_line_style({LineStyle::Kind::none});
+  g.set_touching({Touching::Kind::length, 0.25});
+  g.scale_3(0.001, 0.001, 0.001);
+  g.open_segment(1);
+  g.polygon_abs_3({{-1300, 0, -1300}, {-1300, 0, 1200}, {1200, 0, 1200}, {1200, 0, -1300}});
+  g.polygon_abs_3({{-700, 0.2, -700}, {-400, 0.2, 700}, {900, 0.2, 400}});
+  g.close_segment();
+}
+
+/// What cutting planes leave touches as the whole does: each pixel shows what it showed, or
+/// nothing.
+TEST(TouchingMethods, WhatCuttingPlanesLeaveTouches) {
+  for (const auto enter : {enter_rug_far_away, enter_rug_in_millimetres}) {
+    Retained whole, cut;
+    cut.system.set_cutting_plane(1, 1, 0.25, 0, 0.2);
+    cut.system.set_cutting_plane(2, 0, 0, 1, 0.5);
+    enter(whole.system);
+    enter(cut.system);
+    for (const HiddenMethod method : test::kSurfaceMethods) {
+      const auto of_whole = ids_by(whole.system, method, kSize);
+      const auto left = ids_by(cut.system, method, kSize);
+      std::size_t shown = 0, others = 0;
+      for (std::size_t k = 0; k < left.size(); ++k) {
+        shown += left[k] == 1 ? 1 : 0;
+        others += left[k] >= 0 && left[k] != of_whole[k] ? 1 : 0;
+      }
+      EXPECT_GT(shown, 50u) << name_of(method);
+      EXPECT_EQ(others, 0u) << name_of(method);
+    }
+  }
+}
+
+/// What touches may be as far apart as polygons are large: then planes of others are seen at places
+/// far from them, at any slope, or edge-on.
+TEST(TouchingMethods, WithinLengthsAsLargeAsPolygons) {
+  const int views = from_environment("DISPLAYFILE_TOUCHING_VIEWS", 48 / test::kSlower);
+  constexpr Enter kScenes[] = {test::enter_boxes_on_floor, test::enter_flush_windows,
+                               test::enter_rug_on_floor};
+  for (int seed = 0; seed < views; ++seed) {
+    Source s(static_cast<std::uint64_t>(seed));
+    Retained retained;
+    GraphicsSystem& g = retained.system;
+    g.set_touching({Touching::Kind::length, std::pow(10.0, -3.0 * s.unit())});
+    const bool is_transformed = seed % 4 == 3;
+    enter_in_view(s, g, kScenes[seed % 3], is_transformed);
+    const EnteredTruth truth =
+        entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
+    for (const HiddenMethod method : test::kSurfaceMethods) {
+      // Before viewing a modelling transformation has rounded what was entered.
+      if (is_transformed && method == HiddenMethod::world_ray_cast) continue;
+      EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u)
+          << name_of(method) << ", seed " << seed;
+    }
+  }
+}
+
+/// No polygon lies in the plane of one that is not visible, and it does again when that is.
+TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_hidden_scope(HiddenScope::all);
+  g.set_view_plane_normal({-1, -2, -2});
+  g.set_parallel({1, 2, 2});
+  g.set_window(-2, 2, -2, 2);
+  g.set_touching({Touching::Kind::length, 0.1});
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{-3, 0.05, -3}, {-3, 0.05, 3}, {3, 0.05, 3}, {3, 0.05, -3}});
+  g.close_segment();
+  g.open_segment(2);
+  g.polygon_abs_3({{-1.3, 0, -1.3}, {-1.3, 0, 1.2}, {1.2, 0, 1.2}, {1.2, 0, -1.3}});
+  g.polygon_abs_3({{-0.7, 0.12, -0.7}, {-0.7, 0.12, 0.7}, {0.7, 0.12, 0.7}});
+  g.polygon_abs_3({{-0.5, -0.04, -0.7}, {-0.7, -0.04, 0.7}, {0.7, -0.04, 0.7}});
+  g.close_segment();
+  const DisplayFile& file = g.display_file();
+  ViewRenderer renderer(retained.scene, file);
+  std::size_t seen_of_last = 0;
+  for (const bool is_visible : {true, false, true}) {
+    SCOPED_TRACE(is_visible);
+    g.set_visibility(1, is_visible);
+    const Picture truth =
+        entered_truth(retained.scene, file, kSize, kSize, false, std::nullopt).picture;
+    for (const HiddenMethod method : test::kSurfaceMethods) {
+      EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth), 0u) << name_of(method);
+    }
+    const DrawOptions options = test::options_for_ids(kSize, HiddenMethod::z_buffer);
+    EXPECT_EQ(wrong_pixels(renderer.draw(g.view(), options).ids, truth), 0u);
+    const auto of_last = static_cast<std::size_t>(std::ranges::count(truth.ids, 3));
+    EXPECT_NE(of_last, seen_of_last);
+    seen_of_last = of_last;
+  }
+}
+
 /// Two floors are apart by somewhat more than the reach: the lower one, entered later, is hidden,
 /// though no vertex is farther from the other's plane than what viewing may round.
 TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {

@@ -17,7 +17,6 @@
 #include "clip/view_volume.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
-#include "interp/truth/world_truth.h"
 #include "interp/visibility/world_geometry.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
@@ -39,9 +38,10 @@ struct Retained : test::Retained {
   Retained() = default;
   explicit Retained(const Scene& drawn) { enter(drawn, system); }
   WorldRays rays() const { return {scene, system.display_file()}; }
-  std::vector<std::int32_t> world_truth(const PictureSize& size) const {
-    return displayfile::world_truth(scene, system.display_file(), size.width, size.height, false)
-        .ids;
+  /// From what was entered.
+  std::vector<std::int32_t> truth(const PictureSize& size) const {
+    return entered_truth(scene, system.display_file(), size.width, size.height, false, std::nullopt)
+        .picture.ids;
   }
 };
 
@@ -55,13 +55,9 @@ Scene in_view(Scene scene, const View& view) {
 std::vector<std::int32_t> truth_in(const Scene& scene, const View& view, int size) {
   return truth(entered(in_view(scene, view)).display_file(), size, size, false).ids;
 }
-/// The exact truth from world coordinates, of the same; of what touches that from what was entered.
-std::vector<std::int32_t> world_truth_in(const Scene& scene, const View& view, int size) {
-  const Retained retained(in_view(scene, view));
-  if (scene.touching == Touching{Touching::Kind::off}) return retained.world_truth({size, size});
-  return entered_truth(retained.scene, retained.system.display_file(), size, size, false,
-                       std::nullopt)
-      .picture.ids;
+/// The exact truth from what was entered, of the same.
+std::vector<std::int32_t> entered_truth_in(const Scene& scene, const View& view, int size) {
+  return Retained(in_view(scene, view)).truth({size, size});
 }
 
 TEST(WorldRays, NoWrongPixelFromAnyEye) {
@@ -152,8 +148,9 @@ TEST(WorldRays, DifferOnlyWhereTheRoundingOfViewingDecides) {
       for (int i = 0; i < eyes; ++i) {
         const View view = i % 2 == 0 ? special_view(s, scene, ball) : test::any_view(s, ball);
         const auto seen = rays.picks(view, {size, size});
-        ASSERT_EQ(seen, world_truth_in(scene, view, size)) << family.name << " " << severity << "\n"
-                                                           << test::text_of(view);
+        ASSERT_EQ(seen, entered_truth_in(scene, view, size))
+            << family.name << " " << severity << "\n"
+            << test::text_of(view);
         const auto right = truth_in(scene, view, size);
         for (std::size_t k = 0; k < seen.size(); ++k) of_family += seen[k] != right[k] ? 1 : 0;
         ++views;
@@ -170,12 +167,11 @@ TEST(WorldRays, DifferOnlyWhereTheRoundingOfViewingDecides) {
 
 // ---- Polygons that a view may turn over, or that are not quite flat ----------------------------
 
-/// What is seen, which must be what the truth from world coordinates says.
-std::vector<std::int32_t> seen_as_in_world_truth(const Retained& retained,
-                                                 const PictureSize& size) {
+/// What is seen, which must be what the truth from what was entered says.
+std::vector<std::int32_t> seen_as_in_truth(const Retained& retained, const PictureSize& size) {
   const View& view = retained.system.view();
   auto seen = retained.rays().picks(view, size);
-  EXPECT_EQ(seen, retained.world_truth(size)) << test::text_of(view);
+  EXPECT_EQ(seen, retained.truth(size)) << test::text_of(view);
   return seen;
 }
 
@@ -194,7 +190,7 @@ TEST(WorldRays, BackFacesAreThoseOfWhatClippingLeaves) {
     g.open_segment(1);
     g.polygon_abs_3(polygon);
     g.close_segment();
-    return std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), 0);
+    return std::ranges::count(seen_as_in_truth(retained, {32, 32}), 0);
   };
   const auto whole_window = [](GraphicsSystem& g) { g.set_window(-5, 5, -5, 5); };
   EXPECT_EQ(seen(bow_tie, whole_window), 0);
@@ -213,7 +209,7 @@ TEST(WorldRays, BackFacesAreThoseOfWhatClippingLeaves) {
 TEST(WorldRays, VerticesOffThePlaneAreSeenWhereTheyAre) {
   Retained retained;
   test::draw_vertex_off_its_plane(retained.system);
-  EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), 0), 210);
+  EXPECT_EQ(std::ranges::count(seen_as_in_truth(retained, {32, 32}), 0), 210);
 }
 
 /// Twisted, and so thin in the picture that in doubles it is edge-on: it covers the middle column.
@@ -224,7 +220,7 @@ TEST(WorldRays, PolygonsThatAreEdgeOnForDoublesAloneAreSeen) {
   g.polygon_abs_3(
       {{-3e-18, -0.5, -0.5}, {1e-18, -0.5, 0.5}, {1e-18, 0.5, 0.5}, {-1e-18, 0.5, -0.5}});
   g.close_segment();
-  EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {9, 8}), 0), 4);
+  EXPECT_EQ(std::ranges::count(seen_as_in_truth(retained, {9, 8}), 0), 4);
 }
 
 /// A polygon so steep that a vertex off its plane, within the tolerance, is nearer in the plane
@@ -239,7 +235,7 @@ TEST(WorldRays, PolygonsMayBeSeenNearerThanTheirVertices) {
   g.polygon_abs_3({{-1, -1, 0.25}, {2, -1, 0.25}, {2, 1, 0.25}, {-1, 1, 0.25}});
   g.close_segment();
   ASSERT_EQ(retained.scene.size(), 2u) << "cut into triangles";
-  EXPECT_GT(std::ranges::count(seen_as_in_world_truth(retained, {64, 64}), 0), 5);
+  EXPECT_GT(std::ranges::count(seen_as_in_truth(retained, {64, 64}), 0), 5);
   EXPECT_EQ(retained.rays().seen_at(g.view(), {0.56, 0.36})->primitive, 0u);
 }
 
@@ -256,7 +252,7 @@ TEST(WorldRays, WhatIsSeenAboveTheHorizonOfItsPlaneHidesNothing) {
   g.polygon_abs_3({{-9, -9, -1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, -1}});
   g.close_segment();
   ASSERT_EQ(retained.scene.size(), 2u) << "cut into triangles";
-  const auto seen = seen_as_in_world_truth(retained, {32, 32});
+  const auto seen = seen_as_in_truth(retained, {32, 32});
   EXPECT_GT(std::ranges::count(seen, 0), 100);
   EXPECT_EQ(std::ranges::count(seen, -1), 0);
 }
@@ -318,10 +314,10 @@ View any_difficult_view(Source& s, const Scene& scene) {
   return magnified(view, scene.points[any], std::pow(0.1, s.between(1, 7)));
 }
 
-/// What a picture and single points see, at centres that are doubles, is the truth from the world.
-std::ptrdiff_t hits_as_in_world_truth(const Retained& retained) {
+/// What a picture and single points see, at centres that are doubles, is the truth.
+std::ptrdiff_t hits_as_in_truth(const Retained& retained) {
   constexpr PictureSize kSize{16, 8};
-  const auto seen = seen_as_in_world_truth(retained, kSize);
+  const auto seen = seen_as_in_truth(retained, kSize);
   const WorldRays rays = retained.rays();
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const PixelCentre centre = centre_of_index(k, kSize);
@@ -332,7 +328,7 @@ std::ptrdiff_t hits_as_in_world_truth(const Retained& retained) {
 }
 
 /// Scenes of a few polygons by their seeds, until one fails.
-void expect_world_truth_of(Scene (*any_scene)(Source&), int usual) {
+void expect_truth_of(Scene (*any_scene)(Source&), int usual) {
   const int scenes = from_environment("DISPLAYFILE_WORLD_RAYS_SCENES", usual / test::kSlower);
   std::ptrdiff_t hits = 0;
   for (int seed = 0; seed < scenes && !testing::Test::HasFailure(); ++seed) {
@@ -345,7 +341,7 @@ void expect_world_truth_of(Scene (*any_scene)(Source&), int usual) {
     const Rectangle& port = scene.view.viewport;
     g.set_viewport(port.x_min, port.x_max, port.y_min, port.y_max);
     enter(scene, g);
-    hits += hits_as_in_world_truth(retained);
+    hits += hits_as_in_truth(retained);
   }
   EXPECT_GT(hits, 5 * scenes);
 }
@@ -360,9 +356,7 @@ Scene any_polygons(Source& s) {
   scene.view = any_difficult_view(s, scene);
   return scene;
 }
-TEST(WorldRays, SeeOfAnyPolygonsWhatTheTruthFromTheWorldSays) {
-  expect_world_truth_of(any_polygons, 2000);
-}
+TEST(WorldRays, SeeOfAnyPolygonsWhatTheTruthSays) { expect_truth_of(any_polygons, 2000); }
 
 /// Polygons so steep that the little that their vertices are off a plane moves their depth by as
 /// much as they are deep, in perspective to beyond what is infinitely far away; between others that
@@ -399,9 +393,7 @@ Scene steep_polygons(Source& s) {
   }
   return scene;
 }
-TEST(WorldRays, SeeOfSteepPolygonsWhatTheTruthFromTheWorldSays) {
-  expect_world_truth_of(steep_polygons, 1000);
-}
+TEST(WorldRays, SeeOfSteepPolygonsWhatTheTruthSays) { expect_truth_of(steep_polygons, 1000); }
 
 /// Vertices at pixel centres, and edges along rows and columns of them: of each such edge one side
 /// covers the centres.
@@ -421,23 +413,7 @@ TEST(WorldRays, EdgesThroughPixelCentresCoverAsTheTruthSays) {
     g.polygon_abs_3({{x0, y0, -z}, {x1, centre(), z}, {centre(), y1, -z}});
   }
   g.close_segment();
-  EXPECT_GT(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), -1), 0);
-}
-
-/// The definition takes the first of vertices that are equally far away.
-TEST(WorldRays, TheSupportPlaneGoesThroughTheFirstOfEquals) {
-  const View view;
-  const ViewVolume volume(view);
-  const in_world::ViewRows<ExactNumber> rows(view, volume);
-  const auto support = [&](const std::vector<Point3>& vertices) {
-    in_world::WorldPoints<ExactNumber> points;
-    for (const Point3& v : vertices) points.push_back(in_world::world_point<ExactNumber>(v));
-    return in_world::exact_support(points, rows);
-  };
-  EXPECT_EQ(support({{0, 0, 0}, {0.25, 0.5, 0}, {0.5, 0.25, 0}, {-0.5, 0.25, 0}}),
-            (in_world::Support{0, 1, 3}));
-  EXPECT_EQ(support({{0, 0, 0}, {0.5, 0, 0}, {0.25, 0.25, 0}, {0.0, 0.25, 0}}),
-            (in_world::Support{0, 1, 2}));
+  EXPECT_GT(std::ranges::count(seen_as_in_truth(retained, {32, 32}), -1), 0);
 }
 
 /// The matrix's entries are rounded, so that by them the face that is nearest lies outside.
@@ -451,7 +427,7 @@ TEST(WorldRays, FacesOnTheFrontPlaneAreSeen) {
   g.polygon_abs_3({{-1, 0.5, 1}, {1, 0.5, 1}, {1, 1.5, 1}, {-1, 1.5, 1}});
   g.polygon_abs_3({{-1, 0.5, -0.5}, {1, 0.5, -0.5}, {1, 1.5, -0.5}, {-1, 1.5, -0.5}});
   g.close_segment();
-  EXPECT_EQ(std::ranges::count(seen_as_in_world_truth(retained, {32, 32}), 0), 288);
+  EXPECT_EQ(std::ranges::count(seen_as_in_truth(retained, {32, 32}), 0), 288);
 }
 
 // ---- What is not seen --------------------------------------------------------------------------

@@ -23,28 +23,35 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
 /// What the cutting planes leave of a polygon. A triangle whose normals differ stays one, or
 /// becomes several about its first vertex, with invisible diagonals: normals are interpolated over
 /// triangles. A polygon that no plane cuts is what it is without them; what is left of others
-/// counts as entered in world coordinates.
+/// counts as entered where it is cut, under the same modelling transformation.
 void GraphicsSystem::enter_cut(const WorldPolygon& polygon) {
   if (!cutting_planes_.cut_some(polygon.vertices)) return enter_whole(polygon);
-  const CutPolygon cut =
-      cutting_planes_.cut(polygon.vertices, polygon.edge_visible, polygon.vertex_normals);
+  const CutPolygon cut = cutting_planes_.cut(
+      polygon.vertices.row(), polygon.edge_visible, polygon.vertex_normals,
+      polygon.modelling == nullptr ? std::span<const Point3>() : polygon.entered.row());
   const auto& vertices = cut.vertices;
   const auto& edge_visible = cut.edge_visible;
   const auto& normals = cut.normals;
+  const auto& entered = cut.entered;
   if (vertices.empty()) return;
   if (vertices.size() == 3 || !differ(normals)) {
-    return enter_whole({vertices, edge_visible, polygon.normal, normals, polygon.pick});
+    return enter_whole({vertices, edge_visible, polygon.normal, normals, polygon.pick, entered,
+                        polygon.modelling, true});
   }
   const std::size_t last = vertices.size() - 1;
   const auto is_drawn = [&](std::size_t k) {
     return edge_visible.empty() ? std::uint8_t{1} : edge_visible[k];
   };
   for (std::size_t k = 1; k < last; ++k) {
-    const std::array corners{vertices[0], vertices[k], vertices[k + 1]};
-    const std::array of_corners{normals[0], normals[k], normals[k + 1]};
+    const auto of_triangle = [k](std::span<const Point3> all) {
+      return std::array{all[0], all[k], all[k + 1]};
+    };
+    const std::array corners = of_triangle(vertices), of_corners = of_triangle(normals);
+    const std::array as_entered = entered.empty() ? corners : of_triangle(entered);
     const std::array drawn{k + 1 == last ? is_drawn(0) : std::uint8_t{0},
                            k == 1 ? is_drawn(1) : std::uint8_t{0}, is_drawn(k + 1)};
-    enter_whole({corners, drawn, polygon.normal, of_corners, polygon.pick});
+    enter_whole({corners, drawn, polygon.normal, of_corners, polygon.pick, as_entered,
+                 polygon.modelling, true});
   }
 }
 

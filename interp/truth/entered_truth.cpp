@@ -73,13 +73,14 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
                            const std::optional<Touching>& touching, const WorkProgress& progress) {
   require_picture_size(width, height);
   const NamedWork named({"the truth from what was entered", "a smaller picture"});
-  const TruePlanes planes(retained, touching);
+  const RetainedScene visible = retained.visible_in(display_file);
+  const TruePlanes planes(visible, touching);
   const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
                            TruePicture& picture) {
-    return EnteredView(retained, planes, ExactView(part.view, segment.image, width, height),
+    return EnteredView(visible, planes, ExactView(part.view, segment.image, width, height),
                        picture);
   };
-  return {retained_picture(retained, display_file, width, height, depth, progress, view_of),
+  return {retained_picture(visible, display_file, width, height, depth, progress, view_of),
           planes.touching()};
 }
 
@@ -144,17 +145,9 @@ std::optional<RetainedScene> scene_as_entered(const DisplayFile& display_file) {
 
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
                          const WorkProgress& progress) {
-  Picture picture = truth(display_file, width, height, depth, progress);
   const std::optional<RetainedScene> scene = scene_as_entered(display_file);
-  if (!scene) return picture;
-  const Picture entered =
-      entered_truth(*scene, display_file, width, height, depth, std::nullopt, progress).picture;
-  for (std::size_t k = 0; k < picture.ids.size(); ++k) {
-    if (picture.ids[k] == entered.ids[k]) continue;
-    picture.ids[k] = entered.ids[k];
-    if (depth) picture.depth[k] = entered.depth[k];
-  }
-  return picture;
+  if (!scene) return truth(display_file, width, height, depth, progress);
+  return entered_truth(*scene, display_file, width, height, depth, std::nullopt, progress).picture;
 }
 
 }  // namespace displayfile

@@ -26,9 +26,8 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
                            const WorkProgress& progress = {});
 
 /// What exact methods draw of a display file: its entered truth, if all its visible segments keep
-/// what was entered, and otherwise truth(). If depth is asked for, it is that of the display file's
-/// planes as truth() has it, where both see the same. Polygons of which clipping or back-face
-/// removal left nothing are not there. Errors as in truth().
+/// what was entered, and otherwise truth(). Polygons of which clipping or back-face removal left
+/// nothing are not there. Errors as in truth().
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
                          const WorkProgress& progress = {});
 

@@ -116,7 +116,9 @@ LinePicker::Line LinePicker::line_of(const Entry& entry) const {
   if (points.size() <= 3) return line;
   const auto [support, edge_on] = support_vertices(points);
   if (edge_on) return line;
-  line.own = Plane(points[support[0]], points[support[1]], points[support[2]]);
+  const auto* const of_bent = scene_.plane_of_bent(entry.item);
+  line.own = of_bent != nullptr ? scene_.plane_through(*of_bent)
+                                : Plane(points[support[0]], points[support[1]], points[support[2]]);
   const auto is_off = [&](const Point3& p) { return side_of_plane(p, line.own) != 0; };
   line.lifted = is_off(line.stored[0]) || is_off(line.stored[1]);
   if (!line.lifted || facing(line.own) == 0) return line;

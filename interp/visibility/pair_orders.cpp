@@ -84,7 +84,12 @@ std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill l
   return comparisons_[pair.as_entered].order(centre);
 }
 
-DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) const {
+/// Of their own planes, from which those as entered are little off; or else of these.
+DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) {
+  const auto is_off = [this](Fill fill) { return scene_->is_off_its_plane(scene_->item_of(fill)); };
+  if (scene_->touching_radius() == 0.0 && (is_off(earlier) || is_off(later))) {
+    if (const auto as_entered = as_entered_.comparison(earlier, later)) return *as_entered;
+  }
   return {scene_->plane(earlier), scene_->plane(later)};
 }
 

@@ -77,7 +77,7 @@ class PairOrders {
   bool share_plane_as_entered(Pair& pair, Fill earlier, Fill later);
   std::optional<int> order_as_entered(Pair& pair, Fill earlier, Fill later,
                                       const PixelCentre& centre);
-  DepthComparison comparison_of(Fill earlier, Fill later) const;
+  DepthComparison comparison_of(Fill earlier, Fill later);
   Order find_order(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);
   Order order_of_extents(Fill earlier, Fill later, const DepthComparison& comparison) const;
   void keep(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "hidden/exact/support_plane.h"
-
 namespace displayfile {
 
 namespace {
@@ -19,7 +17,6 @@ PolygonViewer::PolygonViewer(const ViewVolume& volume, const ViewRows<Ball>& nea
     : near_(near),
       exact_(exact),
       perspective_(volume.is_perspective()),
-      pipeline_(volume),
       x_(near.window_x, size),
       y_(near.window_y, size),
       z_(near.z, size),
@@ -27,50 +24,37 @@ PolygonViewer::PolygonViewer(const ViewVolume& volume, const ViewRows<Ball>& nea
   for (const Linear<Ball>& inside : near.clip) clip_.emplace_back(inside, size);
 }
 
-PolygonViewer::Viewed PolygonViewer::view(const Polygon& polygon) {
-  if (const auto viewed = view_in_balls(polygon)) return *viewed;
+bool PolygonViewer::is_seen(std::span<const Point3> polygon, bool both_sides) {
+  if (const auto in_balls = is_seen_in_balls(polygon, both_sides)) return *in_balls;
   seen_.clear();
-  return view_exactly(polygon);
+  return is_seen_exactly(polygon, both_sides);
 }
 
 /// Nothing where they do not decide.
-std::optional<PolygonViewer::Viewed> PolygonViewer::view_in_balls(const Polygon& polygon) {
-  Viewed viewed;
-  if (!is_surely_inside(polygon.vertices)) {
-    const Clipping clipping = clip_whole(polygon.vertices, near_, points_, cut_);
-    if (clipping == Clipping::undecided) return std::nullopt;
-    viewed.cut = clipping == Clipping::something;
-    if (points_.size() < 3) return viewed;
+std::optional<bool> PolygonViewer::is_seen_in_balls(std::span<const Point3> polygon,
+                                                    bool both_sides) {
+  if (!is_surely_inside(polygon)) {
+    if (clip_whole(polygon, near_, points_, cut_) == Clipping::undecided) return std::nullopt;
+    if (points_.size() < 3) return false;
     seen_.clear();
-    for (const WorldPoint<Ball>& p : points_) {
-      const Ball w = near_.w.at(p);
-      seen_.push_back({near_.window_x.at(p) / w, near_.window_y.at(p) / w,
-                       (perspective_ ? p.w : near_.z.at(p)) / w});
-    }
+    for (const WorldPoint<Ball>& p : points_) seen_.push_back(seen(p));
   }
-  if (!polygon.both_sides) {
-    const int turn = this->turn();
-    if (turn == kUndecided) return std::nullopt;
-    if (turn < 0) return viewed;
-  }
-  viewed.seen = true;
-  if (polygon.flat) return viewed;
-  const auto support = support_in_display_file(polygon.vertices, seen_.size());
-  if (!support) return std::nullopt;
-  viewed.support = *support;
-  return viewed;
+  if (both_sides) return true;
+  const int turn = this->turn();
+  if (turn == kUndecided) return std::nullopt;
+  return turn > 0;
 }
 
-PolygonViewer::Viewed PolygonViewer::view_exactly(const Polygon& polygon) {
-  Viewed viewed;
+bool PolygonViewer::is_seen_exactly(std::span<const Point3> polygon, bool both_sides) const {
   WorldPoints<ExactNumber> points, cut;
-  viewed.cut = clip_whole(polygon.vertices, exact_, points, cut) == Clipping::something;
-  if (points.size() < 3) return viewed;
-  viewed.seen = polygon.both_sides || turn_in_picture(points, exact_) > 0;
-  if (polygon.flat || !viewed.seen) return viewed;
-  const auto support = support_in_display_file(polygon.vertices, points.size());
-  viewed.support = support ? *support : exact_support(points, exact_);
-  return viewed;
+  clip_whole(polygon, exact_, points, cut);
+  return points.size() >= 3 && (both_sides || turn_in_picture(points, exact_) > 0);
+}
+
+PolygonViewer::Seen PolygonViewer::seen(const WorldPoint<Ball>& p) const {
+  const Ball w = near_.w.at(p);
+  return {near_.window_x.at(p) / w, near_.window_y.at(p) / w,
+          (perspective_ ? p.w : near_.z.at(p)) / w};
 }
 
 /// The quick way, for nearly all polygons of a scene that is in the window. Leaves them in seen_.
@@ -101,25 +85,18 @@ int PolygonViewer::turn() const {
   return sign_of(area);
 }
 
-/// The vertices that the definition takes of those in the display file, if it has as many of the
-/// polygon as clipping leaves, and these are not edge-on there.
-std::optional<Support> PolygonViewer::support_in_display_file(std::span<const Point3> vertices,
-                                                              std::size_t left) {
-  const auto device = pipeline_.clip_polygon(vertices).vertices;
-  if (device.size() != left) return std::nullopt;
-  const Support support = support_vertices(device).index;
-  const Point3 &p = device[support[0]], q = device[support[1]] - p, r = device[support[2]] - p;
-  if (q.x * r.y - q.y * r.x == 0.0) return std::nullopt;
-  return support;
-}
-
 /// What is linear in the picture is greatest at a vertex.
-bool PolygonViewer::is_nowhere_nearer(const Viewed& viewed, double nearness) const {
+bool PolygonViewer::is_nowhere_nearer(const std::array<Point3, 3>& plane, double nearness) const {
   if (seen_.empty()) return false;
   if (perspective_ && nearness >= 0.0) return true;
   const double limit = perspective_ ? (1.0 - 4.0 * kUnit) / -nearness : nearness;
-  const Seen p = seen_[viewed.support[0]];
-  const Seen q = seen_[viewed.support[1]] - p, r = seen_[viewed.support[2]] - p;
+  std::array<Seen, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WorldPoint<Ball> corner = world_point<Ball>(plane[k]);
+    if (!is_surely_positive(near_.w.at(corner))) return false;
+    corners[k] = seen(corner);
+  }
+  const Seen p = corners[0], q = corners[1] - p, r = corners[2] - p;
   const Ball all = cross(q.x, q.y, r.x, r.y);
   const Ball along_x = cross(q.nearness, q.y, r.nearness, r.y) / all;
   const Ball along_y = cross(q.x, q.nearness, r.x, r.nearness) / all;

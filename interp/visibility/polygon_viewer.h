@@ -1,17 +1,18 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "clip/clip_pipeline.h"
 #include "clip/point.h"
+#include "clip/view_volume.h"
 #include "interp/visibility/world_geometry.h"
 
 namespace displayfile {
 
 /// What a view makes of single polygons, as the display file views them, but without rounding:
-/// which way they turn once they are clipped, and in which plane those are seen that are not flat
+/// which way they turn once they are clipped, and where those are seen that are off their plane
 /// (interp/visibility/ray_cast.md).
 class PolygonViewer {
  public:
@@ -20,21 +21,12 @@ class PolygonViewer {
   PolygonViewer(const ViewVolume& volume, const in_world::ViewRows<Ball>& near,
                 const in_world::ViewRows<ExactNumber>& exact, const Point3& size);
 
-  struct Polygon {
-    std::span<const Point3> vertices;
-    bool flat;
-    bool both_sides;  ///< back faces are kept
-  };
-  struct Viewed {
-    in_world::Support support{};  ///< of what is not flat: the vertices left that give its plane
-    bool cut = false;             ///< clipping made some of those left
-    bool seen = false;            ///< something is left, and it does not turn its back
-  };
-  Viewed view(const Polygon& polygon);
+  /// Clipping leaves some of it, and that does not turn its back if back faces are removed.
+  bool is_seen(std::span<const Point3> polygon, bool both_sides);
 
-  /// True if the polygon viewed last, which is seen and not flat, is surely nowhere nearer in its
-  /// plane than that: by Z in a parallel view, by -W in perspective.
-  bool is_nowhere_nearer(const Viewed& viewed, double nearness) const;
+  /// True if the last polygon that is_seen was called for, and which is, is surely nowhere nearer
+  /// in the plane through these points than that: by Z in a parallel view, by -W in perspective.
+  bool is_nowhere_nearer(const std::array<Point3, 3>& plane, double nearness) const;
 
  private:
   /// What is linear in the picture; it is nearer where `nearness`, Z or 1 / W, is larger.
@@ -43,17 +35,15 @@ class PolygonViewer {
     Seen operator-(const Seen& o) const { return {x - o.x, y - o.y, nearness - o.nearness}; }
   };
 
-  std::optional<Viewed> view_in_balls(const Polygon& polygon);
-  Viewed view_exactly(const Polygon& polygon);
+  std::optional<bool> is_seen_in_balls(std::span<const Point3> polygon, bool both_sides);
+  bool is_seen_exactly(std::span<const Point3> polygon, bool both_sides) const;
   bool is_surely_inside(std::span<const Point3> vertices);
+  Seen seen(const in_world::WorldPoint<Ball>& p) const;
   int turn() const;
-  std::optional<in_world::Support> support_in_display_file(std::span<const Point3> vertices,
-                                                           std::size_t left);
 
   const in_world::ViewRows<Ball>& near_;
   const in_world::ViewRows<ExactNumber>& exact_;
   bool perspective_;
-  ClipPipeline pipeline_;
   std::vector<in_world::OverBoxes> clip_;  // as near_.clip
   in_world::OverBoxes x_, y_, z_, w_;
   // What is known of the polygon viewed last:

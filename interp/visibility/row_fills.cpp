@@ -31,7 +31,7 @@ int first_column_after(double x, int width) {
 
 /// A triangle whose plane is that of its corners.
 bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
-  if (scene.sides(fill) != 3) return false;
+  if (scene.sides(fill) != 3 || scene.plane_of_bent(scene.item_of(fill)) != nullptr) return false;
   if (scene.touching_radius() > 0.0) return true;
   const ViewedScene::Item item = scene.item_of(fill);
   return scene.shared_plane(item) == nullptr && !scene.plane_is_elsewhere(item);

@@ -302,40 +302,6 @@ inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
   return sum.sign();
 }
 
-using Support = std::array<std::uint32_t, 3>;  ///< numbers of vertices
-
-/// The definition's vertices (interp/truth/truth.md), but with distances that are not rounded.
-inline Support exact_support(const WorldPoints<ExactNumber>& points,
-                             const ViewRows<ExactNumber>& view) {
-  std::vector<Place<ExactNumber>> from_first = places(points, view);  // over w times the first's
-  const Place<ExactNumber> first = from_first[0];
-  for (Place<ExactNumber>& p : from_first) {
-    p.x = p.x * first.w - first.x * p.w;
-    p.y = p.y * first.w - first.y * p.w;
-  }
-  /// The largest of quotients that are not negative; the first, if some are equal.
-  const auto largest = [&](const auto& above, const auto& below) {
-    std::uint32_t best = 0;
-    ExactNumber most, most_below(1.0);
-    for (std::uint32_t i = 1; i < from_first.size(); ++i) {
-      ExactNumber a = above(from_first[i]), b = below(from_first[i]);
-      if ((a * most_below - most * b).sign() <= 0) continue;
-      best = i;
-      most = std::move(a);
-      most_below = std::move(b);
-    }
-    return best;
-  };
-  using P = Place<ExactNumber>;
-  const std::uint32_t q = largest([](const P& p) { return p.x * p.x + p.y * p.y; },
-                                  [](const P& p) { return p.w * p.w; });
-  const auto beside_line = [&](const P& p) {
-    const ExactNumber area = from_first[q].x * p.y - from_first[q].y * p.x;
-    return area.sign() < 0 ? -area : area;
-  };
-  return {0, q, largest(beside_line, [](const P& p) { return p.w; })};
-}
-
 // ---- Where a ray meets a plane --------------------------------------------------------------
 
 /// It is the sum of three points of the plane, each weighted by what the ray's planes make of the

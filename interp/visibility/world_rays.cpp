@@ -15,7 +15,6 @@
 #include "displayfile/shared_planes.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
-#include "hidden/exact/support_plane.h"
 #include "hidden/parallel.h"
 #include "interp/visibility/polygon_viewer.h"
 #include "interp/visibility/world_geometry.h"
@@ -25,10 +24,6 @@ namespace displayfile {
 namespace {
 
 using namespace in_world;
-
-Plane plane_of(std::span<const Point3> points, const Support& vertices) {
-  return {points[vertices[0]], points[vertices[1]], points[vertices[2]]};
-}
 
 /// Which way the triangles from a flat polygon's first vertex to its sides run, as seen along an
 /// axis that its plane is not parallel to: 1 counterclockwise, -1 clockwise, 0 both or neither.
@@ -51,48 +46,61 @@ int way_around(std::span<const Point3> polygon, int axis) {
 // ---- The world, once for all views --------------------------------------------------------------
 
 WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes)
-    : world_(scene.visible_in(attributes)), shared_planes_(displayfile::shared_planes(world_)) {
+    : world_(scene.visible_in(attributes)) {
   for (const RetainedScene::Segment& segment : world_.segments()) {
     if (!attributes.segment(segment.name).image.is_identity()) {
       throw Error("segment " + std::to_string(segment.name) +
                   " has an image transformation, which acts after viewing: expected none");
     }
   }
-  for (std::uint32_t i = 0; i < world_.size(); ++i) enter(i);
+  const std::vector<Primitives::PlanePoints> shared = shared_planes(world_);
+  for (std::uint32_t i = 0; i < world_.size(); ++i) enter(i, shared);
   build();
 }
 
-void WorldRays::enter(std::uint32_t primitive) {
+/// Nothing if all its vertices are in line.
+std::optional<Primitives::PlanePoints> WorldRays::plane_of(
+    std::uint32_t primitive, std::span<const Primitives::PlanePoints> shared) const {
+  const bool is_shared = !shared.empty() && shared[primitive][0] != Primitives::kOwnPlane;
+  return is_shared ? shared[primitive] : support_plane(world_, primitive);
+}
+
+std::array<Point3, 3> WorldRays::corners_of_plane(const Polygon& polygon) const {
+  const std::span<const Point3> points = world_.primitives({}).points;
+  const auto& [p, q, r] = polygon.plane;
+  return {points[p], points[q], points[r]};
+}
+
+void WorldRays::enter(std::uint32_t primitive, std::span<const Primitives::PlanePoints> shared) {
   const auto& attributes = world_.shared_attributes(primitive);
   if (world_[primitive].is_line() || attributes.fill.kind != FillStyle::Kind::solid) return;
+  const auto through = plane_of(primitive, shared);
+  if (!through) return;
+  Polygon entered{.primitive = primitive,
+                  .plane = *through,
+                  .by_view = 0,
+                  .turn = 0,
+                  .flat = false,
+                  .both_sides = !attributes.back_face_removal};
   const auto polygon = world_.points(primitive);
-  const SupportVertices spread = spread_vertices(polygon);
-  if (spread.edge_on) return;
-  Plane plane = plane_of(polygon, spread.index);
-  bool flat = std::ranges::all_of(polygon, [&](const Point3& v) {
+  const std::array<Point3, 3> corners = corners_of_plane(entered);
+  const Plane plane(corners[0], corners[1], corners[2]);
+  entered.flat = std::ranges::all_of(polygon, [&](const Point3& v) {
     return plane.goes_through(v) || side_of_plane(v, plane) == 0;
   });
-  if (shares_plane(primitive)) {
-    const auto points = world_.primitives({}).points;
-    const auto& [p, q, r] = shared_planes_[primitive];
-    plane = Plane(points[p], points[q], points[r]);
-    flat = true;
-  }
-  int turn = 0;
-  if (flat) {
+  if (entered.flat) {
     const int axis = facing_axis(plane);
-    turn = way_around(polygon, axis) * way_around(std::array{plane.p, plane.q, plane.r}, axis);
+    entered.turn = static_cast<std::int8_t>(way_around(polygon, axis) * way_around(corners, axis));
   }
-  const bool both_sides = !attributes.back_face_removal;
-  const bool by_view = !flat || (turn == 0 && !both_sides);
-  polygons_.push_back({primitive, spread.index, by_view ? 0 : Polygon::kAlike,
-                       static_cast<std::int8_t>(turn), flat, both_sides});
+  const bool by_view = !entered.flat || (entered.turn == 0 && !entered.both_sides);
+  if (!by_view) entered.by_view = Polygon::kAlike;
+  polygons_.push_back(entered);
 }
 
 Bounds WorldRays::bounds_of(const Polygon& polygon) const {
   Bounds bounds;
   for (const Point3& p : points(polygon)) bounds.include(p);
-  if (polygon.flat && !shares_plane(polygon.primitive)) return bounds;
+  if (polygon.flat) return bounds;
   // In nearly all views it is off the plane that it is seen in by less than this.
   constexpr double kWider = 0x1p-10;
   const Point3 size = bounds.high - bounds.low;
@@ -138,17 +146,18 @@ class WorldRays::Caster {
   /// For many rays: works out once what the view makes of the polygons of which each view makes
   /// something else. If this is not called it is done where a ray hits one.
   void view_polygons() {
-    viewed_.resize(world_.by_view_.size());
+    is_seen_.resize(world_.by_view_.size());
     std::vector<Bounds> boxes;
     PolygonViewer viewer = this->viewer();
     for (const std::uint32_t at : world_.by_view_) {
       const Polygon& polygon = world_.polygons_[at];
       if (is_there_ && !is_there_(polygon.primitive)) continue;
-      PolygonViewer::Viewed& viewed = viewed_[polygon.by_view];
-      viewed = viewer.view({world_.points(polygon), polygon.flat, polygon.both_sides});
-      if (!viewed.seen || polygon.flat) continue;
+      const bool is_seen = viewer.is_seen(world_.points(polygon), polygon.both_sides);
+      is_seen_[polygon.by_view] = is_seen ? 1 : 0;
+      if (!is_seen || polygon.flat) continue;
       const Bounds box = world_.bounds_of(polygon);
-      if (viewer.is_nowhere_nearer(viewed, nearness_.most(box))) continue;
+      const std::array<Point3, 3> plane = world_.corners_of_plane(polygon);
+      if (viewer.is_nowhere_nearer(plane, nearness_.most(box))) continue;
       out_of_box_.push_back(at);
       boxes.push_back(box);
     }
@@ -194,7 +203,7 @@ class WorldRays::Caster {
 
   /// Where the ray cast last hits what it sees.
   Point3 point_seen(Work& work) const {
-    return point_hit(plane_of_hits(*work.seen, exact_), exact_ray(work));
+    return point_hit(plane_of_hits<ExactNumber>(*work.seen), exact_ray(work));
   }
 
  private:
@@ -240,8 +249,8 @@ class WorldRays::Caster {
     if (known) covered = covers(work.points, work.near);
     if (covered == kUndecided) covered = covers_exactly(polygon, work);
     if (covered == 0) return;
-    if (polygon.by_view != Polygon::kAlike && !viewed(polygon).seen) return;
-    const Hit<Ball> hit = hit_of(plane_of_hits(polygon, near_), work.near, near_, perspective_);
+    if (polygon.by_view != Polygon::kAlike && !is_seen(polygon)) return;
+    const Hit<Ball> hit = hit_of(plane_of_hits<Ball>(polygon), work.near, near_, perspective_);
     int facing = sign_of(hit.w);
     if (facing == kUndecided) facing = sign_of(exact_hit(polygon, work).w);
     if (facing == 0 || (!polygon.both_sides && facing * polygon.turn < 0)) return;
@@ -266,7 +275,7 @@ class WorldRays::Caster {
   }
 
   Hit<ExactNumber> exact_hit(const Polygon& polygon, Work& work) const {
-    return hit_of(plane_of_hits(polygon, exact_), exact_ray(work), exact_, perspective_);
+    return hit_of(plane_of_hits<ExactNumber>(polygon), exact_ray(work), exact_, perspective_);
   }
 
   int covers_exactly(const Polygon& polygon, Work& work) const {
@@ -292,32 +301,19 @@ class WorldRays::Caster {
     return clip(view.clip, points, cut) != Clipping::undecided;
   }
 
-  /// The plane whose depth is seen; where it is undecided, points that decide nothing.
+  /// The plane whose depth is seen.
   template <class Number>
-  WorldPlane<Number> plane_of_hits(const Polygon& polygon, const ViewRows<Number>& view) const {
-    const auto of = world_.points(polygon);
-    const auto through = [&](const Support& v) -> WorldPlane<Number> {
-      return {world_point<Number>(of[v[0]]), world_point<Number>(of[v[1]]),
-              world_point<Number>(of[v[2]])};
-    };
-    if (world_.shares_plane(polygon.primitive)) {
-      const auto points = world_.scene().primitives({}).points;
-      const auto& [p, q, r] = world_.shared_planes_[polygon.primitive];
-      return {world_point<Number>(points[p]), world_point<Number>(points[q]),
-              world_point<Number>(points[r])};
-    }
-    if (polygon.flat) return through(polygon.spread);
-    const auto [support, is_cut, seen] = viewed(polygon);
-    if (!is_cut) return through(support);
-    WorldPoints<Number> points, cut;
-    if (clip_whole(of, view, points, cut) == Clipping::undecided) return {};
-    return {points[support[0]], points[support[1]], points[support[2]]};
+  WorldPlane<Number> plane_of_hits(const Polygon& polygon) const {
+    const std::array<Point3, 3> corners = world_.corners_of_plane(polygon);
+    return {world_point<Number>(corners[0]), world_point<Number>(corners[1]),
+            world_point<Number>(corners[2])};
   }
 
-  /// What the view makes of a polygon of which each makes something else.
-  PolygonViewer::Viewed viewed(const Polygon& polygon) const {
-    if (!viewed_.empty()) return viewed_[polygon.by_view];
-    return viewer().view({world_.points(polygon), polygon.flat, polygon.both_sides});
+  /// Clipping leaves some of it, and that does not turn its back: of a polygon of which each view
+  /// makes something else.
+  bool is_seen(const Polygon& polygon) const {
+    if (!is_seen_.empty()) return is_seen_[polygon.by_view] != 0;
+    return viewer().is_seen(world_.points(polygon), polygon.both_sides);
   }
   PolygonViewer viewer() const { return {volume_, near_, exact_, world_.size_}; }
 
@@ -328,8 +324,8 @@ class WorldRays::Caster {
   ViewRows<Ball> near_;
   ViewRows<ExactNumber> exact_;
   OverBoxes nearness_;
-  std::vector<PolygonViewer::Viewed> viewed_;  // by Polygon::by_view, after view_polygons
-  std::vector<std::uint32_t> out_of_box_;      // polygons that may be seen nearer than their boxes
+  std::vector<std::uint8_t> is_seen_;      // by Polygon::by_view, after view_polygons
+  std::vector<std::uint32_t> out_of_box_;  // polygons that may be seen nearer than their boxes
   SpaceTree their_boxes_;
   bool boxes_hold_;  // no others are
 };

@@ -58,27 +58,26 @@ class WorldRays {
   /// A solid fill that has a plane.
   struct Polygon {
     static constexpr std::uint32_t kAlike = ~std::uint32_t{0};
-    std::uint32_t primitive;              ///< in order of entry
-    std::array<std::uint32_t, 3> spread;  ///< the vertices whose plane it is in, if it is flat
+    std::uint32_t primitive;        ///< in order of entry
+    Primitives::PlanePoints plane;  ///< that it is seen in, by points of the world
     std::uint32_t by_view;  ///< its number among those of which each view makes something else
     std::int8_t turn;       ///< 1 if it runs as those three do, -1 if the other way round, or 0
-    bool flat;              ///< no vertex is off the plane
+    bool flat;              ///< no vertex is off that plane
     bool both_sides;        ///< back faces are kept
   };
   class Caster;
   class PictureRays;
 
-  void enter(std::uint32_t primitive);
-  bool shares_plane(std::uint32_t primitive) const {
-    return !shared_planes_.empty() && shared_planes_[primitive][0] != Primitives::kOwnPlane;
-  }
+  void enter(std::uint32_t primitive, std::span<const Primitives::PlanePoints> shared);
+  std::optional<Primitives::PlanePoints> plane_of(
+      std::uint32_t primitive, std::span<const Primitives::PlanePoints> shared) const;
+  std::array<Point3, 3> corners_of_plane(const Polygon& polygon) const;
   Bounds bounds_of(const Polygon& polygon) const;
   void build();
   PointRow points(const Polygon& polygon) const { return world_.points(polygon.primitive); }
 
   RetainedScene world_;
-  std::vector<Primitives::PlanePoints> shared_planes_;  // of its primitives; empty: none share one
-  std::vector<Polygon> polygons_;                       // as the tree has them
+  std::vector<Polygon> polygons_;       // as the tree has them
   std::vector<std::uint32_t> by_view_;  // those that are not flat, or may turn either way
   SpaceTree tree_;
   Point3 size_{0.0};  // no coordinate of a box is larger

@@ -16,6 +16,8 @@
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
+#include "displayfile/viewed_scene.h"
+#include "hidden/lines/intersection_lines.h"
 #include "interp/draw.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/from_environment.h"
@@ -77,6 +79,117 @@ TEST(TouchingLines, ABoxOnABoxHasAllItsSides) {
       "test", g);
   for (const HiddenMethod method : kMethodsOfLines) {
     EXPECT_NEAR(400.0 * length_of(g, method, Colour{1, 0, 0}), 596.58, 0.01) << name_of(method);
+  }
+}
+
+/// The lines of a program, in the colour of all of them, by every method.
+void expect_length(const char* program, const Colour& colour, double length) {
+  GraphicsSystem g;
+  replay(program, "test", g);
+  for (const HiddenMethod method : kMethodsOfLines) {
+    EXPECT_NEAR(length_of(g, method, colour), length, 1e-9) << name_of(method);
+  }
+}
+
+// Lengths are those of tests/touching/line_oracle.py.
+
+TEST(TouchingLines, ABoxOnAFloorHasItsThreeLowerSides) {
+  expect_length(
+      "set-view-reference-point 0 0 0.5\n"
+      "set-view-plane-normal 3.84881418275641 -1.2161918460103505 -3.4738652720460284\n"
+      "set-view-up 0 0 1\n"
+      "set-perspective -3.84881418275641 1.2161918460103505 3.9738652720460284\n"
+      "set-view-depth -4.260346137901296 8\n"
+      "set-window -2.4 2.4 -2.4 2.4\n"
+      "set-hidden-line-removal on\n"
+      "set-line-style solid 0 0 0\n"
+      "open-segment 1\n"
+      "set-fill-style solid .8 .75 .6\n"
+      "polygon-abs-3 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n"
+      "set-fill-style solid .5 .6 .8\n"
+      "box-3 -0.6 0.8 -0.9 0.5 0 1\n"
+      "close-segment\n",
+      {0, 0, 0}, 3.941842708979628);
+}
+TEST(TouchingLines, AWindowFlushInAWallHasItsFrameAndPanes) {
+  expect_length(
+      "set-view-reference-point 0 0 0.5\n"
+      "set-view-plane-normal 1.7093433872424135 3.663905814532202 -4.738333200117385\n"
+      "set-view-up 0 0 1\n"
+      "set-perspective -1.7093433872424135 -3.663905814532202 5.238333200117385\n"
+      "set-view-depth -4.983034394333278 8\n"
+      "set-window -2.4 2.4 -2.4 2.4\n"
+      "set-hidden-line-removal on\n"
+      "set-line-style solid 0 0 0\n"
+      "open-segment 1\n"
+      "set-fill-style solid .85 .8 .7\n"
+      "polygon-abs-3 -2.0 0 -1.0 2.0 0 -1.0 2.0 0 2.0 -2.0 0 2.0\n"
+      "set-fill-style solid .4 .25 .1\n"
+      "polygon-abs-3 -0.8 0 -0.3 0.8 0 -0.3 0.8 0 1.2 -0.8 0 1.2\n"
+      "set-fill-style solid .6 .8 .95\n"
+      "polygon-abs-3 -0.7 0 -0.2 -0.05 0 -0.2 -0.05 0 1.1 -0.7 0 1.1\n"
+      "polygon-abs-3 0.05 0 -0.2 0.7 0 -0.2 0.7 0 1.1 0.05 0 1.1\n"
+      "close-segment\n",
+      {0, 0, 0}, 4.754096349108592);
+}
+TEST(TouchingLines, TheFeetOfATableInARoomAreClosed) {
+  expect_length(
+      "set-view-reference-point 0 0.6 0\n"
+      "set-view-plane-normal -2.5 -4.4 -3.5\n"
+      "set-perspective 2.5 5 3.5\n"
+      "set-view-depth -5 8\n"
+      "set-window -1.7 1.7 -1.5 1.9\n"
+      "set-light 2 4 3 0.35\n"
+      "set-hidden-line-removal on\n"
+      "set-line-style solid 0.1 0.1 0.1 0.8\n"
+      "open-segment 1\n"
+      "set-fill-style solid 0.85 0.8 0.7\n"
+      "polygon-abs-3 -1.5 0 1.5 1.5 0 1.5 1.5 0 -1.5 -1.5 0 -1.5\n"
+      "set-fill-style solid 0.8 0.85 0.9\n"
+      "polygon-abs-3 -1.5 0 -1.5 1.5 0 -1.5 1.5 2 -1.5 -1.5 2 -1.5\n"
+      "set-fill-style solid 0.75 0.82 0.75\n"
+      "polygon-abs-3 -1.5 0 1.5 -1.5 0 -1.5 -1.5 2 -1.5 -1.5 2 1.5\n"
+      "close-segment\n"
+      "open-segment 2\n"
+      "set-fill-style solid 0.6 0.4 0.25\n"
+      "box-3 -0.8 0.8 0.7 0.78 -0.5 0.5\n"
+      "box-3 -0.75 -0.67 0 0.7 -0.45 -0.37\n"
+      "box-3 0.67 0.75 0 0.7 -0.45 -0.37\n"
+      "box-3 -0.75 -0.67 0 0.7 0.37 0.45\n"
+      "box-3 0.67 0.75 0 0.7 0.37 0.45\n"
+      "close-segment\n"
+      "open-segment 3\n"
+      "create-transformation-3\n"
+      "translate-3 0 1 0\n"
+      "set-fill-style solid 0.9 0.3 0.3\n"
+      "polygon-abs-3 -0.5 -0.1 0.25 0.5 0.1 0.25 0.5 0.1 0.1 -0.5 -0.1 0.1\n"
+      "create-transformation-3\n"
+      "rotate-y-3 120\n"
+      "translate-3 0 1 0\n"
+      "set-fill-style solid 0.3 0.7 0.3\n"
+      "polygon-abs-3 -0.5 -0.1 0.25 0.5 0.1 0.25 0.5 0.1 0.1 -0.5 -0.1 0.1\n"
+      "create-transformation-3\n"
+      "rotate-y-3 240\n"
+      "translate-3 0 1 0\n"
+      "set-fill-style solid 0.3 0.4 0.9\n"
+      "polygon-abs-3 -0.5 -0.1 0.25 0.5 0.1 0.25 0.5 0.1 0.1 -0.5 -0.1 0.1\n"
+      "close-segment\n",
+      {0.1, 0.1, 0.1}, 7.442114892993217);
+}
+
+/// A wall that stands on a floor does not pass through it, whatever viewing makes of its foot.
+TEST(TouchingLines, NoIntersectionWherePolygonsTouch) {
+  for (int degrees = 0; degrees < 90; ++degrees) {
+    GraphicsSystem g;
+    g.set_view_plane_normal({-1, -2, -2});
+    g.set_parallel({1, 2, 2});
+    g.rotate_x_3(degrees);
+    g.open_segment(1);
+    g.polygon_abs_3({{-0.9, 0, -0.9}, {-0.9, 0, 0.9}, {0.9, 0, 0.9}, {0.9, 0, -0.9}});
+    g.polygon_abs_3({{-0.5, 0, 0.1}, {0.5, 0, 0.1}, {0.5, 0.3, 0.1}, {-0.5, 0.3, 0.1}});
+    g.close_segment();
+    EXPECT_EQ(intersection_lines(ViewedScene(g.display_file()).primitives(), 1).size(), 0u)
+        << degrees;
   }
 }
 

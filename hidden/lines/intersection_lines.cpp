@@ -40,7 +40,8 @@ class Intersections {
     if (touches_line(kA)) meet_inside(a, kA, false);
     if (touches_line(kB)) meet_inside(b, kB, false);
     join_inside();
-    if (inside_.empty() || (ends_ == IntersectionEnds::rounded && share_a_side(a, b))) return;
+    if (inside_.empty()) return;
+    if (ends_ == IntersectionEnds::rounded && (share_a_side(a, b) || touch_as_entered())) return;
     for (const auto& [from, to] : inside_) {
       if (ends_ == IntersectionEnds::defined) {
         lines.push_back({a, b, well_known(from), well_known(to), {}, {}});
@@ -93,6 +94,29 @@ class Intersections {
       behind |= s < 0;
     }
     return before && behind;
+  }
+
+  /// What is within reach of the other's plane is on neither side: then one of them does not pass
+  /// through it. A corner that clipping made is where it is seen.
+  bool touch_as_entered() const {
+    if (items_.ends == nullptr) return false;
+    return std::ranges::any_of(std::array{kA, kB}, [&](std::uint32_t own) {
+      bool before = false, behind = false;
+      for (std::uint32_t k = 0; k < side_[own].size() && !(before && behind); ++k) {
+        const bool is_beyond = side_[own][k] != 0 && !is_on_plane_as_entered(own, k);
+        before |= is_beyond && side_[own][k] > 0;
+        behind |= is_beyond && side_[own][k] < 0;
+      }
+      return !(before && behind);
+    });
+  }
+  /// As an end of both of its sides.
+  bool is_on_plane_as_entered(std::uint32_t own, std::uint32_t k) const {
+    constexpr auto kOnPlane = EndsAsEntered::Place::on_plane;
+    const std::uint32_t item = pair_[own], other = pair_[1 - own];
+    const std::uint32_t next = k + 1 == scene_.sides(item) ? 0 : k + 1;
+    return items_.places(item, k, other)[1] == kOnPlane &&
+           items_.places(item, next, other)[0] == kOnPlane;
   }
 
   /// Then they meet along it, and nowhere else: what rounding makes of their planes is no line.

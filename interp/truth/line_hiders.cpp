@@ -296,9 +296,9 @@ std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const Exac
       continue;
     }
     const auto [from, to] = items_.places(sharer, item);
-    const bool planes_tell = items_.plane_rest(item) != none &&
-                             items_.kind(sharer.item) != LineItems::Kind::line &&
-                             items_.plane_rest(sharer.item) != none;
+    const bool has_rests = items_.plane_rest(sharer.item) != none;
+    const bool planes_tell = items_.kind(sharer.item) != LineItems::Kind::line &&
+                             (has_rests ? items_.plane_rest(item) != none : !has_own_depth(sharer));
     std::array signs{planes_tell ? by_planes(from) : sign(from, items_.from(sharer)),
                      planes_tell ? by_planes(to) : sign(to, items_.to(sharer))};
     if (items_.from(sharer) != line.start) std::swap(signs[0], signs[1]);  // it runs the other way
@@ -359,8 +359,27 @@ std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint
   line.ahead_y = -way * line.a;
   const ExactParts parts = common(inside(item_a, line), inside(item_b, line));
   if (parts.empty() || share_a_side(items_.points(item_a), items_.points(item_b))) return lines;
+  if (touches(item_a, item_b, line) || touches(item_b, item_a, line)) return lines;
   for (const ExactPart& part : parts) lines.push_back(between(line, part, *p));
   return lines;
+}
+
+/// All corners on the one side of the line are within reach of the other's plane as entered.
+bool LineHiders::touches(std::uint32_t item, std::uint32_t other, const FlatLine& line) const {
+  using Place = EndsAsEntered::Place;
+  if (!items_.some_touch()) return false;
+  const std::span<const Point3> points = items_.points(item);
+  bool left = false, right = false;
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    const int side =
+        sgn(line.c - line.a * scaled(points[k].x, places_) - line.b * scaled(points[k].y, places_));
+    const auto next = static_cast<std::uint32_t>((k + 1) % points.size());
+    const bool is_on_plane = items_.places({item, k}, other)[1] == Place::on_plane &&
+                             items_.places({item, next}, other)[0] == Place::on_plane;
+    left |= side > 0 && !is_on_plane;
+    right |= side < 0 && !is_on_plane;
+  }
+  return !(left && right);
 }
 
 /// Where points close to the line, left and right of it, are inside by even-odd; united, so that a

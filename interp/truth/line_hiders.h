@@ -106,6 +106,7 @@ class LineHiders {
   struct FlatLine {
     Integer a, b, c, ahead_x, ahead_y;
   };
+  bool touches(std::uint32_t item, std::uint32_t other, const FlatLine& line) const;
   ExactParts inside(std::uint32_t item, const FlatLine& line) const;
   ExactLine between(const FlatLine& line, const ExactPart& part, const DepthPlane& plane) const;
 

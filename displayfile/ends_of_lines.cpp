@@ -171,7 +171,10 @@ EndsAsEntered::Places ViewedScene::places(Item item, std::uint32_t corner, Item 
     return kUnknown;
   }
   const EnteredPlane plane({points[p], points[q], points[r]}, modelling);
-  const int of_eye = side_of_viewer(*of_plane.volume, plane, modelling.apply(points[p]));
+  // Where its polygon's plane is not that of its ends, that plane tells which are before the other.
+  const bool is_moved = plane_of_bent(item) != nullptr || is_off_its_plane(item);
+  const int of_eye =
+      is_moved ? 0 : side_of_viewer(*of_plane.volume, plane, modelling.apply(points[p]));
   const auto place = [&](const Point3& end, bool is_seen, const Modelling& of_end) {
     if (plane.reaches(end, of_end)) return Place::on_plane;
     if (of_eye == 0 || !is_seen) return Place::off_plane;

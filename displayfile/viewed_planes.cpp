@@ -125,14 +125,14 @@ double ViewedScene::longest_of(const ImageTransformation& image) {
 
 /// With u = 2^-53: a world point is a sum of products, off by so many u of the sum of their sizes,
 /// and each homogeneous coordinate of a viewed one by 4 u of its own; a plane's points are off it
-/// by the reach too, and by what flat polygons may be bent (kFlatAsEntered, no more than 8 u of
+/// by the reach too, and by what flat polygons may be bent (kFlatAsEntered, no more than 64 u of
 /// these sums). W is at least what it is at the nearest depth in the scene: depth is A + B / W.
 double ViewedScene::radius_in(const glm::dmat4& view, const InWorld& in_world, double reach,
                               double largest_depth) {
   constexpr double kU = 0x1p-53;
   constexpr double kCoarsest = 0x1p-10;  // beyond it, or without a bound, nothing can be told
   const double largest = in_world.largest;
-  const double off = reach + (8.0 + in_world.roundings) * kU * largest;  // each coordinate
+  const double off = reach + (64.0 + in_world.roundings) * kU * largest;  // each coordinate
   const auto row = [&](int k) {
     return std::abs(view[0][k]) + std::abs(view[1][k]) + std::abs(view[2][k]);
   };

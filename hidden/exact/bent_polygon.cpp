@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "hidden/exact/entered_plane.h"
@@ -12,27 +13,26 @@ namespace displayfile {
 
 namespace {
 
-double largest_of(const Point3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 /// In doubles, and false if they do not tell. The matrix makes a distance longer by less than twice
-/// its longest column. With u = 2^-53 each coordinate of the normal is off by less than 6 u times
-/// the sides' largest ones, and the product with the way to a vertex by less than 24 u of all
-/// three.
+/// its longest column. The triple product is off by less than eight roundings of the sum of the
+/// magnitudes that it adds up (Shewchuk's orient3d), and so is each coordinate of the normal.
 bool is_certainly_flat(const PointRow& points, const std::array<std::size_t, 3>& support,
                        double largest) {
-  constexpr double kOfSides = 0x1p-48;
+  constexpr double kRoundings = 0x1p-50;
   const Point3 first = points[support[0]];
   const Point3 a = points[support[1]] - first, b = points[support[2]] - first;
-  const Point3 normal = glm::cross(a, b);
-  const double error = kOfSides * largest_of(a) * largest_of(b);
-  const double most = 0.5 * kFlatAsEntered * largest * (largest_of(normal) - error);
-  for (const Point3& p : points) {
+  const auto products = [&](int j, int k) { return std::array{a[j] * b[k], a[k] * b[j]}; };
+  const std::array x = products(1, 2), y = products(2, 0), z = products(0, 1);
+  const Point3 normal(x[0] - x[1], y[0] - y[1], z[0] - z[1]);
+  const Point3 sizes(std::abs(x[0]) + std::abs(x[1]), std::abs(y[0]) + std::abs(y[1]),
+                     std::abs(z[0]) + std::abs(z[1]));
+  const auto greatest = [](const Point3& v) { return std::max({v.x, v.y, v.z}); };
+  const double length = greatest(glm::abs(normal)) - kRoundings * greatest(sizes);
+  const double most = 0.5 * kFlatAsEntered * largest * length;
+  return std::ranges::all_of(points, [&](const Point3& p) {
     const Point3 v = p - first;
-    if (!(std::abs(glm::dot(normal, v)) + error * largest_of(v) <= most)) return false;
-  }
-  return true;
+    return std::abs(glm::dot(normal, v)) + kRoundings * glm::dot(sizes, glm::abs(v)) <= most;
+  });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace displayfile {
 /// Within how much of the largest coordinate that was entered, times the length of the longest
 /// column of the modelling matrix, a polygon's vertices are from its support plane if it is flat.
 /// Decimals and a turn leave polygons that flat.
-inline constexpr double kFlatAsEntered = 0x1p-51;
+inline constexpr double kFlatAsEntered = 0x1p-48;
 
 /// True if some vertex is farther from the polygon's support plane as entered
 /// (interp/truth/entered_truth.md) than that, exactly; false for a polygon without a plane.

@@ -40,10 +40,9 @@ inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& 
   };
   const OnPlane start = in_doubles(line.a, corners.start), end = in_doubles(line.b, corners.end);
   if (start == OnPlane::no && end == OnPlane::no) return {};
-  // The depths of sides of polygons that are close to each other are their planes', with rests; and
-  // of those that are not flat.
-  const bool planes_tell = line.own != LineScene::kNone &&
-                           (scene.has_rests(line.own) ? !plane.is_plain() : line.by_plane);
+  // The depths of sides of polygons that are close to each other are their planes', with rests.
+  const bool planes_tell =
+      !plane.is_plain() && line.own != LineScene::kNone && scene.has_rests(line.own);
   const auto sign = [&](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
     if (rounded == OnPlane::no) return std::nullopt;
     if (planes_tell && place != EndsAsEntered::Place::on_plane) return std::nullopt;

@@ -296,9 +296,9 @@ std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const Exac
       continue;
     }
     const auto [from, to] = items_.places(sharer, item);
-    const bool has_rests = items_.plane_rest(sharer.item) != none;
-    const bool planes_tell = items_.kind(sharer.item) != LineItems::Kind::line &&
-                             (has_rests ? items_.plane_rest(item) != none : !has_own_depth(sharer));
+    const bool planes_tell = items_.plane_rest(item) != none &&
+                             items_.kind(sharer.item) != LineItems::Kind::line &&
+                             items_.plane_rest(sharer.item) != none;
     std::array signs{planes_tell ? by_planes(from) : sign(from, items_.from(sharer)),
                      planes_tell ? by_planes(to) : sign(to, items_.to(sharer))};
     if (items_.from(sharer) != line.start) std::swap(signs[0], signs[1]);  // it runs the other way

@@ -65,6 +65,10 @@ enum class Row : std::uint8_t {
   touching_depth_sort,
   exact_stages,
   exact_sorts,
+  lines,
+  map,
+  touching_lines,
+  touching_map,
   against_off,
   own_points,
   shared_points,
@@ -88,6 +92,10 @@ constexpr Asked kAsked[] = {
     {Row::touching_depth_sort, "all touches: depth-sort, the same", 1.5},
     {Row::exact_stages, "all touches: exact numbers, of all instructions, z-buffer", 0.05},
     {Row::exact_sorts, "all touches: exact numbers, of all instructions, bsp, depth-sort", 0.05},
+    {Row::lines, "nothing touches: franklin, appel, few lines and all", 1.2},
+    {Row::map, "nothing touches: map", 1.2},
+    {Row::touching_lines, "all touches: franklin, appel, over roundoff before", 1.5},
+    {Row::touching_map, "all touches: map, auto over off", 1.5},
     {Row::against_off, "all scenes: auto over off, a picture by any of these", 0.0},
     {Row::own_points, "bytes a polygon: points of their own", 1.9},
     {Row::shared_points, "bytes a polygon: shared points", 1.3},
@@ -110,8 +118,20 @@ struct Way {
   std::string hidden = "none", precision = "exact";
   int size = 1;
   bool touching_off = false;
-  int views = 0;  ///< of a moving camera; 0: a picture
+  int views = 0;           ///< of a moving camera; 0: a picture
+  std::string lines = {};  ///< which kinds; empty: all
+  bool is_vector = false;
 };
+
+/// What is drawn as vectors.
+struct VectorWay {
+  std::string_view hidden, lines;
+};
+constexpr std::array<VectorWay, 5> kVectorWays{{{"franklin", ""},
+                                                {"franklin", "outline,crease"},
+                                                {"appel", ""},
+                                                {"appel", "outline,crease"},
+                                                {"map", ""}}};
 
 class TouchingCost {
  public:
@@ -165,7 +185,7 @@ class TouchingCost {
                                   "draw",
                                   file,
                                   "-o",
-                                  folder_.file("drawn.ppm"),
+                                  folder_.file(way.is_vector ? "drawn.svg" : "drawn.ppm"),
                                   "--size",
                                   fmt::format("{0}x{0}", way.size),
                                   "--hidden",
@@ -175,6 +195,7 @@ class TouchingCost {
                                   "--threads",
                                   "1",
                                   "--quiet"};
+    if (!way.lines.empty()) line.insert(line.end(), {"--lines", way.lines});
     if (way.touching_off) line.insert(line.end(), {"--touching", "off"});
     if (way.views > 0) {
       line.insert(line.end(), {"--turntable", "36", "--views", fmt::format("0:{}", way.views)});
@@ -192,6 +213,7 @@ class TouchingCost {
     std::array<double, 2> sorts;  ///< 0: not counted
     double exact_of_picture;      ///< the part that computes with exact numbers
     std::array<double, 2> exact_of_sorts;
+    std::array<double, kVectorWays.size()> vectors;  ///< 0: not counted
   };
 
   static constexpr std::array kSorts{"bsp", "depth-sort"};
@@ -210,6 +232,11 @@ class TouchingCost {
       way.hidden = kSorts[k];
       std::tie(work.sorts[k], work.exact_of_sorts[k]) = sorted(command, drawn, way);
       work.sorts[k] -= read;
+    }
+    for (std::size_t k = 0; k < kVectorWays.size(); ++k) {
+      const bool is_map = kVectorWays[k].hidden == "map";
+      const bool is_compared = is_map ? precision == "exact" : !(touching_off && drawn.touches);
+      if (is_compared) work.vectors[k] = vectors(command, drawn, way, kVectorWays[k]) - read;
     }
     way.hidden = "z-buffer";
     const WorkCount picture = counted(command, drawn.file, way);
@@ -240,6 +267,29 @@ class TouchingCost {
     }
   }
 
+  double vectors(const std::string& command, const Drawn& drawn, Way way,
+                 const VectorWay& as) const {
+    way.hidden = as.hidden;
+    way.lines = as.lines;
+    way.is_vector = true;
+    return instructions(command, drawn, way);
+  }
+
+  void compare_vectors(const Drawn& drawn, const Work& before, const Work& after, const Work& off) {
+    for (std::size_t k = 0; k < kVectorWays.size(); ++k) {
+      const auto& [hidden, lines] = kVectorWays[k];
+      const bool is_map = hidden == "map";
+      const double under = is_map && drawn.touches ? off.vectors[k] : before.vectors[k];
+      if (!(under > 0.0)) continue;
+      const Row row = drawn.touches ? (is_map ? Row::touching_map : Row::touching_lines)
+                                    : (is_map ? Row::map : Row::lines);
+      const std::string of =
+          fmt::format("{}, {}{}", drawn.name, hidden, lines.empty() ? "" : ", few lines");
+      take(row, after.vectors[k] / under, of);
+      fmt::print("{}: {:.3f}\n", of, after.vectors[k] / under);
+    }
+  }
+
   void compare(const Drawn& drawn) {
     const Work before = work(wanted_.before, drawn, drawn.touches ? "roundoff" : "exact", false);
     const Work after = work(wanted_.after, drawn, "exact", false);
@@ -261,6 +311,7 @@ class TouchingCost {
       }
     }
     take(Row::against_off, after.picture / off.picture, drawn.name);
+    compare_vectors(drawn, before, after, off);
     if (drawn.touches) take(Row::exact_stages, after.exact_of_picture / after.picture, drawn.name);
     print(drawn, before, after, off);
   }

@@ -503,6 +503,31 @@ def tiny_angles(scene):
         scene.polygon(*triangle)
 
 
+def bent_rugs(scene):
+    """Polygons of four to seven sides close to a floor, each vertex off by 1e-12 to 1e-7, or one
+    alone: they count as flat, and three of their vertices are their plane."""
+    s = scene.source
+    scene.offset = (0, 0, 0)
+    y = float(s.decimal(-1, 1))
+    polygons = [[(-2, y, -2), (-2, y, 2), (2, y, 2), (2, y, -2)]]
+    for _ in range(s.randint(2, 4)):
+        bend, size = 10.0 ** -s.uniform(7, 12), s.uniform(0.4, 1.2)
+        x, z, sides = s.uniform(-0.8, 0.8), s.uniform(-0.8, 0.8), s.randint(4, 7)
+        angles = [2 * math.pi * (k + 0.3) / sides for k in range(sides)]
+        of_all = s.random() < 0.5
+        off = [bend * s.uniform(-1, 1) if of_all or k == 0 else 0.0 for k in range(sides)]
+        s.shuffle(off)
+        polygons.append(
+            [
+                (x + size * math.cos(a), y + up, z + size * math.sin(a))
+                for a, up in zip(angles, off)
+            ]
+        )
+    s.shuffle(polygons)
+    for polygon in polygons:
+        scene.polygon(*polygon)
+
+
 def same_image(scene):
     """A rug on a floor and a box on it, in segments whose image transformations are one, in other
     words."""
@@ -552,6 +577,7 @@ KINDS = {
         barely_apart,
         about_the_reach,
         tiny_angles,
+        bent_rugs,
         same_image,
     )
 }

@@ -110,8 +110,19 @@ struct Figure {
 /// A file that is drawn.
 struct Drawn {
   std::string name, file;
+  std::string lined;  ///< the same with its sides as lines
   bool touches;
 };
+
+/// The program with a line style, whatever it sets.
+void write_lined(const std::string& program, const std::string& path) {
+  std::ifstream in(program);
+  std::ofstream out(path);
+  for (std::string line; std::getline(in, line);) {
+    out << (line.starts_with("set-line-style") ? "set-line-style solid 0 0 0 1" : line) << '\n';
+  }
+  if (!out.flush()) throw Error(path + ": not all could be written");
+}
 
 /// How it is drawn.
 struct Way {
@@ -160,17 +171,20 @@ class TouchingCost {
       if (!is_wanted(name)) return;
       const std::filesystem::path folder =
           wanted_.keep.empty() ? folder_.path() : std::filesystem::path(wanted_.keep);
-      all.push_back({std::string(name), (folder / fmt::format("{}.draw", name)).string(), touches});
+      const std::string lined = folder_.file(fmt::format("{}-lined.draw", name));
+      all.push_back(
+          {std::string(name), (folder / fmt::format("{}.draw", name)).string(), lined, touches});
       // Each of them is cut by all others.
       const std::size_t fewer = name == "planes" ? 50 : 1;
       write_program(make(wanted_.polygons / fewer, wanted_.seed), all.back().file);
+      write_lined(all.back().file, lined);
     };
     for (const GeneratedScene& scene : generated_scenes()) {
       // The floors of the buildings lie in one plane.
       if (scene.name != "city" && scene.name != "village") add(scene.name, scene.make, false);
     }
     for (const std::string& mesh : wanted_.meshes) {
-      all.push_back({std::filesystem::path(mesh).filename().string(), mesh, false});
+      all.push_back({std::filesystem::path(mesh).filename().string(), mesh, mesh, false});
     }
     for (const TouchingScene& scene : touching_scenes()) add(scene.name, scene.make, true);
     return all;
@@ -272,7 +286,8 @@ class TouchingCost {
     way.hidden = as.hidden;
     way.lines = as.lines;
     way.is_vector = true;
-    return instructions(command, drawn, way);
+    const std::string& file = as.hidden == "map" ? drawn.file : drawn.lined;
+    return static_cast<double>(counted(command, file, way).instructions());
   }
 
   void compare_vectors(const Drawn& drawn, const Work& before, const Work& after, const Work& off) {

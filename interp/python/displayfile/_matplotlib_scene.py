@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     Indices = npt.NDArray[np.int64]
 
 _MARKER = 1e-9
+_NEARER = 1e-6
 """Half the length of the line that stands for a marker, in widths of the scene."""
 
 _SCATTERS = (art3d.Path3DCollection, art3d.Patch3DCollection)
@@ -127,7 +128,8 @@ class Scene(Collection):  # type: ignore[misc]
         # What opaque polygons hide is left out.
         shown = np.flatnonzero(~self._is_hidden)
         half = np.array([size[0] * _MARKER, 0.0, 0.0])
-        places = markers[shown] + raised
+        # A marker's place is a line as short as that, which must not dip into a surface.
+        places = markers[shown] + np.maximum(raised, [0.0, 0.0, size[2] * _NEARER])
         segments = np.concatenate(
             [lines.segments + raised, np.stack([places - half, places + half], axis=1)]
         )

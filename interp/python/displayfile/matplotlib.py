@@ -16,12 +16,11 @@ from ._matplotlib_scene import Markers, Scene, is_scatter, is_taken
 
 __all__ = ["Exact", "exact"]
 
-_LIFT = 1e-6
 _METHODS = ("depth-sort", "bsp")
 
 
 def exact(
-    ax: Axes3D, *, method: str = "depth-sort", lift: float = _LIFT, off: bool = False
+    ax: Axes3D, *, method: str = "depth-sort", lift: float = 0.0, off: bool = False
 ) -> Exact:
     """Make the axes draw with exact visibility, from now on.
 
@@ -32,7 +31,7 @@ def exact(
         ax: Three-dimensional axes.
         method: "depth-sort", or "bsp", which cuts more.
         lift: Lines and markers are taken as nearer to the viewer by so much of the depth of the
-            scene: those in a surface are then seen.
+            scene: those in a surface are seen without.
         off: Let the axes draw as before.
 
     Returns:

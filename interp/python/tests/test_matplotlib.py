@@ -261,6 +261,29 @@ def test_a_line_in_a_surface_stays_whole() -> None:
         assert at(picture, ax, np.add(a, b) / 2) == rgb("blue")
 
 
+@pytest.mark.parametrize("proj_type", ["ortho", "persp"])
+def test_lines_in_faces_are_whole_without_a_lift(proj_type: str) -> None:
+    """On a floor, in a slope, along the sides of voxels, with coordinates in decimals."""
+    x, y = np.meshgrid(np.linspace(0, 0.9, 4), np.linspace(0, 1.2, 5))
+    spiral = np.linspace(0, 12, 60)
+    u, v = 0.45 + 0.03 * spiral * np.cos(spiral), 0.6 + 0.04 * spiral * np.sin(spiral)
+    inside = (u > 0) & (u < 0.9) & (v > 0) & (v < 1.2)
+    u, v = u[inside], v[inside]
+    for elev, azim in ((30, -60), (12, 50), (60, 160), (20, -130)):
+        pictures = []
+        for with_faces in (True, False):
+            ax = axes(proj_type=proj_type)
+            ax.view_init(elev, azim)
+            ax.set(xlim=(0, 0.9), ylim=(0, 1.2), zlim=(0, 0.7))
+            if with_faces:
+                ax.plot_surface(x, y, 0.1 + 0.3 * x + 0.17 * y, color="yellow", shade=False)
+            ax.plot(u, v, 0.1 + 0.3 * u + 0.17 * v, color="black", linewidth=2)
+            exact(ax)
+            pictures.append(pixels(ax).max(axis=2) < 60)
+        assert pictures[1].sum() > 200
+        assert (pictures[0] & pictures[1]).sum() > 0.98 * pictures[1].sum()
+
+
 def test_dashes_go_on_behind_what_hides_a_part() -> None:
     ax = axes()
     ax.view_init(90, -90)

@@ -113,22 +113,29 @@ class LineCounts {
     return left + right + 1 < sides;
   }
 
-  /// Whether the polygon's plane is nearer at one end of the line and farther at the other.
-  bool passes_through_plane(std::uint32_t polygon) const {
+  /// Whether what is counted of an even polygon may be wrong for the line looked at: its plane
+  /// passes between the line's ends, or rounding has decided, wrongly, on which side of it an end
+  /// is. At a corner they have one depth.
+  bool is_doubtful(const LineScene::Line& line, std::uint32_t polygon,
+                   const EndsAtCorners& corners) const {
+    const bool may_touch = scene_.touching() > 0.0;
+    const bool is_at_corner = corners.start || corners.end;
+    const bool is_side = corners.start && corners.end;
+    const bool shares = line.own != LineScene::kNone && scene_.share_plane(line.own, polygon);
+    if ((is_side && !shares) || (is_at_corner && !may_touch)) return false;
+    if (is_at_corner && !shares &&
+        scene_.is_far_from_plane(polygon, corners.start ? line_.b : line_.a)) {
+      return false;
+    }
     const Plane plane = scene_.plane(polygon);
+    if (may_touch) {
+      const EndsAtPlane at = ends_at_plane(scene_, line, polygon, plane, corners);
+      if (at.start && *at.start != policy_.nearer(line_, line_.a, plane)) return true;
+      if (at.end && *at.end != policy_.nearer(line_, line_.b, plane)) return true;
+    }
+    if (is_at_corner) return false;
     const int at_a = policy_.nearer(line_, line_.a, plane);
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
-  }
-
-  /// Whether rounding has decided, for the line looked at, on which side of the polygon's plane its
-  /// ends are, and wrongly. At a corner they have one depth.
-  bool is_rounded_across(const LineScene::Line& line, std::uint32_t polygon,
-                         const EndsAtCorners& corners) const {
-    if (!(scene_.touching() > 0.0)) return false;
-    const Plane plane = scene_.plane(polygon);
-    const EndsAtPlane at = ends_at_plane(scene_, line, polygon, plane, corners);
-    return (at.start && *at.start != policy_.nearer(line_, line_.a, plane)) ||
-           (at.end && *at.end != policy_.nearer(line_, line_.b, plane));
   }
 
   /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the

@@ -223,13 +223,10 @@ class LineFollower {
     return all;
   }
 
-  /// Whether what is counted of an even polygon may be wrong: its plane passes between the line's
-  /// ends, or one of them is close to it. At a corner they have one depth.
+  /// As LineCounts::is_doubtful, of a line between these points.
   bool is_doubtful(const LineScene::Line& line, const Point3& a, const Point3& b,
                    std::uint32_t polygon) const {
-    const EndsAtCorners corners{has_corner(polygon, a), has_corner(polygon, b)};
-    return counts_.is_rounded_across(line, polygon, corners) ||
-           (!corners.start && !corners.end && counts_.passes_through_plane(polygon));
+    return counts_.is_doubtful(line, polygon, {has_corner(polygon, a), has_corner(polygon, b)});
   }
 
   /// Finds the polygons that are near the line in space, which are in the box, and reach over it:

@@ -108,6 +108,21 @@ LineScene::Support LineScene::support_of(std::uint32_t number) const {
   return support;
 }
 
+bool LineScene::is_far_from_plane(std::uint32_t item, const Point3& v) const {
+  constexpr double kRounding = 0x1p-44;
+  if (has_rests(item)) return false;
+  const Support& support = support_[item];
+  const Point3& p = items_.points[support.p];
+  const Point3 a = items_.points[support.q] - p, b = items_.points[support.r] - p, to = v - p;
+  const Point3 normal = glm::cross(a, b);
+  const auto sum = [](const Point3& of) {
+    return std::abs(of.x) + std::abs(of.y) + std::abs(of.z);
+  };
+  const double touching = touching_ * (1.0 + most_shares_ / std::abs(normal.z)) * sum(normal);
+  const double rounding = kRounding * sum(a) * sum(b) * sum(to);
+  return std::abs(glm::dot(normal, to)) > (1.0 + 0x1p-20) * touching + rounding;
+}
+
 void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {
   const PlaneValue slope = slope_value(plane, {at.x, at.y, 0.0});
   const Ball depth =

@@ -115,11 +115,12 @@ bool LineScene::is_far_from_plane(std::uint32_t item, const Point3& v) const {
   const Point3& p = items_.points[support.p];
   const Point3 a = items_.points[support.q] - p, b = items_.points[support.r] - p, to = v - p;
   const Point3 normal = glm::cross(a, b);
-  const auto sum = [](const Point3& of) {
+  const auto of_coordinates = [](const Point3& of) {
     return std::abs(of.x) + std::abs(of.y) + std::abs(of.z);
   };
-  const double touching = touching_ * (1.0 + most_shares_ / std::abs(normal.z)) * sum(normal);
-  const double rounding = kRounding * sum(a) * sum(b) * sum(to);
+  const double touching =
+      touching_ * (1.0 + most_shares_ / std::abs(normal.z)) * of_coordinates(normal);
+  const double rounding = kRounding * of_coordinates(a) * of_coordinates(b) * of_coordinates(to);
   return std::abs(glm::dot(normal, to)) > (1.0 + 0x1p-20) * touching + rounding;
 }
 

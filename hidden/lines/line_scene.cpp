@@ -109,7 +109,7 @@ LineScene::Support LineScene::support_of(std::uint32_t number) const {
 }
 
 bool LineScene::is_far_from_plane(std::uint32_t item, const Point3& v) const {
-  constexpr double kRounding = 0x1p-44;
+  constexpr double kOfRounding = 0x1p-44;
   if (has_rests(item)) return false;
   const Support& support = support_[item];
   const Point3& p = items_.points[support.p];
@@ -120,7 +120,7 @@ bool LineScene::is_far_from_plane(std::uint32_t item, const Point3& v) const {
   };
   const double touching =
       touching_ * (1.0 + most_shares_ / std::abs(normal.z)) * of_coordinates(normal);
-  const double rounding = kRounding * of_coordinates(a) * of_coordinates(b) * of_coordinates(to);
+  const double rounding = kOfRounding * of_coordinates(a) * of_coordinates(b) * of_coordinates(to);
   return std::abs(glm::dot(normal, to)) > (1.0 + 0x1p-20) * touching + rounding;
 }
 

@@ -84,7 +84,7 @@ std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill l
   return comparisons_[pair.as_entered].order(centre);
 }
 
-/// Of their own planes, from which those as entered are little off; or else of these.
+/// Compares their own planes where those as entered are little off, and else those as entered.
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) {
   const auto is_off = [this](Fill fill) { return scene_->is_off_its_plane(scene_->item_of(fill)); };
   if (scene_->touching_radius() == 0.0 && (is_off(earlier) || is_off(later))) {

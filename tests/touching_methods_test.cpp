@@ -241,6 +241,26 @@ TEST(TouchingMethods, WithinLengthsAsLargeAsPolygons) {
   }
 }
 
+/// A wall that is no higher than the length lies in its floor's plane, and is seen at its depth.
+TEST(TouchingMethods, WallsWithinALengthOfTheFloorHaveItsDepth) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  g.set_parallel({0, 0.1, 2});
+  g.set_window(-3, 3, -3, 3);
+  g.set_touching({Touching::Kind::length, 0.6});
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{-6, 0, -6}, {-6, 0, 6}, {6, 0, 6}, {6, 0, -6}});
+  g.polygon_abs_3({{2, 0, -0.2}, {2, 0.63, -0.2}, {-3, 0.63, -3}, {-3, 0, -3}});
+  g.polygon_abs_3({{-0.5, 0, -0.6}, {-0.5, 0.5, -0.6}, {2, 0.5, 0.3}, {2, 0, 0.3}});
+  g.close_segment();
+  const EnteredTruth truth =
+      entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
+  for (const HiddenMethod method : test::kSurfaceMethods) {
+    EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u) << name_of(method);
+  }
+}
+
 /// No polygon lies in the plane of one that is not visible, and it does again when that is.
 TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
   Retained retained;

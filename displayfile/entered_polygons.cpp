@@ -1,6 +1,7 @@
 #include "displayfile/entered_polygons.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -12,6 +13,15 @@
 #include "hidden/exact/bent_polygon.h"
 
 namespace displayfile {
+
+namespace {
+
+/// To the bit.
+bool are_equal(const PointRow& a, const PointRow& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Point3)) == 0;
+}
+
+}  // namespace
 
 PointRow EnteredPolygons::points(std::size_t i) const {
   if (are_retained_) return retained_.points(i);
@@ -54,6 +64,7 @@ std::size_t EnteredPolygons::bytes() const {
 }
 
 void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
+  if (are_retained_ && entered_again_ < retained_.size()) return enter_again(points, modelling);
   keep_by_themselves();
   begin_polygon(modelling);
   for (const Point3& p : points) {
@@ -66,6 +77,9 @@ void EnteredPolygons::enter(const PointRow& points, const Matrix* modelling) {
 void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
                                    std::span<const std::uint32_t> corners,
                                    const Matrix* modelling) {
+  if (are_retained_ && entered_again_ < retained_.size()) {
+    return enter_again({vertices, corners}, modelling);
+  }
   keep_by_themselves();
   if (corners_.empty()) {
     corners_.resize(points_.size());
@@ -81,6 +95,14 @@ void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
     corners_.push_back(number);
   }
   if (corners.size() > 3) note_if_bent({vertices, corners}, modelling);
+}
+
+/// The next of the retained ones.
+void EnteredPolygons::enter_again(const PointRow& points, const Matrix* modelling) {
+  assert(are_equal(points, retained_.points(entered_again_)));
+  begin_modelling(modelling);
+  ++entered_again_;
+  note_if_bent(points, modelling);
 }
 
 /// The polygon that was entered last.
@@ -113,9 +135,7 @@ bool EnteredPolygons::are_those_of(const RetainedPolygons& retained) const {
   if (are_retained_ || retained.size() != size()) return false;
   for (std::size_t i = 0; i < size(); ++i) {
     if (retained.primitive(i).is_line()) return false;
-    const PointRow own = points(i), others = retained.points(i);
-    if (own.size() != others.size()) return false;
-    if (std::memcmp(own.data(), others.data(), own.size() * sizeof(Point3)) != 0) return false;
+    if (!are_equal(points(i), retained.points(i))) return false;
   }
   return true;
 }
@@ -124,9 +144,19 @@ void EnteredPolygons::keep_in(const RetainedPolygons& retained) {
   if (!are_those_of(retained)) return;
   retained_ = retained;
   are_retained_ = true;
+  entered_again_ = retained.size();
   points_ = decltype(points_)();  // {} would leave their room
   corners_ = decltype(corners_)();
   first_ = decltype(first_)();
+}
+
+void EnteredPolygons::begin_retained(const RetainedPolygons& retained) {
+  assert(size() == 0);
+  for (std::size_t i = 0; i < retained.size(); ++i) {
+    if (retained.primitive(i).is_line()) return;
+  }
+  retained_ = retained;
+  are_retained_ = true;
 }
 
 /// More are entered.
@@ -134,7 +164,7 @@ void EnteredPolygons::keep_by_themselves() {
   if (!are_retained_) return;
   const RetainedPolygons retained = std::exchange(retained_, {});
   are_retained_ = false;
-  for (std::size_t i = 0; i < retained.size(); ++i) {
+  for (std::size_t i = 0; i < entered_again_; ++i) {
     first_.push_back(static_cast<std::uint32_t>(points_.size()));
     const PointRow points = retained.points(i);
     points_.insert(points_.end(), points.begin(), points.end());
@@ -142,17 +172,21 @@ void EnteredPolygons::keep_by_themselves() {
 }
 
 void EnteredPolygons::begin_polygon(const Matrix* modelling) {
+  begin_modelling(modelling);
+  first_.push_back(static_cast<std::uint32_t>(this->corners()));
+}
+
+void EnteredPolygons::begin_modelling(const Matrix* modelling) {
   if (modelling != nullptr) {
     begin_run(*modelling);
   } else if (!runs_.empty()) {
     begin_run(Matrix(1.0));
   }
-  first_.push_back(static_cast<std::uint32_t>(this->corners()));
 }
 
 void EnteredPolygons::begin_run(const Matrix& matrix) {
   if (!runs_.empty() && runs_.back().matrix == matrix) return;
-  runs_.push_back({static_cast<std::uint32_t>(first_.size()), matrix});
+  runs_.push_back({static_cast<std::uint32_t>(size()), matrix});
 }
 
 void EnteredPolygons::include(const Point3& p) {

@@ -41,7 +41,7 @@ class EnteredPolygons {
     return touching_.kind == Touching::Kind::off && runs_.empty() && volume_.is_identity() &&
            bent_.empty();
   }
-  std::size_t size() const { return are_retained_ ? retained_.size() : first_.size(); }
+  std::size_t size() const { return are_retained_ ? entered_again_ : first_.size(); }
   /// The numbers of those without an instruction, rising.
   std::span<const std::uint32_t> not_seen() const { return not_seen_; }
   std::size_t seen() const { return size() - not_seen_.size(); }
@@ -93,6 +93,9 @@ class EnteredPolygons {
   /// If the polygons are those of a retained scene, to the bit, they are kept there from here on,
   /// and no longer by themselves.
   void keep_in(const RetainedPolygons& retained);
+  /// Those of a retained scene are entered next, in order, each by `enter` or `enter_shared`: they
+  /// are kept there from the start, unless there are lines among them.
+  void begin_retained(const RetainedPolygons& retained);
   bool are_retained() const { return are_retained_; }
   /// The scene has other arrays in place of those that it had.
   void move_in(const RetainedPolygons& retained) { retained_ = retained; }
@@ -105,8 +108,10 @@ class EnteredPolygons {
   };
   std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
   bool are_those_of(const RetainedPolygons& retained) const;
+  void enter_again(const PointRow& points, const Matrix* modelling);
   void keep_by_themselves();
   void begin_polygon(const Matrix* modelling);
+  void begin_modelling(const Matrix* modelling);
   void note_if_bent(const PointRow& points, const Matrix* modelling);
   void begin_run(const Matrix& matrix);
 
@@ -114,7 +119,8 @@ class EnteredPolygons {
   ViewVolume volume_;
   bool has_cuts_ = false;
   bool are_retained_ = false;
-  RetainedPolygons retained_;  // the polygons, in place of the three arrays that follow
+  RetainedPolygons retained_;      // the polygons, in place of the three arrays that follow
+  std::size_t entered_again_ = 0;  // of those
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;  // their points; empty: these in a row
   std::vector<std::uint32_t> first_;    // corner of each polygon

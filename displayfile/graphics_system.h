@@ -518,9 +518,11 @@ class GraphicsSystem {
                     std::span<const std::uint32_t> corners, Segment& segment);
   void enter_with_normals(std::span<const Point3> vertices, std::span<const Point3> normals,
                           std::span<const std::uint32_t> corners);
+  /// What is entered goes into the retained scene alone, at least until the segment is closed.
+  bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
   void retain_for(std::string_view what);
-  std::optional<Segment> with_lines_selected(const Segment& segment);
+  std::optional<Segment> with_lines_selected(int name);
   void close(Segment& segment);
   void keep_entered_once(Segment& closing);
   void follow_retained();
@@ -584,6 +586,7 @@ class GraphicsSystem {
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
   bool retains_alone_ = false;
+  bool views_at_close_ = false;            // lines were selected when the segment was opened
   RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
 
   Triangulation triangulation_;

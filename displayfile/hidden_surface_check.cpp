@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clip/memory.h"
+#include "displayfile/cuts_at_vertices.h"
 #include "displayfile/scene_lines.h"
 #include "hidden/sort/touching_vertices.h"
 
@@ -25,6 +26,7 @@ SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const Sort
     items.touching = 0.0;
   }
   SortedPieces sorted = sort_hidden_surfaces(items, method, options);
+  put_cuts_at_vertices(scene, sorted);
   append_lines(scene, options, sorted);
   return sorted;
 }

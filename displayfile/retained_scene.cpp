@@ -165,6 +165,7 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   segment.keep_entered(part.touching, stage.pipeline().volume());
+  segment.keeping_entered()->begin_retained(entered_polygons(part));
   std::optional<std::uint32_t> in_force;
   Attributes attributes;
   std::vector<LineKinds> selected;

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "displayfile/cuts_at_vertices.h"
 #include "displayfile/lit_parts.h"
 #include "hidden/map/map_pieces.h"
 
@@ -82,12 +83,17 @@ FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortO
 
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
                             HiddenLines hidden_lines) {
-  return lines_in_order(scene.primitives(), strokes_of(scene), found, hidden_lines);
+  SortedPieces lines = lines_in_order(scene.primitives(), strokes_of(scene), found, hidden_lines);
+  put_cuts_at_vertices(scene, lines);
+  return lines;
 }
 
 SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
                                 HiddenLines hidden_lines) {
-  return lines_beside_sides(scene.primitives(), strokes_of(scene), found, hidden_lines);
+  SortedPieces lines =
+      lines_beside_sides(scene.primitives(), strokes_of(scene), found, hidden_lines);
+  put_cuts_at_vertices(scene, lines);
+  return lines;
 }
 
 SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
@@ -97,9 +103,13 @@ SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) 
                            ? lit_pieces_of_map(scene, *items, of_map)
                            : pieces_of_map(*items, visible_map(*items, of_map));
   const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
-  if (found.lines.empty() && found.intersections.empty()) return fills;
+  if (found.lines.empty() && found.intersections.empty()) {
+    put_cuts_at_vertices(scene, fills);
+    return fills;
+  }
   // The lines' points stay where their pick identifiers are looked up.
-  SortedPieces all = lines_in_order(scene, found, options.hidden_lines);
+  SortedPieces all =
+      lines_in_order(scene.primitives(), strokes_of(scene), found, options.hidden_lines);
   const auto before = static_cast<std::uint32_t>(all.points.size());
   all.first_stroke = fills.pieces.size();
   all.lights = std::move(fills.lights);
@@ -110,6 +120,7 @@ SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) 
   if (!all.hidden.empty()) all.hidden.insert(all.hidden.begin(), all.first_stroke, 0);
   all.points.insert(all.points.end(), fills.points.begin(), fills.points.end());
   all.visible.insert(all.visible.end(), fills.visible.begin(), fills.visible.end());
+  put_cuts_at_vertices(scene, all);
   return all;
 }
 

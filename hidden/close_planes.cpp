@@ -9,8 +9,11 @@
 #include <glm/mat4x3.hpp>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
+
+#include "hidden/exact/rounding.h"
 
 namespace displayfile {
 
@@ -19,71 +22,78 @@ namespace {
 /// Unit normals that differ by no more than this in each component may be of planes that are close.
 /// They differ by 2^-20 at most in truth: of planes within reach because polygons are kWidths times
 /// as wide, of others by definition. What is rounded adds no more, if widths are kRoundings of
-/// the largest coordinate, and vertices lie off the plane by no more than kBent of the width.
-constexpr double kAngle = 0x1p-18, kWidths = 3.0 * 0x1p20, kRoundings = 0x1p-30, kBent = 0x1p-22;
+/// the largest coordinate.
+constexpr double kAngle = 0x1p-18, kWidths = 3.0 * 0x1p20, kRoundings = 0x1p-30;
+/// A point, a difference of two and what a normal has of these are off by less than this, times the
+/// largest sum that a coordinate is made of, several times. Underflow adds less than kTiny.
+constexpr double kRoundingOfPoints = 0x1p-46;
 /// Comparisons of a plane, on average; more take longer than to look at all polygons.
 constexpr std::size_t kMostCompared = 64;
 
-/// A polygon's plane in the world, by three of its corners that are far apart.
+/// A polygon's support plane in the world.
 struct PlaneInWorld {
   Point3 normal, through;
-  double size, width;  ///< how far it goes from there at most; the least width of the triangle
-  bool is_bent;
+  double size, width;  ///< how far the polygon goes from there; the support triangle's least width
 };
 
-/// Three corners that are far apart, the first of them the polygon's first.
-std::array<std::size_t, 3> spread_corners(std::span<const Point3> points) {
-  if (points.size() == 3) return {0, 1, 2};
-  std::array<std::size_t, 3> spread{0, 0, 0};
-  double farthest = -1.0;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const Point3 along = points[k] - points[0];
-    const double off = glm::dot(along, along);
-    if (off > farthest) farthest = off, spread[1] = k;
-  }
-  const Point3 along = points[spread[1]] - points[0];
-  farthest = -1.0;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    const Point3 across = glm::cross(along, points[k] - points[0]);
-    const double off = glm::dot(across, across);
-    if (off > farthest) farthest = off, spread[2] = k;
-  }
-  return spread;
-}
-
-/// The plane of world points; its width is no number if they are in line.
-PlaneInWorld plane_of(std::span<const Point3> points) {
-  const std::array<std::size_t, 3> spread = spread_corners(points);
-  const Point3 at = points[spread[0]], a = points[spread[1]] - at, b = points[spread[2]] - at,
-               c = b - a;
+/// The width of a triangle in line is no number.
+PlaneInWorld plane_of(std::span<const Point3> points, const std::array<std::size_t, 3>& support) {
+  const auto& [p, q, r] = support;
+  const Point3 at = points[p], a = points[q] - at, b = points[r] - at, c = b - a;
   const Point3 normal = glm::cross(a, b);
   const double twice_area = glm::length(normal);
   const double longest =
       std::sqrt(std::max(std::max(glm::dot(a, a), glm::dot(b, b)), glm::dot(c, c)));
-  PlaneInWorld plane{normal / twice_area, at, longest, twice_area / longest, false};
+  PlaneInWorld plane{normal / twice_area, at, longest, twice_area / longest};
   if (points.size() == 3) return plane;
-  double size = 0.0, off = 0.0;  // the squared size
-  for (const Point3& p : points) {
-    const Point3 to = p - at;
-    size = std::max(size, glm::dot(to, to));
-    off = std::max(off, std::abs(glm::dot(plane.normal, to)));
-  }
-  plane.size = std::max(longest, std::sqrt(size));
-  plane.is_bent = off > kBent * plane.width;
+  double squared = 0.0;
+  for (const Point3& v : points) squared = std::max(squared, glm::dot(v - at, v - at));
+  plane.size = std::max(longest, std::sqrt(squared));
   return plane;
 }
 
-/// Three points of which two are one have no plane; others may have one, however thin it is.
-bool has_no_plane(const PointRow& points) {
-  return points.size() < 3 ||
-         (points.size() == 3 &&
-          (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]));
+/// Nothing of a polygon that has no plane; three points may be in line nevertheless.
+std::optional<std::array<std::size_t, 3>> quick_support(const PointRow& points) {
+  if (points.size() != 3) return support_of_entered(points.row());
+  if (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]) return {};
+  return std::array<std::size_t, 3>{0, 1, 2};
 }
 
 bool are_alike(const Point3& a, const Point3& b) {
   const double sign = glm::dot(a, b) < 0.0 ? -1.0 : 1.0;
   const Point3 off = glm::abs(a - sign * b);
   return std::max({off.x, off.y, off.z}) <= kAngle;
+}
+
+/// The largest sum of the magnitudes that a world coordinate is a sum of.
+double sum_of_products(const glm::dmat4x3& m, const Point3& p) {
+  double most = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    most = std::max(most, std::abs(m[0][k] * p.x) + std::abs(m[1][k] * p.y) +
+                              std::abs(m[2][k] * p.z) + std::abs(m[3][k]));
+  }
+  return most;
+}
+
+/// Triangles on both sides of a common one: where their planes meet viewing leaves as it is.
+bool meet_at_a_side(const EnteredPolygon& a, const EnteredPolygon& b) {
+  if (a.points.size() != 3 || b.points.size() != 3) return false;
+  if (a.modelling != b.modelling) return false;
+  const auto other_corner = [](const PointRow& points, const PointRow& others) {
+    std::size_t at = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::ranges::find(others, points[k]) != others.end()) continue;
+      if (at != 3) return std::size_t{3};
+      at = k;
+    }
+    return at;
+  };
+  const std::size_t of_a = other_corner(a.points, b.points),
+                    of_b = other_corner(b.points, a.points);
+  if (of_a == 3 || of_b == 3) return false;
+  const Point3 &p = a.points[(of_a + 1) % 3], &q = a.points[(of_a + 2) % 3];
+  const auto turn = [&](const Point3& v) { return glm::cross(q - p, v - p); };
+  return glm::dot(turn(a.points[of_a]), turn(b.points[of_b])) < 0.0;
 }
 
 double longest_column(const glm::dmat4x3& modelling) {
@@ -97,7 +107,7 @@ double longest_column(const glm::dmat4x3& modelling) {
 ClosePlanes::ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf& polygon_of,
                          double reach, double near)
     : polygons_(polygons) {
-  is_known_ = enter(polygons, polygon_of, reach, near) && find_touching();
+  is_known_ = enter(polygons, polygon_of, reach, near) && find_touching(polygon_of);
   if (!is_known_) may_touch_ = all();
 }
 
@@ -111,21 +121,26 @@ std::vector<std::uint32_t> ClosePlanes::all() const {
 bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf& polygon_of,
                         double reach, double near) {
   Point3 least(std::numeric_limits<double>::infinity()), most(-least);
-  double thinnest = least.x, longest = 1.0, largest_size = 0.0;
+  double thinnest = least.x, longest = 1.0, largest_size = 0.0, largest_sum = 0.0;
   glm::dmat4x3 modelling(1.0);
   std::vector<Point3> through, world;
   planes_.reserve(polygons);
   through.reserve(polygons);
   for (std::uint32_t i = 0; i < polygons; ++i) {
     const EnteredPolygon polygon = polygon_of(i);
-    if (has_no_plane(polygon.points)) continue;
+    const auto support = quick_support(polygon.points);
+    if (!support) continue;
     world.clear();
     for (std::size_t k = 0; polygon.modelling != nullptr && k < polygon.points.size(); ++k) {
       world.push_back(polygon.in_world(k));
+      largest_sum = std::max(largest_sum, sum_of_products(*polygon.modelling, polygon.points[k]));
     }
     const PlaneInWorld plane =
-        plane_of(polygon.modelling == nullptr ? polygon.points.row() : std::span(world));
-    if (plane.is_bent || !(plane.width > 0.0)) return false;
+        plane_of(polygon.modelling == nullptr ? polygon.points.row() : std::span(world), *support);
+    if (!(plane.width > 0.0)) {
+      if (!support_of_entered(polygon.points.row())) continue;
+      return false;
+    }
     thinnest = std::min(thinnest, plane.width);
     if (polygon.modelling != nullptr && *polygon.modelling != modelling) {
       modelling = *polygon.modelling;
@@ -134,7 +149,7 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
     least = glm::min(least, plane.through);
     most = glm::max(most, plane.through);
     largest_size = std::max(largest_size, plane.size);
-    planes_.push_back({plane.normal, 0.0, i});
+    planes_.push_back({plane.normal, 0.0, i, Distance::far});
     through.push_back(plane.through);
   }
   if (planes_.empty()) return true;
@@ -142,37 +157,75 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
   const double largest = std::max({corner.x, corner.y, corner.z}) + largest_size;
   // No plane was made to go through this point. Two that are close at a polygon are so there.
   const Point3 from = least + Point3(0.6180, 0.2716, 0.4142) * size;
-  window_ = 2.0 * kAngle * (glm::length(size) + largest_size) + near * longest;
+  reach_ = reach * longest;
+  near_ = near * longest;
+  rounding_ = kRoundingOfPoints * std::max(largest, largest_sum);
+  window_ = 2.0 * kAngle * (glm::length(size) + largest_size) + near_;
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     planes_[i].off = std::abs(glm::dot(planes_[i].normal, through[i] - from));
   }
   std::ranges::sort(planes_, {}, &Entered::off);
-  return thinnest >= std::max(kWidths * reach * longest, kRoundings * largest);
+  return thinnest >= std::max(kWidths * reach_, kRoundings * largest);
+}
+
+/// How far the polygon is from the plane of the other: as near as that, all of its vertices may be.
+ClosePlanes::Distance ClosePlanes::distance_from(const EnteredPolygon& plane,
+                                                 const EnteredPolygon& polygon) const {
+  const auto support = support_of_entered(plane.points.row());
+  if (!support) return Distance::far;
+  const Point3 at = plane.in_world((*support)[0]), a = plane.in_world((*support)[1]) - at,
+               b = plane.in_world((*support)[2]) - at, normal = glm::cross(a, b);
+  const double twice_area = glm::length(normal);
+  double off = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < polygon.points.size(); ++k) {
+    const Point3 to = polygon.in_world(k) - at;
+    off = std::max(off, std::abs(glm::dot(normal, to)));
+    size = std::max(size, glm::dot(to, to));
+  }
+  // A coordinate of the normal is off by no more than the rounding times this length.
+  const double longest = std::sqrt(std::max(glm::dot(a, a), glm::dot(b, b)));
+  const double rounded =
+      rounding_ * (twice_area + 2.0 * longest * (std::sqrt(size) + near_)) + kTiny;
+  if (!(off > reach_ * twice_area + rounded)) return Distance::touching;
+  return off > near_ * twice_area + rounded ? Distance::far : Distance::near;
+}
+
+/// The nearer of either from the other's plane.
+ClosePlanes::Distance ClosePlanes::distance_of(const EnteredPolygon& a,
+                                               const EnteredPolygon& b) const {
+  const Distance from_a = distance_from(a, b);
+  if (from_a == Distance::touching) return from_a;
+  const Distance nearer = std::min(from_a, distance_from(b, a));
+  return nearer == Distance::near && meet_at_a_side(a, b) ? Distance::far : nearer;
 }
 
 /// False if it takes too many comparisons. Planes that are close to no other are left out.
-bool ClosePlanes::find_touching() {
-  std::vector<Entered> close;
+bool ClosePlanes::find_touching(const TouchingPlanes::PolygonOf& polygon_of) {
   std::size_t compared = 0;
+  const auto look_at = [&](Entered& a, Entered& b) {
+    ++compared;
+    if (!are_alike(a.normal, b.normal)) return;
+    const Distance distance = distance_of(polygon_of(a.polygon), polygon_of(b.polygon));
+    a.nearest = std::min(a.nearest, distance);
+    b.nearest = std::min(b.nearest, distance);
+  };
   for (std::size_t i = 0; i < planes_.size(); ++i) {
-    bool has_one = false;
-    const auto look_at = [&](std::size_t j) {
-      ++compared;
-      has_one = are_alike(planes_[i].normal, planes_[j].normal);
-    };
-    for (std::size_t j = i + 1; !has_one && j < planes_.size(); ++j) {
-      if (planes_[j].off - planes_[i].off > window_) break;
-      look_at(j);
+    Entered& plane = planes_[i];
+    for (std::size_t j = i + 1; plane.nearest != Distance::touching && j < planes_.size(); ++j) {
+      if (planes_[j].off - plane.off > window_) break;
+      look_at(plane, planes_[j]);
     }
-    for (std::size_t j = i; !has_one && j-- > 0;) {
-      if (planes_[i].off - planes_[j].off > window_) break;
-      look_at(j);
+    for (std::size_t j = i; plane.nearest != Distance::touching && j-- > 0;) {
+      if (plane.off - planes_[j].off > window_) break;
+      // The others have looked at all above them, this one too.
+      if (planes_[j].nearest == Distance::touching) look_at(plane, planes_[j]);
     }
     if (compared > kMostCompared * (planes_.size() + 1)) return false;
-    if (has_one) close.push_back(planes_[i]);
   }
-  planes_ = std::move(close);
-  for (const Entered& plane : planes_) may_touch_.push_back(plane.polygon);
+  std::erase_if(planes_, [](const Entered& plane) { return plane.nearest == Distance::far; });
+  for (const Entered& plane : planes_) {
+    if (plane.nearest == Distance::touching) may_touch_.push_back(plane.polygon);
+  }
   std::ranges::sort(may_touch_);
   return true;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace displayfile {
@@ -16,6 +18,16 @@ void in_parallel(int threads, std::size_t count, const std::function<void(std::s
 template <class Work>
 void in_parallel(int threads, std::size_t count, const Work& work) {
   in_parallel(threads, count, std::function<void(std::size_t)>(std::cref(work)));
+}
+
+/// Calls work(k) for each k < size, where one call is little, many of them at a time to a thread.
+template <class Work>
+void in_even_parts(std::size_t size, int threads, const Work& work) {
+  constexpr std::size_t kOfAPart = 2048;
+  in_parallel(threads, (size + kOfAPart - 1) / kOfAPart, [&](std::size_t part) {
+    const std::size_t end = std::min(size, (part + 1) * kOfAPart);
+    for (std::size_t k = part * kOfAPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
+  });
 }
 
 }  // namespace displayfile

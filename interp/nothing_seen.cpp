@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -15,8 +17,8 @@
 #include "clip/clip_pipeline.h"
 #include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
+#include "displayfile/instructions.h"
 #include "displayfile/view_stage.h"
-#include "displayfile/viewed_scene.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/scan/scan_convert.h"
 
@@ -116,29 +118,56 @@ std::vector<Point3> transformed(std::span<const Point3> points, const ImageTrans
 
 // ---- A display file ----------------------------------------------------------------------
 
-/// Why nothing is seen of an item of a viewed scene; nothing if something is.
-std::optional<Reason> why_not(const ViewedScene& scene, ViewedScene::Item item, Shown& shown) {
-  const PointRow row = scene.points(item);
-  const std::span points(row.data(), row.size());
-  if (scene.kind(item) == Primitives::Kind::line) return shown.why_not(points, false, true);
-  bool has_lines = false;
-  if (scene.line_style(item).kind != LineStyle::Kind::none) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      has_lines = has_lines || scene.edge_visible(item, k);
-    }
+/// Looks at the polygons and lines of a segment's instructions, after the image transformation:
+/// each that is not hollow without a line style, as a viewed scene has them.
+template <class OnItem>
+class StoredItems {
+ public:
+  /// Calls on_item(why not), as Shown::why_not has it, until it returns false.
+  StoredItems(Shown& shown, const OnItem& on_item) : shown_(shown), on_item_(on_item) {}
+
+  void fill(const FillStyle& style) { is_filled_ = style.kind == FillStyle::Kind::solid; }
+  void line_style(const LineStyle& style) { is_outlined_ = style.kind != LineStyle::Kind::none; }
+  void pick(std::int32_t) {}
+  void side_kinds(std::span<const LineKinds> kinds) { kinds_ = kinds; }
+  void move(const Point3& p) { pen_ = p; }
+  void line(const Point3& p) {
+    const std::array ends{std::exchange(pen_, p), p};
+    if (is_wanted_ && is_outlined_) is_wanted_ = on_item_(shown_.why_not(ends, false, true));
   }
-  return shown.why_not(points, scene.kind(item) == Primitives::Kind::solid, has_lines);
+  void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    pen_ = vertices.back();
+    const auto kinds = std::exchange(kinds_, {});
+    if (!is_wanted_ || !(is_filled_ || is_outlined_)) return;
+    const bool is_drawn =
+        kinds.empty() ? std::ranges::any_of(sides, [](auto side) { return side == op::line; })
+                      : std::ranges::any_of(kinds, [](LineKinds of_side) { return of_side != 0; });
+    is_wanted_ = on_item_(shown_.why_not(vertices, is_filled_, is_outlined_ && is_drawn));
+  }
+
+ private:
+  Shown& shown_;
+  const OnItem& on_item_;
+  bool is_filled_ = true, is_outlined_ = true, is_wanted_ = true;
+  Point3 pen_{};
+  std::span<const LineKinds> kinds_{};
+};
+
+template <class OnItem>
+void visit_items(const Segment& segment, Shown& shown, const OnItem& on_item) {
+  segment.entered()->walk_transformed(segment.image, StoredItems<OnItem>(shown, on_item));
 }
 
 bool shows(const Segment& segment, Shown& shown) {
   if (!segment.visible) return false;
   if (segment.has_texts()) return true;
   if (!segment.shows()) return false;
-  const ViewedScene scene(segment.entered(), segment.image);
-  for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-    if (!why_not(scene, item, shown)) return true;
-  }
-  return false;
+  bool is_seen = false;
+  visit_items(segment, shown, [&](std::optional<Reason> why_not) {
+    is_seen = !why_not;
+    return !is_seen;
+  });
+  return is_seen;
 }
 
 // ---- A retained scene --------------------------------------------------------------------
@@ -290,12 +319,13 @@ std::string why_nothing_is_seen(const DisplayFile& display_file, const SeenIn& i
     stored += own;
     if (!segment.visible || own == 0) continue;
     all += own;
-    const ViewedScene scene(segment.entered(), segment.image);
-    counts[static_cast<std::size_t>(Reason::style)] += own - scene.items();
-    for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-      const Reason reason = why_not(scene, item, shown).value_or(Reason::corner);
-      ++counts[static_cast<std::size_t>(reason)];
-    }
+    std::size_t items = 0;
+    visit_items(segment, shown, [&](std::optional<Reason> why_not) {
+      ++counts[static_cast<std::size_t>(why_not.value_or(Reason::corner))];
+      ++items;
+      return true;
+    });
+    counts[static_cast<std::size_t>(Reason::style)] += own - items;
   }
   if (all > 0) return in_words(counts, all, kInView);
   return stored > 0 ? "what was entered is in segments that are not visible"

@@ -98,12 +98,62 @@ TEST(ClosePlanes, WhereOneIsThinAllMayBe) {
   EXPECT_EQ(close.may_touch(), scene.all_from(0));
 }
 
-TEST(ClosePlanes, WhereOneIsBentAllMayBe) {
+/// Of a polygon that is not flat the support plane counts.
+TEST(ClosePlanes, SmallOnesLieInTheSupportPlaneOfABentOne) {
   ScenePlanes scene(7);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
-  scene.enter({{0, 0, 0}, {1, 0, 0}, {1, 1, 1e-6}, {0, 1, 0}});
+  scene.enter({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1e-6}});  // the support leaves out the last
+  EXPECT_TRUE(scene.close(kTouching, kNearby).may_touch().empty());
+  scene.enter(ScenePlanes::square({0.2, 0.7, 0.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}));
+  EXPECT_EQ(scene.close(kTouching, kNearby).may_touch(), scene.all_from(20));
+}
+
+/// Within an alike normal's reach of each other, and yet apart: neighbours of a fine mesh, sheets.
+TEST(ClosePlanes, ThatAreAlikeAndApartAreNeither) {
+  ScenePlanes scene(9);
+  const Point3 u(0.5, 0.0, 0.0), v(0.0, 0.5, 0.0);
+  scene.enter(ScenePlanes::square({0.0, 0.0, 0.0}, u, v));
+  scene.enter(ScenePlanes::square({0.1, 0.1, 1e-6}, u, v));
+  const Point3 bent(0.5, 0.0, 1e-6);  // meets the first along a side
+  scene.enter({{0.5, -0.5, 0.0}, {0.5, 0.5, 0.0}, Point3(0.5, 0.5, 0.0) + bent});
   const ClosePlanes close = scene.close(kTouching, kNearby);
-  EXPECT_EQ(close.may_touch(), scene.all_from(0));
+  EXPECT_TRUE(close.may_touch().empty());
+  const TouchingPlanes alone(scene.size(), scene.polygon_of(), kTouching);
+  EXPECT_TRUE(close.near_others(alone).empty());
+  scene.enter(ScenePlanes::square({0.3, 0.3, 1e-9}, 0.1 * u, 0.1 * v));
+  const ClosePlanes near = scene.close(kTouching, kNearby);
+  EXPECT_TRUE(near.may_touch().empty());
+  const TouchingPlanes still(scene.size(), scene.polygon_of(), kTouching);
+  EXPECT_EQ(near.near_others(still), (std::vector<std::uint32_t>{0, 3}));
+}
+
+/// Triangles that have a side in common are apart but for it, unless one is folded over the other.
+TEST(ClosePlanes, NeighboursAreNearOnlyWhereTheyAreFolded) {
+  const Point3 p(0.0, -0.5, 0.0), q(0.0, 0.5, 0.0), left(-1.0, 0.0, 0.0), right(1.0, 0.0, 1e-8),
+      folded(-0.9, 0.1, 1e-8);
+  const auto near = [&](const Point3& corner) {
+    ScenePlanes scene(10);
+    scene.enter({p, q, left});
+    scene.enter({q, p, corner});
+    const ClosePlanes close = scene.close(kTouching, kNearby);
+    EXPECT_TRUE(close.may_touch().empty());
+    return close.near_others(TouchingPlanes(scene.size(), scene.polygon_of(), kTouching));
+  };
+  EXPECT_TRUE(near(right).empty());
+  EXPECT_EQ(near(folded), (std::vector<std::uint32_t>{0, 1}));
+}
+
+/// One that lies in a plane may come before others in the sort that lie in it too.
+TEST(ClosePlanes, AllThatLieInOnePlaneAreFound) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ScenePlanes scene(seed);
+    const Point3 at = scene.point(), u = glm::normalize(scene.point()), v = scene.point();
+    for (int n = 0; n < 30; ++n) {
+      const Point3 in_plane = at + scene.coordinate() * u + scene.coordinate() * v;
+      scene.enter(ScenePlanes::square(in_plane, 0.1 * u, 0.1 * v));
+    }
+    EXPECT_EQ(scene.close(kTouching, kNearby).may_touch(), scene.all_from(0)) << "seed " << seed;
+  }
 }
 
 TEST(ClosePlanes, AreNearOthersOnlyIfTheseAreNotOneWithThem) {

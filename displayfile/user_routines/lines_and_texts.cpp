@@ -30,7 +30,7 @@ void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to, bool
   Segment& segment = display_file_.segment(*open_);
   segment.set_line_pick(pick_);
   if (RetainedScene* scene = retaining()) scene->enter_line(from, to, attributes_, pick_);
-  if (!retains_alone_ && is_there) view_stage_->enter_line(from, to, attributes_.line, segment);
+  if (!is_viewed_later() && is_there) view_stage_->enter_line(from, to, attributes_.line, segment);
 }
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {
@@ -96,7 +96,7 @@ void GraphicsSystem::text(std::string_view characters) {
     if (RetainedScene* scene = retaining()) {
       scene->enter_text(pen_.world, characters, attributes_);
     }
-    if (!retains_alone_) {
+    if (!is_viewed_later()) {
       view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
     }
   }

@@ -42,25 +42,26 @@ void GraphicsSystem::replace_lines(const LineSelection& selection) {
   said_.insert(Setting::lines);
 }
 
-/// The segment is complete, so that it is known which polygons share a side: what was entered is
-/// entered again from what was retained, with the sides that are selected. Nothing if these are
-/// all.
-std::optional<Segment> GraphicsSystem::with_lines_selected(const Segment& segment) {
+/// The segment is complete, so that it is known which polygons share a side: what was retained is
+/// viewed, with the sides that are selected. Nothing if these are all, and it is viewed already.
+std::optional<Segment> GraphicsSystem::with_lines_selected(int name) {
   RetainedScene* const scene = retaining();
   const auto select = [&]() -> std::optional<Segment> {
     scene->close_segment(lines_);
-    if (lines_.is_all_alone() || retains_alone_) return std::nullopt;
+    if (retains_alone_ || (lines_.is_all_alone() && !views_at_close_)) return std::nullopt;
     const RetainedScene::Segment& part = scene->segments().back();
     ViewStage stage(view_stage_->pipeline().volume());
-    Segment again(segment.name());
+    Segment again(name);
     scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
                         [](std::uint32_t) {});
     return again;
   };
-  const std::size_t points = segment.entered()->points();
+  const RetainedScene::Segment& open = scene->segments().back();
+  const std::size_t primitives = scene->size() - open.first;
   return with_memory(
-      points * sizeof(Point3),
-      [&] { return fmt::format("selecting lines among those of {} points", points); }, select);
+      3 * primitives * sizeof(Point3),
+      [&] { return fmt::format("selecting lines among those of {} polygons", primitives); },
+      select);
 }
 
 }  // namespace displayfile

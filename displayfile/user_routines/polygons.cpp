@@ -138,7 +138,7 @@ void GraphicsSystem::enter(const WorldPolygon& polygon) {
 void GraphicsSystem::enter_whole(const WorldPolygon& polygon) {
   if (RetainedScene* scene = retaining()) {
     scene->enter_polygon(polygon, attributes_);
-    if (retains_alone_) return;
+    if (is_viewed_later()) return;
   }
   view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
 }
@@ -232,7 +232,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   const auto enter_all = [&] {
     const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
     const bool at_once = of_one_kind && !cutting_planes_.any() && solids_.empty();
-    if (retains_alone_ && at_once && recorder_ == nullptr) {
+    if (is_viewed_later() && at_once && recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
       retaining()->enter_shared_triangles(shared, corners, attributes_, next_pick(),
                                           pick_ >= 0 ? 0 : 1);
@@ -296,7 +296,7 @@ void GraphicsSystem::make_room_for_shared(const RetainedScene::SharedVertices& s
                                           std::size_t fills) {
   const std::size_t vertices = shared.world.size();
   if (RetainedScene* scene = retaining()) scene->begin_shared(vertices, polygons, corners);
-  if (retains_alone_) return;
+  if (is_viewed_later()) return;
   Segment& segment = display_file_.segment(*open_);
   view_stage_->view_vertices(shared.world);
   view_stage_->note_entered(shared.entered, shared.modelling, segment);
@@ -335,7 +335,7 @@ void GraphicsSystem::enter_shared(const RetainedScene::SharedVertices& shared,
   if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
-  if (!retains_alone_) view_stage_->enter_shared(corners, polygon, attributes_, segment);
+  if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, attributes_, segment);
 }
 
 }  // namespace displayfile

@@ -32,7 +32,8 @@ void GraphicsSystem::open_segment(int name) {
   const View view = windows_.in_picture(view_, said_);
   const ViewVolume volume(view);
   Segment& segment = display_file_.create(name);
-  if (!retains_alone_) segment.keep_entered(touching_, volume);
+  views_at_close_ = retaining() != nullptr && !retains_alone_ && !lines_.is_all_alone();
+  if (!is_viewed_later()) segment.keep_entered(touching_, volume);
   view_stage_.emplace(volume);
   open_ = name;
   if (RetainedScene* scene = retaining()) scene->open_segment(name, view, touching_);
@@ -60,7 +61,7 @@ void GraphicsSystem::close_segment() {
 
 void GraphicsSystem::close(Segment& segment) {
   std::optional<Segment> selected;
-  if (retaining() != nullptr) selected = with_lines_selected(segment);
+  if (retaining() != nullptr) selected = with_lines_selected(segment.name());
   Segment& whole = selected ? *selected : segment;
   keep_entered_once(whole);
   whole.free_room();

@@ -70,7 +70,7 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   if (modelling_.mirrors()) std::swap(x_points, y_points);
   if (RetainedScene* scene = retaining()) scene->mark_surface({upward, x_points, y_points});
   std::vector<Point3> entered;
-  if (!retains_alone_) {
+  if (!is_viewed_later()) {
     segment.mark_surface(
         {view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
     view_stage_->view_vertices(world);
@@ -169,7 +169,7 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
     std::swap(along_ab, along_ad);
   }
   const int pick = pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal);
-  const bool plain = retaining() == nullptr && !retains_alone_ && !cutting_planes_.any();
+  const bool plain = retaining() == nullptr && !is_viewed_later() && !cutting_planes_.any();
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {
     if (plain && view_stage_->enter_triangle(world, {of_triangle, edge_visible, pick}, attributes_,
@@ -184,7 +184,7 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
         PointRow(world, of_triangle), edge_visible, normal, {}, pick, entered, modelling_matrix()};
     if (cutting_planes_.any()) return enter_cut(triangle);
     if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, attributes_);
-    if (!retains_alone_) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);
+    if (!is_viewed_later()) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);
   };
   enter_triangle({a, b, c}, {0, along_ab, along_ad});
   enter_triangle({a, c, d}, {along_ad, 0, along_ab});

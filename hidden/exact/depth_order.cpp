@@ -1,5 +1,6 @@
 #include "hidden/exact/depth_order.h"
 
+#include "hidden/exact/estimates.h"
 #include "hidden/exact/exact_point.h"
 #include "hidden/exact/exact_projector.h"
 #include "hidden/exact/predicate_counts.h"
@@ -49,6 +50,11 @@ int exact_depth_order(const Plane& a, const Plane& b, const PixelCentre& centre)
 
 int exact_depth_order(const Plane& a, const Plane& b, const Point2& at) {
   if (same_plane(a, b, Predicate::depth_at_point)) return 0;
+  if (is_double_double_sound()) {
+    const PlaneEstimate first(a), second(b);
+    const int sign = decided_sign(estimated_apart(first, second, at));
+    if (sign != 0) return sign * facing(a) * facing(b);
+  }
   count_exact(Predicate::depth_at_point);
   const ExactProjector through(at);
   return exact_order(a, b, through.x, through.y, through.w);

@@ -12,7 +12,7 @@ namespace displayfile {
 // Every predicate here returns the true sign, -1, 0 or 1, for coordinates up to
 // kCoordinateLimit, whatever the rounding mode. hidden/exact/predicates.md derives the bounds.
 
-// The exact stages, where the filter is undecided.
+// The middle and the exact stages, where the filter is undecided.
 int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int exact_facing(std::span<const Point3> vertices);

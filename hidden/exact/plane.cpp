@@ -1,5 +1,6 @@
 #include "hidden/exact/plane.h"
 
+#include "hidden/exact/estimates.h"
 #include "hidden/exact/exact_point.h"
 #include "hidden/exact/predicate_counts.h"
 
@@ -64,6 +65,9 @@ int exact_side_of_plane(const Point3& v, const Plane& plane) {
   if (plane.goes_through(v) || is_across_an_axis(plane, v)) {
     count_by_definition(Predicate::side_of_plane);
     return 0;
+  }
+  if (is_double_double_sound()) {
+    if (const int sign = decided_sign(estimated_value(plane, v)); sign != 0) return sign;
   }
   count_exact(Predicate::side_of_plane);
   return value_at(ExactPlane(plane), exact_point(v)).sign();

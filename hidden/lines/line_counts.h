@@ -8,6 +8,7 @@
 #include "hidden/convex_turning.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/ends_at_plane.h"
+#include "hidden/lines/far_planes.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
@@ -48,8 +49,9 @@ struct CountChange {
 template <class Policy>
 class LineCounts {
  public:
-  LineCounts(const LineScene& scene, const ContourEdges& contours, const Policy& policy)
-      : scene_(scene), contours_(contours), policy_(policy) {}
+  LineCounts(const LineScene& scene, const ContourEdges& contours, const FarPlanes& far_planes,
+             const Policy& policy)
+      : scene_(scene), contours_(contours), far_planes_(far_planes), policy_(policy) {}
 
   void look_at(const Point3& a, const Point3& b) { line_ = {a, b, nullptr}; }
 
@@ -123,8 +125,7 @@ class LineCounts {
     const bool is_side = corners.start && corners.end;
     const bool shares = line.own != LineScene::kNone && scene_.share_plane(line.own, polygon);
     if ((is_side && !shares) || (is_at_corner && !may_touch)) return false;
-    if (is_at_corner && !shares &&
-        scene_.is_far_from_plane(polygon, corners.start ? line_.b : line_.a)) {
+    if (is_at_corner && !shares && far_planes_.is_far(polygon, corners.start ? line_.b : line_.a)) {
       return false;
     }
     const Plane plane = scene_.plane(polygon);
@@ -277,6 +278,7 @@ class LineCounts {
 
   const LineScene& scene_;
   const ContourEdges& contours_;
+  const FarPlanes& far_planes_;
   const Policy& policy_;
   DepthLine line_{};
 };

@@ -27,6 +27,7 @@ struct AppelScene {
   SideTable sides;
   ContourEdges contours;
   LineVertices vertices;
+  FarPlanes far_planes;
   DepthTree counted;    ///< the polygons that are counted, as boxes around all they have
   ExtentTree compared;  ///< the others that hide
 
@@ -34,7 +35,8 @@ struct AppelScene {
       : lines(scene),
         sides(items),
         contours(scene, items, sides, threads),
-        vertices(scene, items, sides, contours) {
+        vertices(scene, items, sides, contours),
+        far_planes(scene, threads) {
     const auto box = [&](std::uint32_t i) {
       return DepthBox{contours.way(i) != 0 ? box_of(i) : Extent::nothing()};
     };
@@ -84,7 +86,7 @@ class LineFollower {
       : scene_(scene),
         lines_(scene.lines),
         policy_(policy),
-        counts_(scene.lines, scene.contours, policy),
+        counts_(scene.lines, scene.contours, scene.far_planes, policy),
         depths_(scene.lines, policy) {}
 
   /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing

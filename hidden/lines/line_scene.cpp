@@ -20,17 +20,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kLinesOfAPart = 2048;
-
-/// Calls work(k) for each k, many at a time to a thread.
-template <class Work>
-void in_even_parts(std::size_t size, int threads, const Work& work) {
-  in_parallel(threads, (size + kLinesOfAPart - 1) / kLinesOfAPart, [&](std::size_t part) {
-    const std::size_t end = std::min(size, (part + 1) * kLinesOfAPart);
-    for (std::size_t k = part * kLinesOfAPart; k < end; ++k) work(static_cast<std::uint32_t>(k));
-  });
-}
-
 void check_name(const Primitives& items, const LineName& name) {
   const bool exists = name.item < items.items.size();
   const auto text = [&] {
@@ -106,22 +95,6 @@ LineScene::Support LineScene::support_of(std::uint32_t number) const {
   support.is_turned = turn < 0;
   if (support.is_turned) std::swap(support.q, support.r);
   return support;
-}
-
-bool LineScene::is_far_from_plane(std::uint32_t item, const Point3& v) const {
-  constexpr double kOfRounding = 0x1p-44;
-  if (has_rests(item)) return false;
-  const Support& support = support_[item];
-  const Point3& p = items_.points[support.p];
-  const Point3 a = items_.points[support.q] - p, b = items_.points[support.r] - p, to = v - p;
-  const Point3 normal = glm::cross(a, b);
-  const auto of_coordinates = [](const Point3& of) {
-    return std::abs(of.x) + std::abs(of.y) + std::abs(of.z);
-  };
-  const double touching =
-      touching_ * (1.0 + most_shares_ / std::abs(normal.z)) * of_coordinates(normal);
-  const double rounding = kOfRounding * of_coordinates(a) * of_coordinates(b) * of_coordinates(to);
-  return std::abs(glm::dot(normal, to)) > (1.0 + 0x1p-20) * touching + rounding;
 }
 
 void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {

@@ -80,9 +80,6 @@ class LineScene {
     if (is_turned) std::swap(rest.y, rest.z);
     return {items_.points[p], items_.points[q], items_.points[r], rest};
   }
-  /// The point is farther from that plane than what touches may be, by far more than rounding: in
-  /// fewer operations than the plane takes. False if it is not known.
-  bool is_far_from_plane(std::uint32_t item, const Point3& v) const;
   /// That plane has rests; false for a polygon without a plane.
   bool has_rests(std::uint32_t item) const { return items_.plane_rest(item) != Point3(0.0); }
   /// As Primitives::touching; infinite where what is within reach may be anywhere.

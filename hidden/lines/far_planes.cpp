@@ -1,0 +1,31 @@
+#include "hidden/lines/far_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "hidden/parallel.h"
+
+namespace displayfile {
+
+FarPlanes::FarPlanes(const LineScene& scene, int threads) {
+  constexpr double kRounding = 0x1p-48;  // of a sum of four products, several times
+  if (!(scene.touching() > 0.0)) return;
+  double largest = 0.0;
+  for (const Point3& p : scene.points()) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  planes_.resize(scene.items());
+  in_even_parts(scene.items(), threads, [&](std::uint32_t i) {
+    if (!scene.hides(i) || scene.has_rests(i)) return;
+    const Plane plane = scene.plane(i);
+    const double touching =
+        scene.touching() * (1.0 + scene.most_shares() / std::abs(plane.normal.z)) * plane.reach;
+    const double of_normal = plane.bound.x + plane.bound.y + plane.bound.z;
+    planes_[i] = {
+        plane.normal, glm::dot(plane.normal, plane.p),
+        (1.0 + 0x1p-20) * touching + 2.0 * largest * (of_normal + kRounding * plane.reach) + kTiny};
+  });
+}
+
+}  // namespace displayfile

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/lines/line_scene.h"
+
+namespace displayfile {
+
+/// Tells in a few operations that a point is far from a polygon's plane: farther than what touches
+/// may be, by far more than rounding. Around each vertex of a mesh most polygons are.
+class FarPlanes {
+ public:
+  explicit FarPlanes(const LineScene& scene, int threads);
+
+  /// A point of the scene and the plane of one of its polygons. False if it is not known.
+  bool is_far(std::uint32_t item, const Point3& v) const {
+    const PlaneInDoubles& plane = planes_[item];
+    const Point3& n = plane.normal;
+    return std::abs(n.x * v.x + n.y * v.y + n.z * v.z - plane.offset) > plane.tolerance;
+  }
+
+ private:
+  struct PlaneInDoubles {
+    Point3 normal{0.0};
+    double offset = 0.0;
+    double tolerance = std::numeric_limits<double>::infinity();
+  };
+  std::vector<PlaneInDoubles> planes_;  // none of a scene in which nothing touches
+};
+
+}  // namespace displayfile

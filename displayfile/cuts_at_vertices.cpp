@@ -100,7 +100,7 @@ class CutsAtVertices {
   CutsAtVertices(const ViewedScene& scene, double radius, SortedPieces& pieces)
       : scene_(scene), radius_(radius), pieces_(pieces) {}
 
-  /// False if nothing is left of the piece.
+  /// False if the piece is a line of which nothing is left.
   bool move(SortedPiece& piece) {
     const PointRow own = scene_.points(piece.item);
     moved_.clear();
@@ -125,21 +125,24 @@ class CutsAtVertices {
     }
     return {vertex->x, vertex->y, is_as_deep(*vertex, cut) ? vertex->z : cut.z};
   }
-  /// By what was moved, without sides that have lost their length; false if those of no polygon or
-  /// line are left.
+  /// By what was moved, without sides that have lost their length; false if a line has. A sliver of
+  /// a polygon that has no more than two sides left stays as it is: it may cover a pixel's centre.
   bool replace(SortedPiece& piece) {
-    const std::size_t sides = piece.sides;
-    std::uint32_t kept = 0;
-    for (std::size_t k = 0; k < sides; ++k) {
-      const Point3& before = moved_[previous_corner(k, sides)];
-      if (Point2(before) == Point2(moved_[k])) continue;
-      const std::size_t from = piece.first + k, to = piece.first + kept++;
-      pieces_.points[to] = moved_[k];
+    kept_.clear();
+    for (std::uint32_t k = 0; k < piece.sides; ++k) {
+      const Point3& before = moved_[previous_corner(k, piece.sides)];
+      if (Point2(before) != Point2(moved_[k])) kept_.push_back(k);
+    }
+    if (piece.sides == 2 && kept_.empty()) return false;
+    if (piece.sides > 2 && kept_.size() < 3) return true;
+    for (std::uint32_t n = 0; n < kept_.size(); ++n) {
+      const std::uint32_t from = piece.first + kept_[n], to = piece.first + n;
+      pieces_.points[to] = moved_[kept_[n]];
       pieces_.visible[to] = pieces_.visible[from];
       if (!pieces_.corners.empty()) pieces_.corners[to] = pieces_.corners[from];
     }
-    piece.sides = kept;
-    return kept >= std::min<std::size_t>(sides, 3);
+    piece.sides = static_cast<std::uint32_t>(kept_.size());
+    return true;
   }
 
   const ViewedScene& scene_;
@@ -147,12 +150,15 @@ class CutsAtVertices {
   SortedPieces& pieces_;
   std::optional<VerticesInPicture> vertices_;
   std::vector<Point3> moved_;
+  std::vector<std::uint32_t> kept_;
 };
 
 }  // namespace
 
+double cuts_may_move(const ViewedScene& scene) { return 2.0 * scene.boundary_error(); }
+
 void put_cuts_at_vertices(const ViewedScene& scene, SortedPieces& pieces) {
-  const double radius = 2.0 * scene.boundary_error();
+  const double radius = cuts_may_move(scene);
   if (!(radius > 0.0) || pieces.points.empty()) return;
   CutsAtVertices cuts(scene, radius, pieces);
   std::size_t kept = 0;

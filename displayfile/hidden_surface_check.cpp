@@ -38,7 +38,7 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
   const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
                           pieces.depth};
-  double moved = viewed.boundary_error();
+  double moved = viewed.boundary_error() + cuts_may_move(viewed);
   if (options.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});

@@ -51,6 +51,16 @@ double RetainedScene::longest_column() const {
   return most;
 }
 
+double RetainedScene::reach_in_world(const Segment& segment) const {
+  const std::span<const Point3> entered = entered_.empty() ? points_ : entered_;
+  double largest = 0.0;
+  for (const Point3& p :
+       entered.subspan(segment.first_point, segment.end_point - segment.first_point)) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return entered_reach(segment.touching, largest) * longest_column();
+}
+
 double RetainedScene::largest_in_world() const {
   double entered = 0.0;
   for (const Point3& p : entered_.empty() ? points_ : entered_) {

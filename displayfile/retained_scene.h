@@ -97,6 +97,8 @@ class RetainedScene : public Watched<RetainedScene> {
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
   /// The length of the longest column of the modelling matrices, at least 1.
   double longest_column() const;
+  /// Within which distance vertices of the segment's polygons are one, in world coordinates.
+  double reach_in_world(const Segment& segment) const;
   /// No world coordinate, nor any of the products that it is a sum of, is larger.
   double largest_in_world() const;
   /// By how many times 2^-53 of that world coordinates are off (hidden/entered_polygon.h).

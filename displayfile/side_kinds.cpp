@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <tuple>
 
 #include "clip/back_face.h"
 #include "clip/corners.h"
@@ -12,6 +13,7 @@
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/lines/side_table.h"
+#include "hidden/vertices_within_reach.h"
 
 namespace displayfile {
 
@@ -22,6 +24,7 @@ namespace {
 constexpr double kCoplanar = 1e-5;
 
 constexpr double kHalfTurn = std::numbers::pi;
+constexpr LineKinds kAnyKind = 0xff;
 /// Cosines that differ by more are those of different angles, in the same order.
 constexpr double kNearlyEqual = 1e-12;
 
@@ -87,33 +90,156 @@ class SideKinds::Finder {
   void find() {
     draw_all();
     if (wanted_.is_all_alone()) return;
+    found_.wants_outlines_ = wants(LineKind::outline);
     if (wants(LineKind::crease)) find_normals();
-    SideTable(own_.primitives).for_each_set([&](std::span<const SideTable::Side> sides) {
-      LineKinds kinds = 0;
-      const auto add = [&](LineKind kind, bool is_one) {
-        if (is_one) kinds = static_cast<LineKinds>(kinds | kinds_of(kind));
-      };
-      if (wants(LineKind::boundary)) add(LineKind::boundary, sides.size() == 1);
-      if (wants(LineKind::crease)) add(LineKind::crease, is_crease(sides));
-      if (wants(LineKind::material)) add(LineKind::material, fills_differ(sides));
-      for (const SideTable::Side& side : sides) {
-        LineKinds& of_side = found_.fixed_[corner_of(side)];
-        if (is_visible(side)) of_side = static_cast<LineKinds>(of_side | kinds);
-      }
-      if (wants(LineKind::outline)) note_shared(sides);
+    const double reach = scene_.reach_in_world(segment_);
+    vertices_ = first_within(own_.primitives.points, reach);
+    SideTable(own_.primitives, vertices_).for_each_set([&](std::span<const SideTable::Side> set) {
+      if (set.size() > 1 && have_the_same_ends(set)) return look_at(set);
+      for (const SideTable::Side& side : set) lone_.push_back(side.name);
     });
+    part(reach);
   }
 
  private:
   bool wants(LineKind kind) const { return contains(wanted_.kinds, kind); }
-  std::uint32_t corner_of(const SideTable::Side& side) const {
-    return own_.items[side.name.item].first + side.name.corner;
+  std::uint32_t corner_of(const LineName& side) const {
+    return own_.items[side.item].first + side.corner;
   }
-  std::uint32_t primitive_of(const SideTable::Side& side) const {
-    return segment_.first + side.name.item;
+  std::uint32_t primitive_of(const LineName& side) const { return segment_.first + side.item; }
+  bool is_visible(const LineName& side) const {
+    return scene_.edge_visible(primitive_of(side), side.corner);
   }
-  bool is_visible(const SideTable::Side& side) const {
-    return scene_.edge_visible(primitive_of(side), side.name.corner);
+  /// The points that the side runs from and to, by their numbers.
+  SideOfPoints ends_of(const LineName& side) const {
+    const Primitives& all = own_.primitives;
+    const Primitives::Item& polygon = all.items[side.item];
+    return {all.point(polygon.first + previous_corner(side.corner, polygon.sides)),
+            all.point(polygon.first + side.corner)};
+  }
+  SideOfPoints vertices_of(const LineName& side) const {
+    const auto [from, to] = ends_of(side);
+    return {vertices_[from], vertices_[to]};
+  }
+  const Point3& point(std::uint32_t number) const { return own_.primitives.points[number]; }
+
+  /// To the bit: then they are one line to the methods of lines too.
+  bool have_the_same_ends(std::span<const SideTable::Side> set) const {
+    return std::ranges::all_of(set, [&](const SideTable::Side& side) {
+      const auto [from, to] = ends_of(side.name);
+      return point(from) == point(vertices_[from]) && point(to) == point(vertices_[to]);
+    });
+  }
+
+  /// A polygon's side, or a stretch of it, and which way it runs there: up, from the vertex of the
+  /// lower number.
+  struct RunningSide {
+    LineName name;
+    bool runs_up;
+  };
+
+  void look_at(std::span<const SideTable::Side> set) {
+    around_side_.clear();
+    for (const SideTable::Side& side : set) {
+      const auto [from, to] = vertices_of(side.name);
+      around_side_.push_back({side.name, from < to});
+    }
+    add_fixed(fixed_kinds(around_side_));
+    if (!wants(LineKind::outline)) return;
+    for (const SideTable::Side& side : set) {
+      found_.shared_.push_back({side.name.item, corner_of(side.name)});
+    }
+    found_.ends_.push_back(static_cast<std::uint32_t>(found_.shared_.size()));
+  }
+  /// To those around the side that are visible.
+  void add_fixed(LineKinds kinds) {
+    for (const RunningSide& side : around_side_) {
+      LineKinds& of_side = found_.fixed_[corner_of(side.name)];
+      if (is_visible(side.name)) of_side = static_cast<LineKinds>(of_side | kinds);
+    }
+  }
+
+  /// Of the sides around one, or around a stretch, those that no view changes.
+  LineKinds fixed_kinds(std::span<const RunningSide> sides) {
+    LineKinds kinds = 0;
+    const auto add = [&](LineKind kind, bool is_one) {
+      if (is_one) kinds = static_cast<LineKinds>(kinds | kinds_of(kind));
+    };
+    if (wants(LineKind::boundary)) add(LineKind::boundary, sides.size() == 1);
+    if (wants(LineKind::crease)) add(LineKind::crease, is_crease(sides));
+    if (wants(LineKind::material)) add(LineKind::material, fills_differ(sides));
+    return kinds;
+  }
+
+  /// Between two vertices that follow each other along a side.
+  struct StretchOfSide {
+    std::uint32_t low, high, side;  ///< among the lone ones
+    bool runs_up;
+    auto operator<=>(const StretchOfSide&) const = default;
+  };
+
+  /// Sides whose ends no other has may have the ends of others along them.
+  void part(double reach) {
+    std::vector<SideOfPoints> sides;
+    sides.reserve(lone_.size());
+    for (const LineName& side : lone_) sides.push_back(vertices_of(side));
+    const PartedSides parted(own_.primitives.points, sides, reach);
+    std::vector<StretchOfSide> stretches;
+    for (std::uint32_t k = 0; k < sides.size(); ++k) {
+      std::uint32_t from = sides[k].from;
+      const auto add = [&](std::uint32_t to) {
+        stretches.push_back({std::min(from, to), std::max(from, to), k, from < to});
+        from = to;
+      };
+      for (const std::uint32_t vertex : parted.along(k)) add(vertex);
+      add(sides[k].to);
+    }
+    std::ranges::sort(stretches);
+    std::vector<std::vector<std::uint32_t>> stretches_of(lone_.size());
+    for (auto first = stretches.cbegin(); first != stretches.cend();) {
+      const auto end = std::find_if(first, stretches.cend(), [&](const StretchOfSide& s) {
+        return s.low != first->low || s.high != first->high;
+      });
+      const std::span same(first, end);
+      const bool is_whole = same.size() == 1 && parted.along(first->side).empty();
+      note_stretch(same, is_whole, stretches_of);
+      first = end;
+    }
+    add_parted(stretches_of);
+  }
+
+  /// What sides have between the same vertices; if it is the whole of one, nothing has to be noted.
+  void note_stretch(std::span<const StretchOfSide> same, bool is_whole,
+                    std::vector<std::vector<std::uint32_t>>& stretches_of) {
+    around_side_.clear();
+    for (const StretchOfSide& s : same) around_side_.push_back({lone_[s.side], s.runs_up});
+    const LineKinds kinds = fixed_kinds(around_side_);
+    if (is_whole) return add_fixed(kinds);
+    for (const StretchOfSide& s : same) {
+      stretches_of[s.side].push_back(static_cast<std::uint32_t>(found_.stretches_.size()));
+      found_.faces_.push_back(lone_[s.side].item);
+    }
+    found_.stretches_.push_back({kinds, static_cast<std::uint32_t>(found_.faces_.size())});
+  }
+
+  void add_parted(const std::vector<std::vector<std::uint32_t>>& stretches_of) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t k = 0; k < lone_.size(); ++k) {
+      if (!stretches_of[k].empty()) order.push_back(k);
+    }
+    std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t k) {
+      const auto [from, to] = ends_of(lone_[k]);
+      return glm::distance(point(from), point(to));
+    });
+    for (const std::uint32_t k : order) {
+      const auto& own = stretches_of[k];
+      found_.stretches_of_sides_.insert(found_.stretches_of_sides_.end(), own.begin(), own.end());
+      const Attributes& look = scene_.shared_attributes(primitive_of(lone_[k]));
+      const LineKinds visible = is_visible(lone_[k]) ? kAnyKind : kinds_of(LineKind::outline);
+      found_.parted_.push_back({corner_of(lone_[k]),
+                                static_cast<std::uint32_t>(found_.stretches_of_sides_.size()),
+                                look.is_outlined() ? visible : LineKinds{0}});
+    }
   }
 
   /// Lines, and all sides if they are wanted.
@@ -127,9 +253,9 @@ class SideKinds::Finder {
     }
   }
 
-  bool fills_differ(std::span<const SideTable::Side> sides) const {
-    const auto look = [&](const SideTable::Side& side) {
-      const std::uint32_t i = primitive_of(side);
+  bool fills_differ(std::span<const RunningSide> sides) const {
+    const auto look = [&](const RunningSide& side) {
+      const std::uint32_t i = primitive_of(side.name);
       const FillStyle::Kind kind = scene_.shared_attributes(i).fill.kind;
       const bool solid = kind == FillStyle::Kind::solid;
       return FillStyle{kind, solid ? scene_.fill_colour(i) : Colour(0.0)};
@@ -149,24 +275,17 @@ class SideKinds::Finder {
 
   /// A polygon's normal, turned so that of two polygons that run through the side in opposite
   /// directions, as those of one surface do, each has it out of the same face.
-  Point3 turned_normal(const SideTable::Side& side) const {
-    const Primitives& all = own_.primitives;
-    const Primitives::Item& polygon = all.items[side.name.item];
-    const std::uint32_t corner = side.name.corner;
-    const Point3& from =
-        all.points[all.point(polygon.first + previous_corner(corner, polygon.sides))];
-    const Point3& to = all.points[all.point(polygon.first + corner)];
-    const bool runs_up = std::tie(from.x, from.y, from.z) < std::tie(to.x, to.y, to.z);
+  Point3 turned_normal(const RunningSide& side) const {
     const Point3& normal = normals_[side.name.item];
-    return runs_up ? normal : -normal;
+    return side.runs_up ? normal : -normal;
   }
 
   /// Two polygons that run through the side in opposite directions meet at the angle of their
   /// normals: turned as above, that is half a turn less the angle between these. Of more than two
   /// the smallest angle between them counts, which neighbours around the side have.
-  bool is_crease(std::span<const SideTable::Side> sides) {
+  bool is_crease(std::span<const RunningSide> sides) {
     around_.clear();
-    for (const SideTable::Side& side : sides) {
+    for (const RunningSide& side : sides) {
       const Point3 normal = turned_normal(side);
       if (normal != Point3(0.0)) around_.push_back(normal);
     }
@@ -203,14 +322,6 @@ class SideKinds::Finder {
     return std::min(least, kHalfTurn);
   }
 
-  void note_shared(std::span<const SideTable::Side> sides) {
-    if (sides.size() < 2) return;
-    for (const SideTable::Side& side : sides) {
-      found_.shared_.push_back({side.name.item, corner_of(side)});
-    }
-    found_.ends_.push_back(static_cast<std::uint32_t>(found_.shared_.size()));
-  }
-
   const RetainedScene& scene_;
   const RetainedScene::Segment& segment_;
   const LineSelection wanted_;
@@ -218,6 +329,9 @@ class SideKinds::Finder {
   const double cosine_;        // of it
   SideKinds& found_;
   OwnPrimitives own_;
+  std::vector<std::uint32_t> vertices_;  // of the points
+  std::vector<LineName> lone_;           // sides whose ends no other has, to the bit
+  std::vector<RunningSide> around_side_;
   std::vector<Point3> normals_;  // of the primitives, of length 1; or 0
   std::vector<Point3> around_;   // of length 1
   std::vector<double> angles_;
@@ -228,14 +342,57 @@ SideKinds::SideKinds(const RetainedScene& scene, const RetainedScene::Segment& s
   Finder(scene, segment, wanted, *this).find();
 }
 
+LineKinds SideKinds::kinds_of_stretch(std::uint32_t stretch,
+                                      std::span<const std::uint8_t> is_facing) const {
+  const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_of_faces;
+  const auto faces = std::span(faces_).subspan(first, stretches_[stretch].end_of_faces - first);
+  const bool is_outline = std::ranges::any_of(
+      faces, [&](std::uint32_t face) { return is_facing[face] != is_facing[faces[0]]; });
+  const LineKinds fixed = stretches_[stretch].fixed;
+  return is_outline ? static_cast<LineKinds>(fixed | kinds_of(LineKind::outline)) : fixed;
+}
+
+/// Each stretch that is a line is drawn once, as far as it can be: by the longest side that is of
+/// the same kinds all along and has some that is not drawn yet; what these leave, by the shortest
+/// that has it.
+void SideKinds::draw_parted(std::span<const LineKinds> of_stretches,
+                            std::span<LineKinds> of_corners) const {
+  std::vector<std::uint8_t> is_drawn(stretches_.size(), 0);
+  const auto stretches_of = [&](std::size_t k) {
+    const std::uint32_t first = k == 0 ? 0 : parted_[k - 1].end_of_stretches;
+    return std::span(stretches_of_sides_).subspan(first, parted_[k].end_of_stretches - first);
+  };
+  const auto has_some_left = [&](std::size_t k) {
+    return std::ranges::any_of(stretches_of(k), [&](std::uint32_t stretch) {
+      return is_drawn[stretch] == 0 && (of_stretches[stretch] & parted_[k].drawn) != 0;
+    });
+  };
+  const auto draw = [&](std::size_t k) {
+    LineKinds& of_side = of_corners[parted_[k].corner];
+    for (const std::uint32_t stretch : stretches_of(k)) {
+      of_side = static_cast<LineKinds>(of_side | (of_stretches[stretch] & parted_[k].drawn));
+      is_drawn[stretch] = 1;
+    }
+  };
+  for (std::size_t k = 0; k < parted_.size(); ++k) {
+    const auto stretches = stretches_of(k);
+    const bool is_of_one_kind = std::ranges::all_of(stretches, [&](std::uint32_t stretch) {
+      return of_stretches[stretch] == of_stretches[stretches[0]];
+    });
+    if (is_of_one_kind && has_some_left(k)) draw(k);
+  }
+  for (std::size_t k = parted_.size(); k-- > 0;) {
+    if (has_some_left(k)) draw(k);
+  }
+}
+
 void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment& segment,
                         const Eye& eye, std::span<LineKinds> of_corners) const {
   std::ranges::copy(fixed_, of_corners.begin());
-  if (ends_.empty()) return;
-  std::vector<std::uint8_t> is_facing;
-  is_facing.reserve(segment.end - segment.first);
-  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
-    is_facing.push_back(!scene[i].is_line() && faces(eye, scene.points(i)) ? 1 : 0);
+  if (ends_.empty() && parted_.empty()) return;
+  std::vector<std::uint8_t> is_facing(segment.end - segment.first, 0);
+  for (std::uint32_t i = segment.first; wants_outlines_ && i < segment.end; ++i) {
+    if (!scene[i].is_line() && faces(eye, scene.points(i))) is_facing[i - segment.first] = 1;
   }
   std::uint32_t first = 0;
   for (const std::uint32_t end : ends_) {
@@ -250,6 +407,12 @@ void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment
       of_side = static_cast<LineKinds>(of_side | kinds_of(LineKind::outline));
     }
   }
+  if (parted_.empty()) return;
+  std::vector<LineKinds> of_stretches;
+  for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
+    of_stretches.push_back(kinds_of_stretch(k, is_facing));
+  }
+  draw_parted(of_stretches, of_corners);
 }
 
 void SideKinds::in_any_view(std::span<LineKinds> of_corners) const {
@@ -257,6 +420,15 @@ void SideKinds::in_any_view(std::span<LineKinds> of_corners) const {
   for (const SharedSide& side : shared_) {
     LineKinds& of_side = of_corners[side.corner];
     of_side = static_cast<LineKinds>(of_side | kinds_of(LineKind::outline));
+  }
+  std::uint32_t first = 0;
+  for (const PartedSide& side : parted_) {
+    LineKinds kinds = wants_outlines_ ? kinds_of(LineKind::outline) : LineKinds{0};
+    for (; first < side.end_of_stretches; ++first) {
+      kinds = static_cast<LineKinds>(kinds | stretches_[stretches_of_sides_[first]].fixed);
+    }
+    LineKinds& of_side = of_corners[side.corner];
+    of_side = static_cast<LineKinds>(of_side | (kinds & side.drawn));
   }
 }
 

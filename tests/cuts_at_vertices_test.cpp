@@ -1,5 +1,5 @@
 // Where corners meet a display file has one number: no two points of its pieces are as close as
-// rounding, but for vertices that were entered so.
+// rounding, but for vertices that were entered so, and slivers.
 
 #include "displayfile/cuts_at_vertices.h"
 
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "clip/back_face.h"
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
 #include "tests/touching_scenes.h"
@@ -27,12 +28,17 @@ constexpr double kRounding = 1e-13;
 
 using Places = std::vector<std::array<double, 2>>;
 
+/// Of what is no sliver as wide as rounding.
 Places places_of(const DrawnPieces& pieces) {
   Places places;
-  for (const Point3& p : pieces.points) places.push_back({p.x, p.y});
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto points =
+        std::span(pieces.points).subspan(pieces.first[k], pieces.first[k + 1] - pieces.first[k]);
+    if (points.size() > 2 && std::abs(newell_c(points)) < kRounding) continue;
+    for (const Point3& p : points) places.push_back({p.x, p.y});
+  }
   std::ranges::sort(places);
-  const auto [from, to] = std::ranges::unique(places);
-  places.erase(from, to);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 

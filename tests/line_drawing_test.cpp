@@ -428,7 +428,7 @@ TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
     const std::vector<std::uint8_t> sides = scene.drawn_sides();
     items.visible = sides;
     const SortedPieces sorted =
-        lines_in_order(scene, find_lines(scene, HiddenMethod::franklin, {}), HiddenLines::none);
+        lines_in_order(items, {}, find_lines(scene, HiddenMethod::franklin, {}), HiddenLines::none);
     using Piece = std::tuple<std::uint32_t, double, double, double, double>;
     const auto piece = [](std::uint32_t item, Point3 a, Point3 b) {
       if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) std::swap(a, b);

@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <span>
 #include <vector>
 
-#include "clip/secret_hash.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/disjoint_sets.h"
@@ -14,29 +12,6 @@
 namespace displayfile {
 
 namespace {
-
-/// False only if some edge lacks its reverse. Each edge adds a number made of its ends, each
-/// reverse takes it away: where they pair up, in one object or in all together, nothing is left.
-bool edges_may_pair_up(const Mesh& mesh) {
-  std::vector<std::uint64_t> key;
-  key.reserve(mesh.vertices.size());
-  const SecretHash hash;
-  for (const Point3& p : mesh.vertices) key.push_back(hash(p));
-  const auto number = [](std::uint64_t low, std::uint64_t high) {
-    return (low ^ std::rotl(high, 32)) * 0x9E3779B97F4A7C15u;
-  };
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < mesh.faces(); ++i) {
-    std::uint64_t from = key[mesh.face(i).back()];
-    for (const std::uint32_t corner : mesh.face(i)) {
-      const std::uint64_t to = key[corner];
-      if (from < to) sum += number(from, to);
-      if (from > to) sum -= number(to, from);
-      from = to;
-    }
-  }
-  return sum == 0;
-}
 
 /// Calls visit(from, to) for every edge of every face, but for those of no length.
 template <class Visitor>
@@ -103,20 +78,29 @@ bool volumes_are_positive(const WeldedFaces& faces) {
   return true;
 }
 
-bool bounds_solids(const WeldedFaces& faces) {
+bool pair_up_and_bound(const WeldedFaces& faces) {
   return edges_pair_up(faces) && volumes_are_positive(faces);
+}
+
+/// Also where the ends of some edges lie along others.
+bool bounds_solids(const WeldedFaces& faces, double reach) {
+  if (pair_up_and_bound(faces)) return true;
+  const SidesWithVertices sides(faces, reach);
+  return sides.any() && pair_up_and_bound(FacesWithCorners(faces, sides).faces());
 }
 
 }  // namespace
 
 bool closed_and_consistently_oriented(const Mesh& mesh) {
-  if (mesh.objects.empty() || !edges_may_pair_up(mesh)) return false;
-  const WeldedFaces all = weld(mesh);
-  if (bounds_solids(all)) return true;
+  if (mesh.objects.empty()) return false;
+  const double reach = reach_of_vertices(mesh);
+  const WeldedFaces all = weld(mesh, reach);
+  if (bounds_solids(all, reach)) return true;
   if (mesh.objects.size() == 1) return false;
   WeldedObjects faces_of(all);
-  return std::ranges::all_of(
-      mesh.objects, [&](const Mesh::Object& object) { return bounds_solids(faces_of(object)); });
+  return std::ranges::all_of(mesh.objects, [&](const Mesh::Object& object) {
+    return bounds_solids(faces_of(object), reach);
+  });
 }
 
 }  // namespace displayfile

@@ -84,9 +84,29 @@ Point3 rounded_point(const CutPoint& p) { return {p[0].high, p[1].high, p[2].hig
 /// The edges that the plane cuts, each once, from its end behind the plane to the one before.
 class CutEdges {
  public:
-  CutEdges(const CuttingPlane& plane, const WeldedFaces& faces) : plane_(plane), faces_(faces) {}
+  CutEdges(const CuttingPlane& plane, const WeldedFaces& faces, const std::vector<bool>& is_before,
+           double reach)
+      : plane_(plane), faces_(faces), is_before_(is_before), sides_(faces, reach) {}
 
+  /// Where vertices lie along the edge it is cut between two of them, as the edges of the
+  /// neighbours that end there are.
   std::uint32_t number(std::uint32_t behind, std::uint32_t before) {
+    for (const std::uint32_t vertex : sides_.along(behind, before)) {
+      (is_before_[vertex] ? before : behind) = vertex;
+      if (is_before_[vertex]) return number_of_whole(behind, before);
+    }
+    const auto back = sides_.along(before, behind);
+    for (const std::uint32_t vertex : back) {
+      (is_before_[vertex] ? before : behind) = vertex;
+      if (!is_before_[vertex]) break;
+    }
+    return number_of_whole(behind, before);
+  }
+
+  std::vector<CutPoint> points;
+
+ private:
+  std::uint32_t number_of_whole(std::uint32_t behind, std::uint32_t before) {
     const auto [at, is_new] = numbers_.try_emplace((std::uint64_t{behind} << 32) | before,
                                                    static_cast<std::uint32_t>(points.size()));
     if (is_new)
@@ -94,11 +114,10 @@ class CutEdges {
     return at->second;
   }
 
-  std::vector<CutPoint> points;
-
- private:
   const CuttingPlane& plane_;
   const WeldedFaces& faces_;
+  const std::vector<bool>& is_before_;
+  SidesWithVertices sides_;
   std::unordered_map<std::uint64_t, std::uint32_t, SecretHash> numbers_;
 };
 
@@ -238,8 +257,8 @@ class FaceCutter {
 /// Cuts face after face, and keeps what is behind.
 class Cutter {
  public:
-  Cutter(const CuttingPlane& plane, const WeldedFaces& faces)
-      : faces_(faces), face_cutter_(edges, is_before_), edges(plane, faces) {
+  Cutter(const CuttingPlane& plane, const WeldedFaces& faces, double reach)
+      : faces_(faces), face_cutter_(edges, is_before_), edges(plane, faces, is_before_, reach) {
     for (const Point3& p : faces.vertices) is_before_.push_back(plane.side(p) >= 0);
     behind.vertices = faces.vertices;
     behind.first_corner.push_back(0);
@@ -525,8 +544,9 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   const RoundToNearest nearest;
   require_plane(plane);
   const CuttingPlane cutting(plane);
-  const WeldedFaces faces = weld(mesh);
-  Cutter cutter(cutting, faces);
+  const double reach = reach_of_vertices(mesh);
+  const WeldedFaces faces = weld(mesh, reach);
+  Cutter cutter(cutting, faces, reach);
   const Mesh::Object whole{"", 0, mesh.faces()};
   cutter.cut_all(mesh.objects.empty() ? std::span(&whole, 1) : std::span(mesh.objects));
   Section result;

@@ -1,8 +1,12 @@
 #include "displayfile/mesh/welded_faces.h"
 
-#include <bit>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
 
-#include "clip/secret_hash.h"
+#include "hidden/touching.h"
+#include "hidden/vertices_within_reach.h"
 
 namespace displayfile {
 
@@ -10,49 +14,118 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-/// Numbers positions in the order in which they first come.
-class Positions {
- public:
-  explicit Positions(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), kNone) {}
-
-  std::uint32_t number(const Point3& p, std::vector<Point3>& numbered) {
-    std::size_t slot = first_slot(p);
-    while (slots_[slot] != kNone && numbered[slots_[slot]] != p) {
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    if (slots_[slot] == kNone) {
-      slots_[slot] = static_cast<std::uint32_t>(numbered.size());
-      numbered.push_back(p);
-    }
-    return slots_[slot];
-  }
-  void prefetch(const Point3& p) const { __builtin_prefetch(&slots_[first_slot(p)]); }
-
- private:
-  std::size_t first_slot(const Point3& p) const { return hash_(p) & (slots_.size() - 1); }
-
-  SecretHash hash_;
-  std::vector<std::uint32_t> slots_;  // open addressing, at most half full
+struct Edge {
+  std::uint32_t from, to;
+  std::uint32_t low() const { return std::min(from, to); }
+  std::uint32_t high() const { return std::max(from, to); }
 };
+
+/// Edges that run through two vertices more often one way than the other.
+std::vector<SideOfPoints> unpaired_edges(const WeldedFaces& faces) {
+  std::vector<std::size_t> end(faces.vertices.size() + 1, 0);
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < faces.faces(); ++i) {
+      std::uint32_t from = faces.face(i).back();
+      for (const std::uint32_t to : faces.face(i)) {
+        if (from != to) visit(Edge{from, to});
+        from = to;
+      }
+    }
+  };
+  for_each([&](const Edge& edge) { ++end[edge.low() + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Edge> edges(end.back());
+  for_each([&](const Edge& edge) { edges[end[edge.low()]++] = edge; });
+  std::vector<SideOfPoints> unpaired;
+  std::size_t begin = 0;
+  for (std::size_t v = 0; v < faces.vertices.size(); begin = end[v++]) {
+    const auto of_vertex = std::span(edges).subspan(begin, end[v] - begin);
+    std::ranges::sort(of_vertex, {}, &Edge::high);
+    for (std::size_t first = 0, last = 0; first < of_vertex.size(); first = last) {
+      std::ptrdiff_t up = 0;
+      for (; last < of_vertex.size() && of_vertex[last].high() == of_vertex[first].high(); ++last) {
+        up += of_vertex[last].from < of_vertex[last].to ? 1 : -1;
+      }
+      for (std::size_t k = first; up != 0 && k < last; ++k) {
+        unpaired.push_back({of_vertex[k].from, of_vertex[k].to});
+      }
+    }
+  }
+  return unpaired;
+}
 
 }  // namespace
 
-WeldedFaces weld(const Mesh& mesh) {
+double reach_of_vertices(const Mesh& mesh) {
+  double largest = 0.0;
+  for (const Point3& p : mesh.vertices) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return entered_reach(kUnlessSet, largest);
+}
+
+WeldedFaces weld(const Mesh& mesh, double reach) {
   constexpr std::uint32_t kUsed = 0;
-  constexpr std::size_t kAhead = 16;  // while this many others are looked up, the cache fills
   std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
   for (const std::uint32_t corner : mesh.corners) number[corner] = kUsed;
-
-  WeldedFaces welded{{}, {}, mesh.first_corner};
-  welded.vertices.reserve(mesh.vertices.size());
-  Positions positions(mesh.vertices.size());
+  std::vector<Point3> used;
+  used.reserve(mesh.vertices.size());
   for (std::size_t v = 0; v < number.size(); ++v) {
-    if (v + kAhead < number.size()) positions.prefetch(mesh.vertices[v + kAhead]);
-    if (number[v] == kUsed) number[v] = positions.number(mesh.vertices[v], welded.vertices);
+    if (number[v] != kUsed) continue;
+    number[v] = static_cast<std::uint32_t>(used.size());
+    used.push_back(mesh.vertices[v]);
+  }
+  const std::vector<std::uint32_t> first = first_within(used, reach);
+  WeldedFaces welded{{}, {}, mesh.first_corner};
+  welded.vertices.reserve(used.size());
+  std::vector<std::uint32_t> number_of(used.size());
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    if (first[k] == k) welded.vertices.push_back(used[k]);
+    number_of[k] = first[k] == k ? static_cast<std::uint32_t>(welded.vertices.size() - 1)
+                                 : number_of[first[k]];
   }
   welded.corners.reserve(mesh.corners.size());
-  for (const std::uint32_t corner : mesh.corners) welded.corners.push_back(number[corner]);
+  for (const std::uint32_t corner : mesh.corners) {
+    welded.corners.push_back(number_of[number[corner]]);
+  }
   return welded;
+}
+
+SidesWithVertices::SidesWithVertices(const WeldedFaces& faces, double reach) {
+  const std::vector<SideOfPoints> sides = unpaired_edges(faces);
+  const PartedSides parted(faces.vertices, sides, reach);
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto along = parted.along(k);
+    if (along.empty()) continue;
+    along_.push_back({sides[k].from, sides[k].to, {along.begin(), along.end()}});
+  }
+  std::ranges::sort(along_, [](const Along& a, const Along& b) {
+    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  });
+}
+
+std::span<const std::uint32_t> SidesWithVertices::along(std::uint32_t from,
+                                                        std::uint32_t to) const {
+  const auto at = std::ranges::lower_bound(along_, std::tuple(from, to), {},
+                                           [](const Along& a) { return std::tuple(a.from, a.to); });
+  if (at == along_.end() || at->from != from || at->to != to) return {};
+  return at->vertices;
+}
+
+FacesWithCorners::FacesWithCorners(const WeldedFaces& faces, const SidesWithVertices& sides)
+    : faces_{faces.vertices, {}, {}} {
+  first_corner_.push_back(0);
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    std::uint32_t from = faces.face(i).back();
+    for (const std::uint32_t to : faces.face(i)) {
+      const auto along = sides.along(from, to);
+      faces_.corners.insert(faces_.corners.end(), along.begin(), along.end());
+      faces_.corners.push_back(to);
+      from = to;
+    }
+    first_corner_.push_back(faces_.corners.size());
+  }
+  faces_.first_corner = first_corner_;
 }
 
 WeldedFaces WeldedObjects::operator()(const Mesh::Object& object) {

@@ -9,7 +9,8 @@
 
 namespace displayfile {
 
-/// Faces of a mesh, their vertices of equal position made one; only vertices that they use.
+/// Faces of a mesh, their vertices of equal position, or within reach of each other, made one; only
+/// vertices that they use.
 struct WeldedFaces {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;         ///< indices into vertices, as in the mesh
@@ -22,8 +23,43 @@ struct WeldedFaces {
   }
 };
 
+/// Within which distance vertices of a mesh are one unless another is set (hidden/touching.h).
+double reach_of_vertices(const Mesh& mesh);
+
 /// All faces of a mesh, which must outlive them.
-WeldedFaces weld(const Mesh& mesh);
+WeldedFaces weld(const Mesh& mesh, double reach = 0.0);
+
+/// Sides of faces that no other face runs through the other way, with the ends of others of them
+/// that are within reach, between their own (hidden/vertices_within_reach.h).
+class SidesWithVertices {
+ public:
+  SidesWithVertices(const WeldedFaces& faces, double reach);
+
+  bool any() const { return !along_.empty(); }
+  /// The vertices along a side, in order from its start to its end, without these.
+  std::span<const std::uint32_t> along(std::uint32_t from, std::uint32_t to) const;
+
+ private:
+  struct Along {
+    std::uint32_t from, to;
+    std::vector<std::uint32_t> vertices;
+  };
+  std::vector<Along> along_;  // in order
+};
+
+/// Faces with corners where vertices are along their sides.
+class FacesWithCorners {
+ public:
+  FacesWithCorners(const WeldedFaces& faces, const SidesWithVertices& sides);
+  FacesWithCorners(const FacesWithCorners&) = delete;
+  FacesWithCorners& operator=(const FacesWithCorners&) = delete;
+
+  const WeldedFaces& faces() const { return faces_; }
+
+ private:
+  std::vector<std::size_t> first_corner_;
+  WeldedFaces faces_;
+};
 
 /// Welds the faces of one object at a time, in the order of the objects.
 class WeldedObjects {

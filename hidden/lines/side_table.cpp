@@ -1,30 +1,14 @@
 #include "hidden/lines/side_table.h"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <tuple>
+#include <utility>
 
-#include "clip/secret_hash.h"
+#include "hidden/vertices_within_reach.h"
 
 namespace displayfile {
 
 namespace {
-
-/// For each point, the first that is equal to it.
-std::vector<std::uint32_t> first_equal_points(std::span<const Point3> points) {
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  const SecretHash hash;
-  const std::size_t places = std::bit_ceil(2 * points.size() + 1);
-  std::vector<std::uint32_t> table(places, kNone), same(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    std::size_t at = hash(points[i]) & (places - 1);
-    while (table[at] != kNone && points[table[at]] != points[i]) at = (at + 1) & (places - 1);
-    if (table[at] == kNone) table[at] = i;
-    same[i] = table[at];
-  }
-  return same;
-}
 
 template <class Visit>
 void for_each_side(const Primitives& items, const std::vector<std::uint32_t>& same,
@@ -43,11 +27,21 @@ void for_each_side(const Primitives& items, const std::vector<std::uint32_t>& sa
 
 }  // namespace
 
+SideTable::SideTable(const Primitives& items, Sides which)
+    : same_(first_within(items.points, 0.0)) {
+  if (which == Sides::near_drawn && !items.visible.empty()) find_low_ends_of_drawn(items);
+  find(items);
+}
+
+SideTable::SideTable(const Primitives& items, std::vector<std::uint32_t> vertices)
+    : same_(std::move(vertices)) {
+  find(items);
+}
+
 /// Counted, then put in the lists, and each list in order: no list is long but of a point where
 /// very many sides meet.
-SideTable::SideTable(const Primitives& items, Sides which)
-    : same_(first_equal_points(items.points)), first_(items.points.size() + 1, 0) {
-  if (which == Sides::near_drawn && !items.visible.empty()) find_low_ends_of_drawn(items);
+void SideTable::find(const Primitives& items) {
+  first_.assign(items.points.size() + 1, 0);
   const auto counts = [&](std::uint32_t low) { return is_low_.empty() || is_low_[low] != 0; };
   for_each_side(items, same_, [&](std::uint32_t low, std::uint32_t, const LineName&) {
     if (counts(low)) ++first_[low + 1];

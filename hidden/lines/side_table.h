@@ -18,13 +18,16 @@ class SideTable {
     near_drawn,  ///< at least those that have the same ends as one that is drawn
   };
   explicit SideTable(const Primitives& items, Sides which = Sides::all);
+  /// All sides between vertices: of each point the one that stands for it (first_within of
+  /// hidden/vertices_within_reach.h).
+  SideTable(const Primitives& items, std::vector<std::uint32_t> vertices);
 
   /// A side, in the list of its lower point.
   struct Side {
     std::uint32_t high;  ///< the other point
     LineName name;
   };
-  /// The first point that is equal to that one.
+  /// The first point that is equal to that one, or stands for it.
   std::uint32_t vertex(std::uint32_t point) const { return same_[point]; }
 
   /// All sides with these ends, given as indices of points, in either direction; in order.
@@ -45,8 +48,9 @@ class SideTable {
 
  private:
   void find_low_ends_of_drawn(const Primitives& items);
+  void find(const Primitives& items);
 
-  std::vector<std::uint32_t> same_;  // of each point, the first that is equal
+  std::vector<std::uint32_t> same_;  // of each point its vertex
   std::vector<std::uint32_t>
       first_;  // of each point, where the list begins of those it is lower of
   std::vector<Side> sides_;

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "clip/back_face.h"
 #include "clip/corners.h"
 #include "clip/point.h"
+#include "hidden/disjoint_sets.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/lines/side_table.h"
@@ -25,6 +27,7 @@ constexpr double kCoplanar = 1e-5;
 
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr LineKinds kAnyKind = 0xff;
+constexpr std::uint32_t kNoStretch = 0xffffffffu;
 /// Cosines that differ by more are those of different angles, in the same order.
 constexpr double kNearlyEqual = 1e-12;
 
@@ -195,50 +198,88 @@ class SideKinds::Finder {
       add(sides[k].to);
     }
     std::ranges::sort(stretches);
-    std::vector<std::vector<std::uint32_t>> stretches_of(lone_.size());
+    std::vector<SharedStretch> shared;
     for (auto first = stretches.cbegin(); first != stretches.cend();) {
       const auto end = std::find_if(first, stretches.cend(), [&](const StretchOfSide& s) {
         return s.low != first->low || s.high != first->high;
       });
       const std::span same(first, end);
       const bool is_whole = same.size() == 1 && parted.along(first->side).empty();
-      note_stretch(same, is_whole, stretches_of);
+      if (is_whole) {
+        look_at_whole(lone_[first->side]);
+      } else {
+        shared.push_back({same});
+      }
       first = end;
     }
-    add_parted(stretches_of);
+    if (!shared.empty()) add_parted(std::move(shared));
   }
 
-  /// What sides have between the same vertices; if it is the whole of one, nothing has to be noted.
-  void note_stretch(std::span<const StretchOfSide> same, bool is_whole,
-                    std::vector<std::vector<std::uint32_t>>& stretches_of) {
-    around_side_.clear();
-    for (const StretchOfSide& s : same) around_side_.push_back({lone_[s.side], s.runs_up});
-    const LineKinds kinds = fixed_kinds(around_side_);
-    if (is_whole) return add_fixed(kinds);
-    for (const StretchOfSide& s : same) {
-      stretches_of[s.side].push_back(static_cast<std::uint32_t>(found_.stretches_.size()));
-      found_.faces_.push_back(lone_[s.side].item);
-    }
-    found_.stretches_.push_back({kinds, static_cast<std::uint32_t>(found_.faces_.size())});
+  void look_at_whole(const LineName& side) {
+    around_side_.assign(1, {side, true});
+    add_fixed(fixed_kinds(around_side_));
   }
 
-  void add_parted(const std::vector<std::vector<std::uint32_t>>& stretches_of) {
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t k = 0; k < lone_.size(); ++k) {
-      if (!stretches_of[k].empty()) order.push_back(k);
-    }
-    std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t k) {
-      const auto [from, to] = ends_of(lone_[k]);
-      return glm::distance(point(from), point(to));
+  /// What sides have between the same vertices, and where that is: along which line, and how far.
+  struct SharedStretch {
+    std::span<const StretchOfSide> sides;
+    std::uint32_t line = 0;
+    double start = 0.0;
+  };
+
+  /// Sides with a stretch in common are of one line.
+  void add_parted(std::vector<SharedStretch> shared) {
+    place_on_lines(shared);
+    std::ranges::stable_sort(shared, [](const SharedStretch& a, const SharedStretch& b) {
+      return std::tie(a.line, a.start) < std::tie(b.line, b.start);
     });
-    for (const std::uint32_t k : order) {
-      const auto& own = stretches_of[k];
-      found_.stretches_of_sides_.insert(found_.stretches_of_sides_.end(), own.begin(), own.end());
-      const Attributes& look = scene_.shared_attributes(primitive_of(lone_[k]));
-      const LineKinds visible = is_visible(lone_[k]) ? kAnyKind : kinds_of(LineKind::outline);
-      found_.parted_.push_back({corner_of(lone_[k]),
-                                static_cast<std::uint32_t>(found_.stretches_of_sides_.size()),
-                                look.is_outlined() ? visible : LineKinds{0}});
+    std::vector<PartedSide> of_lone(lone_.size(), {0, kNoStretch, 0, 0});
+    for (std::uint32_t k = 0; k < shared.size(); ++k) {
+      around_side_.clear();
+      for (const StretchOfSide& s : shared[k].sides) {
+        around_side_.push_back({lone_[s.side], s.runs_up});
+        found_.faces_.push_back(lone_[s.side].item);
+        PartedSide& side = of_lone[s.side];
+        side.first = std::min(side.first, k);
+        side.end = k + 1;
+      }
+      const bool begins_line = k == 0 || shared[k - 1].line != shared[k].line;
+      found_.stretches_.push_back({fixed_kinds(around_side_), begins_line,
+                                   static_cast<std::uint32_t>(found_.faces_.size())});
+    }
+    for (std::uint32_t k = 0; k < lone_.size(); ++k) {
+      PartedSide& side = of_lone[k];
+      if (side.first == kNoStretch) continue;
+      side.corner = corner_of(lone_[k]);
+      if (scene_.shared_attributes(primitive_of(lone_[k])).is_outlined()) {
+        side.drawn = is_visible(lone_[k]) ? kAnyKind : kinds_of(LineKind::outline);
+      }
+      found_.parted_.push_back(side);
+    }
+    std::ranges::sort(found_.parted_, [](const PartedSide& a, const PartedSide& b) {
+      return std::tie(a.first, b.end, a.corner) < std::tie(b.first, a.end, b.corner);
+    });
+  }
+
+  void place_on_lines(std::vector<SharedStretch>& shared) const {
+    DisjointSets lines(lone_.size());  // of sides
+    for (const SharedStretch& stretch : shared) {
+      for (const StretchOfSide& s : stretch.sides) lines.join(s.side, stretch.sides[0].side);
+    }
+    std::vector<Point3> along(lone_.size(), Point3(0.0));  // the longest side of a line
+    for (const SharedStretch& stretch : shared) {
+      for (const StretchOfSide& s : stretch.sides) {
+        const auto [from, to] = ends_of(lone_[s.side]);
+        const Point3 way = point(to) - point(from);
+        Point3& longest = along[lines.name(s.side)];
+        if (glm::length(way) > glm::length(longest)) longest = way;
+      }
+    }
+    for (SharedStretch& stretch : shared) {
+      const StretchOfSide& s = stretch.sides[0];
+      stretch.line = lines.name(s.side);
+      const Point3 unit = direction_of(along[stretch.line]);
+      stretch.start = std::min(glm::dot(unit, point(s.low)), glm::dot(unit, point(s.high)));
     }
   }
 
@@ -344,47 +385,76 @@ SideKinds::SideKinds(const RetainedScene& scene, const RetainedScene::Segment& s
 
 LineKinds SideKinds::kinds_of_stretch(std::uint32_t stretch,
                                       std::span<const std::uint8_t> is_facing) const {
-  const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_of_faces;
-  const auto faces = std::span(faces_).subspan(first, stretches_[stretch].end_of_faces - first);
+  const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_face;
+  const auto faces = std::span(faces_).subspan(first, stretches_[stretch].end_face - first);
   const bool is_outline = std::ranges::any_of(
       faces, [&](std::uint32_t face) { return is_facing[face] != is_facing[faces[0]]; });
   const LineKinds fixed = stretches_[stretch].fixed;
   return is_outline ? static_cast<LineKinds>(fixed | kinds_of(LineKind::outline)) : fixed;
 }
 
-/// Each stretch that is a line is drawn once, as far as it can be: by the longest side that is of
-/// the same kinds all along and has some that is not drawn yet; what these leave, by the shortest
-/// that has it.
-void SideKinds::draw_parted(std::span<const LineKinds> of_stretches,
-                            std::span<LineKinds> of_corners) const {
-  std::vector<std::uint8_t> is_drawn(stretches_.size(), 0);
-  const auto stretches_of = [&](std::size_t k) {
-    const std::uint32_t first = k == 0 ? 0 : parted_[k - 1].end_of_stretches;
-    return std::span(stretches_of_sides_).subspan(first, parted_[k].end_of_stretches - first);
-  };
-  const auto has_some_left = [&](std::size_t k) {
-    return std::ranges::any_of(stretches_of(k), [&](std::uint32_t stretch) {
-      return is_drawn[stretch] == 0 && (of_stretches[stretch] & parted_[k].drawn) != 0;
-    });
-  };
-  const auto draw = [&](std::size_t k) {
-    LineKinds& of_side = of_corners[parted_[k].corner];
-    for (const std::uint32_t stretch : stretches_of(k)) {
-      of_side = static_cast<LineKinds>(of_side | (of_stretches[stretch] & parted_[k].drawn));
-      is_drawn[stretch] = 1;
+/// Draws each stretch that is a line once, as far as it can be.
+class SideKinds::Tiling {
+ public:
+  Tiling(const SideKinds& sides, std::span<const LineKinds> of_stretches,
+         std::span<LineKinds> of_corners)
+      : sides_(sides.parted_),
+        kinds_(of_stretches),
+        of_corners_(of_corners),
+        is_drawn_(of_stretches.size(), 0),
+        reached_by_(of_stretches.size() + 1, kNobody) {
+    const auto end = static_cast<std::uint32_t>(kinds_.size());
+    for (std::uint32_t first = 0, last = 0; first < end; first = last) {
+      const auto goes_on = [&](std::uint32_t k) {
+        return !sides.stretches_[k].begins_line && kinds_[k] == kinds_[first];
+      };
+      for (last = first + 1; last < end && goes_on(last);) ++last;
+      if (kinds_[first] != 0) tile(first, last);
     }
-  };
-  for (std::size_t k = 0; k < parted_.size(); ++k) {
-    const auto stretches = stretches_of(k);
-    const bool is_of_one_kind = std::ranges::all_of(stretches, [&](std::uint32_t stretch) {
-      return of_stretches[stretch] == of_stretches[stretches[0]];
-    });
-    if (is_of_one_kind && has_some_left(k)) draw(k);
+    for (std::uint32_t k = 0; k < sides_.size(); ++k) {
+      if (has_some_left(sides_[k])) draw(sides_[k]);
+    }
   }
-  for (std::size_t k = parted_.size(); k-- > 0;) {
-    if (has_some_left(k)) draw(k);
+
+ private:
+  static constexpr std::uint32_t kNobody = 0xffffffffu;
+
+  /// By sides that follow each other from the first of stretches of the same kinds to the last, if
+  /// there are such sides: those of one polygon's cut side are.
+  void tile(std::uint32_t first, std::uint32_t last) {
+    const auto from = std::ranges::lower_bound(sides_, first, {}, &PartedSide::first);
+    for (auto side = from; side != sides_.end() && side->first < last; ++side) {
+      const bool begins = side->first == first || reached_by_[side->first] != kNobody;
+      if (!begins || side->end > last || reached_by_[side->end] != kNobody) continue;
+      if ((kinds_[first] & side->drawn) == 0) continue;
+      reached_by_[side->end] = static_cast<std::uint32_t>(side - sides_.begin());
+    }
+    for (std::uint32_t at = last; reached_by_[last] != kNobody && at != first;) {
+      const PartedSide& side = sides_[reached_by_[at]];
+      draw(side);
+      at = side.first;
+    }
   }
-}
+  bool has_some_left(const PartedSide& side) const {
+    for (std::uint32_t k = side.first; k < side.end; ++k) {
+      if (is_drawn_[k] == 0 && (kinds_[k] & side.drawn) != 0) return true;
+    }
+    return false;
+  }
+  void draw(const PartedSide& side) {
+    LineKinds& of_side = of_corners_[side.corner];
+    for (std::uint32_t k = side.first; k < side.end; ++k) {
+      of_side = static_cast<LineKinds>(of_side | (kinds_[k] & side.drawn));
+      is_drawn_[k] = 1;
+    }
+  }
+
+  std::span<const PartedSide> sides_;
+  std::span<const LineKinds> kinds_;
+  std::span<LineKinds> of_corners_;
+  std::vector<std::uint8_t> is_drawn_;
+  std::vector<std::uint32_t> reached_by_;  // of each stretch's start: a side that ends there
+};
 
 void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment& segment,
                         const Eye& eye, std::span<LineKinds> of_corners) const {
@@ -412,7 +482,7 @@ void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     of_stretches.push_back(kinds_of_stretch(k, is_facing));
   }
-  draw_parted(of_stretches, of_corners);
+  Tiling(*this, of_stretches, of_corners);
 }
 
 void SideKinds::in_any_view(std::span<LineKinds> of_corners) const {
@@ -421,11 +491,10 @@ void SideKinds::in_any_view(std::span<LineKinds> of_corners) const {
     LineKinds& of_side = of_corners[side.corner];
     of_side = static_cast<LineKinds>(of_side | kinds_of(LineKind::outline));
   }
-  std::uint32_t first = 0;
   for (const PartedSide& side : parted_) {
     LineKinds kinds = wants_outlines_ ? kinds_of(LineKind::outline) : LineKinds{0};
-    for (; first < side.end_of_stretches; ++first) {
-      kinds = static_cast<LineKinds>(kinds | stretches_[stretches_of_sides_[first]].fixed);
+    for (std::uint32_t k = side.first; k < side.end; ++k) {
+      kinds = static_cast<LineKinds>(kinds | stretches_[k].fixed);
     }
     LineKinds& of_side = of_corners[side.corner];
     of_side = static_cast<LineKinds>(of_side | (kinds & side.drawn));

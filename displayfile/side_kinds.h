@@ -38,28 +38,28 @@ class SideKinds {
   };
   /// What lies between two vertices that follow each other along sides.
   struct Stretch {
-    LineKinds fixed;             ///< the kinds that no view changes
-    std::uint32_t end_of_faces;  ///< of the primitives that have it, in faces_
+    LineKinds fixed;         ///< the kinds that no view changes
+    bool begins_line;        ///< no side has it and the one before
+    std::uint32_t end_face;  ///< of the primitives that have it, in faces_
   };
   /// A side that stretches make up, which others have too.
   struct PartedSide {
     std::uint32_t corner;
-    std::uint32_t end_of_stretches;  ///< in stretches_of_sides_
-    LineKinds drawn;                 ///< the kinds as which it may be drawn
+    std::uint32_t first, end;  ///< of its stretches
+    LineKinds drawn;           ///< the kinds as which it may be drawn
   };
 
   LineKinds kinds_of_stretch(std::uint32_t stretch, std::span<const std::uint8_t> is_facing) const;
-  void draw_parted(std::span<const LineKinds> of_stretches, std::span<LineKinds> of_corners) const;
+  class Tiling;
 
   std::vector<LineKinds> fixed_;  // of the corners: the kinds that no view changes
   // Sides that several polygons share, where outlines are wanted: set after set, and where each
   // ends.
   std::vector<SharedSide> shared_;
   std::vector<std::uint32_t> ends_;
-  // Sides with the ends of others along them, and sides between vertices that are one with others:
-  // from the longest to the shortest.
+  // Sides with the ends of others along them, and sides between vertices that are one with others,
+  // in the order in which they begin; and their stretches, in order along each line.
   std::vector<PartedSide> parted_;
-  std::vector<std::uint32_t> stretches_of_sides_;
   std::vector<Stretch> stretches_;
   std::vector<std::uint32_t> faces_;  // primitives, counted from the segment's own first
   bool wants_outlines_ = false;

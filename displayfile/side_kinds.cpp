@@ -99,6 +99,7 @@ class SideKinds::Finder {
     vertices_ = first_within(own_.primitives.points, reach);
     SideTable(own_.primitives, vertices_).for_each_set([&](std::span<const SideTable::Side> set) {
       if (set.size() > 1 && have_the_same_ends(set)) return look_at(set);
+      some_share_ends_ = some_share_ends_ || set.size() > 1;
       for (const SideTable::Side& side : set) lone_.push_back(side.name);
     });
     part(reach);
@@ -187,6 +188,10 @@ class SideKinds::Finder {
     sides.reserve(lone_.size());
     for (const LineName& side : lone_) sides.push_back(vertices_of(side));
     const PartedSides parted(own_.primitives.points, sides, reach);
+    if (!parted.any() && !some_share_ends_) {
+      for (const LineName& side : lone_) look_at_whole(side);
+      return;
+    }
     std::vector<StretchOfSide> stretches;
     for (std::uint32_t k = 0; k < sides.size(); ++k) {
       std::uint32_t from = sides[k].from;
@@ -372,6 +377,7 @@ class SideKinds::Finder {
   OwnPrimitives own_;
   std::vector<std::uint32_t> vertices_;  // of the points
   std::vector<LineName> lone_;           // sides whose ends no other has, to the bit
+  bool some_share_ends_ = false;         // of these, within reach
   std::vector<RunningSide> around_side_;
   std::vector<Point3> normals_;  // of the primitives, of length 1; or 0
   std::vector<Point3> around_;   // of length 1

@@ -38,6 +38,12 @@ TEST(VerticesWithinReach, EachIsTheFirstThatStandsForItself) {
   EXPECT_EQ(first_within(equal, 0.0), (std::vector<std::uint32_t>{0, 1, 0, 1}));
 }
 
+/// Cells of which doubles cannot count as many as there are to a point.
+TEST(VerticesWithinReach, FarBeyondTheReachThoseThatAreEqualAreOne) {
+  const std::vector<Point3> points{{1e9, 1, 0}, {1e9, 1, 0}, {1e9, 1, 1e-30}, {-1e9, 0, 0}};
+  EXPECT_EQ(first_within(points, 1e-20), (std::vector<std::uint32_t>{0, 0, 0, 3}));
+}
+
 TEST(VerticesWithinReach, AreFoundAcrossCells) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Source s(seed);

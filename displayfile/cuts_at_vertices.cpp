@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "clip/corners.h"
@@ -17,114 +15,132 @@ namespace displayfile {
 
 namespace {
 
-/// The vertices of a scene, and then cuts, by their places in the picture.
-class VerticesInPicture {
+/// Depths are those of one place, but for rounding.
+bool is_as_deep(const Point3& a, const Point3& b) {
+  constexpr double kRounding = 0x1p-40;
+  return std::abs(a.z - b.z) <= kRounding * (1.0 + std::abs(b.z));
+}
+
+/// The cuts of pieces by their places in the picture, and where they are put.
+class CutsInPicture {
  public:
-  VerticesInPicture(const ViewedScene& scene, double radius)
-      : radius_(radius), cell_(8.0 * radius) {
-    std::size_t vertices = 0;
-    for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-      vertices += scene.points(item).size();
-    }
-    first_.assign(std::bit_ceil(2 * vertices + 1), kNone);
-    vertices_.reserve(vertices);
-    for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-      for (const Point3& p : scene.points(item)) add(p);
+  explicit CutsInPicture(double radius)
+      : radius_(radius), per_cell_(1.0 / (kRadiiOfCell * radius)) {}
+
+  struct Cut {
+    Point3 at, to;
+    std::uint32_t point;  ///< among those of the pieces
+    bool is_placed = false;
+  };
+  std::vector<Cut> all;
+
+  void make_ready() {
+    first_.assign(std::bit_ceil(4 * all.size() + 1), kNone);
+    for (std::uint32_t k = 0; k < all.size(); ++k) {
+      const Point3& at = all[k].at;
+      for (const double x : {at.x - radius_, at.x + radius_}) {
+        for (const double y : {at.y - radius_, at.y + radius_}) has_some_[square(x, y)] = 1;
+      }
+      const Cell low = cell(at.x - radius_, at.y - radius_),
+                 high = cell(at.x + radius_, at.y + radius_);
+      for (std::int64_t x = low.x; x <= high.x; ++x) {
+        for (std::int64_t y = low.y; y <= high.y; ++y) {
+          std::uint32_t& first = first_[place_of({x, y})];
+          in_cells_.push_back({k, first});
+          first = static_cast<std::uint32_t>(in_cells_.size() - 1);
+        }
+      }
     }
   }
-
-  void add(const Point3& p) {
-    const std::size_t place = place_of(cell(p.x), cell(p.y));
-    std::uint32_t last = kNone;
-    for (std::uint32_t k = first_[place]; k != kNone; k = vertices_[k].next) {
-      if (vertices_[k].at == p) return;
-      last = k;
-    }
-    (last == kNone ? first_[place] : vertices_[last].next) =
-        static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back({p, kNone});
+  /// Of the vertices that are as close as the radius in x and y a cut is put at the first, one of
+  /// its depth before all others.
+  void take_vertex(const Point3& vertex) {
+    if (has_some_[square(vertex.x, vertex.y)] == 0) return;
+    for_each_near(vertex, [&](Cut& cut) {
+      if (cut.is_placed && (is_as_deep(cut.to, cut.at) || !is_as_deep(vertex, cut.at))) return;
+      cut.to = vertex;
+      cut.is_placed = true;
+    });
   }
-
-  /// Of those that are as close as the radius in x and y the first entered, one of nearly the same
-  /// depth before all others; null if there is none.
-  const Point3* at(const Point3& cut) const {
-    const Point3* best = nullptr;
-    const double x = cell(cut.x - radius_), y = cell(cut.y - radius_);
-    const double last_x = cell(cut.x + radius_), last_y = cell(cut.y + radius_);
-    look_in(x, y, cut, best);
-    if (last_x != x) look_in(last_x, y, cut, best);
-    if (last_y != y) look_in(x, last_y, cut, best);
-    if (last_x != x && last_y != y) look_in(last_x, last_y, cut, best);
-    return best;
+  /// Those that no vertex is close to, at the first of them that others are close to.
+  void join() {
+    for (Cut& cut : all) {
+      if (cut.is_placed) continue;
+      for_each_near(cut.at, [&](Cut& other) {
+        if (&other <= &cut || other.is_placed) return;
+        other.to = cut.at;
+        other.is_placed = true;
+      });
+    }
+    for (Cut& cut : all) {
+      if (!is_as_deep(cut.to, cut.at)) cut.to.z = cut.at.z;
+    }
   }
 
  private:
+  static constexpr double kRadiiOfCell = 8.0;
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  struct Vertex {
-    Point3 at;
-    std::uint32_t next;  ///< in the list of its place, of rising entry
+  struct Cell {
+    std::int64_t x, y;
+  };
+  struct InCell {
+    std::uint32_t cut, next;
   };
 
-  double cell(double coordinate) const { return std::floor(coordinate / cell_); }
-  std::size_t place_of(double x, double y) const {
-    return hash_(Point3(x, y, 0.0)) & (first_.size() - 1);
+  /// Of the picture: what is outside of it is in the first row or column.
+  static constexpr std::uint32_t kSquares = 256;
+  static std::size_t square(double x, double y) {
+    const auto of = [](double v) {
+      return v >= 0.0 && v < 1.0 ? static_cast<std::uint32_t>(v * kSquares) : 0u;
+    };
+    return of(x) * kSquares + of(y);
   }
-  void look_in(double x, double y, const Point3& cut, const Point3*& best) const {
-    for (std::uint32_t k = first_[place_of(x, y)]; k != kNone; k = vertices_[k].next) {
-      const Point3& v = vertices_[k].at;
-      if (std::abs(v.x - cut.x) > radius_ || std::abs(v.y - cut.y) > radius_) continue;
-      if (best == nullptr || comes_before(v, *best, cut)) best = &v;
+  /// Towards zero: cells there are twice as wide.
+  Cell cell(double x, double y) const {
+    constexpr double kMost = 0x1p62;
+    return {static_cast<std::int64_t>(std::clamp(x * per_cell_, -kMost, kMost)),
+            static_cast<std::int64_t>(std::clamp(y * per_cell_, -kMost, kMost))};
+  }
+  std::size_t place_of(const Cell& cell) const {
+    return hash_(static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15u +
+                 static_cast<std::uint64_t>(cell.y)) &
+           (first_.size() - 1);
+  }
+  template <class Visit>
+  void for_each_near(const Point3& p, const Visit& visit) {
+    for (std::uint32_t k = first_[place_of(cell(p.x, p.y))]; k != kNone; k = in_cells_[k].next) {
+      Cut& cut = all[in_cells_[k].cut];
+      const double x = std::abs(cut.at.x - p.x), y = std::abs(cut.at.y - p.y);
+      if (x <= radius_ && y <= radius_) visit(cut);
     }
   }
-  static bool comes_before(const Point3& v, const Point3& best, const Point3& cut);
 
   SecretHash hash_;
-  double radius_, cell_;
-  std::vector<std::uint32_t> first_;  // of the vertices at each place
-  std::vector<Vertex> vertices_;
+  std::vector<std::uint8_t> has_some_ = std::vector<std::uint8_t>(kSquares * kSquares, 0);
+  double radius_, per_cell_;
+  std::vector<std::uint32_t> first_;  // in in_cells_, of each place
+  std::vector<InCell> in_cells_;
 };
 
-bool is_as_deep(const Point3& v, const Point3& cut) {
-  constexpr double kRounding = 0x1p-40;
-  return std::abs(v.z - cut.z) <= kRounding * (1.0 + std::abs(cut.z));
-}
-
-bool VerticesInPicture::comes_before(const Point3& v, const Point3& best, const Point3& cut) {
-  const bool is_deep = is_as_deep(v, cut), best_is = is_as_deep(best, cut);
-  return is_deep != best_is ? is_deep : &v < &best;
-}
-
-/// Puts the cuts of pieces at vertices, one piece after the other.
-class CutsAtVertices {
+/// Puts the cuts of pieces where they are to be, one piece after the other.
+class MovedPieces {
  public:
-  CutsAtVertices(const ViewedScene& scene, double radius, SortedPieces& pieces)
-      : scene_(scene), radius_(radius), pieces_(pieces) {}
+  MovedPieces(const CutsInPicture& cuts, SortedPieces& pieces) : cuts_(cuts), pieces_(pieces) {}
 
-  /// False if the piece is a line of which nothing is left.
+  /// Of all that were cut, in order. False if the piece is a line of which nothing is left.
   bool move(SortedPiece& piece) {
-    const PointRow own = scene_.points(piece.item);
     moved_.clear();
     bool some = false;
-    for (const Point3& p : points_of(piece)) {
-      moved_.push_back(std::ranges::find(own, p) == own.end() ? place_of(p) : p);
-      some = some || moved_.back() != p;
+    for (std::uint32_t point = piece.first; point < piece.first + piece.sides; ++point) {
+      moved_.push_back(pieces_.points[point]);
+      if (next_ == cuts_.all.size() || cuts_.all[next_].point != point) continue;
+      moved_.back() = cuts_.all[next_++].to;
+      some = some || moved_.back() != pieces_.points[point];
     }
     return !some || replace(piece);
   }
 
  private:
-  std::span<Point3> points_of(const SortedPiece& piece) const {
-    return std::span(pieces_.points).subspan(piece.first, piece.sides);
-  }
-  Point3 place_of(const Point3& cut) {
-    if (!vertices_) vertices_.emplace(scene_, radius_);
-    const Point3* const vertex = vertices_->at(cut);
-    if (vertex == nullptr) {  // others may be there too
-      vertices_->add(cut);
-      return cut;
-    }
-    return {vertex->x, vertex->y, is_as_deep(*vertex, cut) ? vertex->z : cut.z};
-  }
   /// By what was moved, without sides that have lost their length; false if a line has. A sliver of
   /// a polygon that has no more than two sides left stays as it is: it may cover a pixel's centre.
   bool replace(SortedPiece& piece) {
@@ -145,13 +161,24 @@ class CutsAtVertices {
     return true;
   }
 
-  const ViewedScene& scene_;
-  double radius_;
+  const CutsInPicture& cuts_;
   SortedPieces& pieces_;
-  std::optional<VerticesInPicture> vertices_;
+  std::size_t next_ = 0;
   std::vector<Point3> moved_;
   std::vector<std::uint32_t> kept_;
 };
+
+/// Those that are no vertices of their own item, bit for bit.
+void find_cuts(const ViewedScene& scene, const SortedPieces& pieces, CutsInPicture& cuts) {
+  for (const SortedPiece& piece : pieces.pieces) {
+    if (piece.first == SortedPiece::kWhole) continue;
+    const PointRow own = scene.points(piece.item);
+    for (std::uint32_t k = piece.first; k < piece.first + piece.sides; ++k) {
+      const Point3& p = pieces.points[k];
+      if (std::ranges::find(own, p) == own.end()) cuts.all.push_back({p, p, k});
+    }
+  }
+}
 
 }  // namespace
 
@@ -160,12 +187,19 @@ double cuts_may_move(const ViewedScene& scene) { return 2.0 * scene.boundary_err
 void put_cuts_at_vertices(const ViewedScene& scene, SortedPieces& pieces) {
   const double radius = cuts_may_move(scene);
   if (!(radius > 0.0) || pieces.points.empty()) return;
-  CutsAtVertices cuts(scene, radius, pieces);
-  std::size_t kept = 0;
-  std::size_t fills = 0;  // of those kept
+  CutsInPicture cuts(radius);
+  find_cuts(scene, pieces, cuts);
+  if (cuts.all.empty()) return;
+  cuts.make_ready();
+  for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
+    for (const Point3& vertex : scene.points(item)) cuts.take_vertex(vertex);
+  }
+  cuts.join();
+  MovedPieces moved(cuts, pieces);
+  std::size_t kept = 0, fills = 0;
   for (std::size_t k = 0; k < pieces.pieces.size(); ++k) {
     SortedPiece& piece = pieces.pieces[k];
-    if (piece.first != SortedPiece::kWhole && !cuts.move(piece)) continue;
+    if (piece.first != SortedPiece::kWhole && !moved.move(piece)) continue;
     pieces.pieces[kept] = piece;
     if (!pieces.hidden.empty()) pieces.hidden[kept] = pieces.hidden[k];
     if (k < pieces.lights.size()) pieces.lights[kept] = pieces.lights[k];

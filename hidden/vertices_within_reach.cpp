@@ -21,6 +21,20 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
+/// For each point, the first that is equal to it.
+std::vector<std::uint32_t> first_equal(std::span<const Point3> points) {
+  const SecretHash hash;
+  const std::size_t places = std::bit_ceil(2 * points.size() + 1);
+  std::vector<std::uint32_t> table(places, kNoPoint), first(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::size_t at = hash(points[i]) & (places - 1);
+    while (table[at] != kNoPoint && points[table[at]] != points[i]) at = (at + 1) & (places - 1);
+    if (table[at] == kNoPoint) table[at] = i;
+    first[i] = table[at];
+  }
+  return first;
+}
+
 /// Points that stand for themselves, by cells of space that are many reaches wide.
 class StandingPoints {
  public:
@@ -34,7 +48,6 @@ class StandingPoints {
   /// The first within reach of that one, or itself, which then stands for itself.
   std::uint32_t first_of(std::uint32_t point) {
     const Point3& p = points_[point];
-    if (!(reach_ > 0.0)) return first_equal(point, place_of(p));
     const Point3 in_cells = p * per_cell_, own = glm::floor(in_cells);
     std::uint32_t first = first_near(p, own);
     const Point3 off = in_cells - own;
@@ -79,14 +92,6 @@ class StandingPoints {
     }
     return first;
   }
-  std::uint32_t first_equal(std::uint32_t point, std::size_t place) {
-    for (std::uint32_t k = first_[place]; k != kNoPoint; k = next_[k]) {
-      if (points_[k] == points_[point]) return k;
-    }
-    stand(point, place);
-    return point;
-  }
-
   std::span<const Point3> points_;
   double reach_, per_cell_;
   SecretHash hash_;
@@ -218,6 +223,7 @@ void find_along(std::span<const Point3> points, std::span<const SideOfPoints> al
 }  // namespace
 
 std::vector<std::uint32_t> first_within(std::span<const Point3> points, double reach) {
+  if (!(reach > 0.0)) return first_equal(points);
   StandingPoints standing(points, reach);
   std::vector<std::uint32_t> first(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) first[i] = standing.first_of(i);

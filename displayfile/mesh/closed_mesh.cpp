@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -12,6 +13,25 @@
 namespace displayfile {
 
 namespace {
+
+/// False only if the faces leave a hole: those of a closed surface have a sum of area vectors of 0,
+/// but for what is within reach.
+bool area_may_be_closed(const Mesh& mesh) {
+  constexpr double kLeft = 1e-6;
+  Point3 sum(0.0);
+  double all = 0.0;
+  for (std::size_t i = 0; i < mesh.faces(); ++i) {
+    const auto face = mesh.face(i);
+    const Point3& p = mesh.vertices[face[0]];
+    Point3 twice_area(0.0);
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      twice_area += glm::cross(mesh.vertices[face[k - 1]] - p, mesh.vertices[face[k]] - p);
+    }
+    sum += twice_area;
+    all += std::abs(twice_area.x) + std::abs(twice_area.y) + std::abs(twice_area.z);
+  }
+  return !(glm::length(sum) > kLeft * all);
+}
 
 /// Calls visit(from, to) for every edge of every face, but for those of no length.
 template <class Visitor>
@@ -92,7 +112,7 @@ bool bounds_solids(const WeldedFaces& faces, double reach) {
 }  // namespace
 
 bool closed_and_consistently_oriented(const Mesh& mesh) {
-  if (mesh.objects.empty()) return false;
+  if (mesh.objects.empty() || !area_may_be_closed(mesh)) return false;
   const double reach = reach_of_vertices(mesh);
   const WeldedFaces all = weld(mesh, reach);
   if (bounds_solids(all, reach)) return true;

@@ -192,24 +192,16 @@ class SideKinds::Finder {
       for (const LineName& side : lone_) look_at_whole(side);
       return;
     }
-    std::vector<StretchOfSide> stretches;
-    for (std::uint32_t k = 0; k < sides.size(); ++k) {
-      std::uint32_t from = sides[k].from;
-      const auto add = [&](std::uint32_t to) {
-        stretches.push_back({std::min(from, to), std::max(from, to), k, from < to});
-        from = to;
-      };
-      for (const std::uint32_t vertex : parted.along(k)) add(vertex);
-      add(sides[k].to);
-    }
-    std::ranges::sort(stretches);
+    const std::vector<StretchOfSide> stretches = stretches_along(sides, parted);
     std::vector<SharedStretch> shared;
     for (auto first = stretches.cbegin(); first != stretches.cend();) {
       const auto end = std::find_if(first, stretches.cend(), [&](const StretchOfSide& s) {
         return s.low != first->low || s.high != first->high;
       });
       const std::span same(first, end);
-      const bool is_whole = same.size() == 1 && parted.along(first->side).empty();
+      const auto& [from, to] = sides[first->side];
+      const bool is_whole =
+          same.size() == 1 && first->low == std::min(from, to) && first->high == std::max(from, to);
       if (is_whole) {
         look_at_whole(lone_[first->side]);
       } else {
@@ -218,6 +210,33 @@ class SideKinds::Finder {
       first = end;
     }
     if (!shared.empty()) add_parted(std::move(shared));
+  }
+
+  /// In order of their vertices. What ends on a side of its own polygon folds back and parts
+  /// nothing.
+  std::vector<StretchOfSide> stretches_along(std::span<const SideOfPoints> sides,
+                                             const PartedSides& parted) const {
+    std::vector<StretchOfSide> stretches;
+    for (std::uint32_t k = 0; k < sides.size(); ++k) {
+      std::uint32_t from = sides[k].from;
+      const auto add = [&](std::uint32_t to) {
+        stretches.push_back({std::min(from, to), std::max(from, to), k, from < to});
+        from = to;
+      };
+      for (const std::uint32_t vertex : parted.along(k)) {
+        if (!has_vertex(lone_[k].item, vertex)) add(vertex);
+      }
+      add(sides[k].to);
+    }
+    std::ranges::sort(stretches);
+    return stretches;
+  }
+  bool has_vertex(std::uint32_t item, std::uint32_t vertex) const {
+    const auto& [first, sides, kind] = own_.items[item];
+    for (std::uint32_t k = first; k < first + sides; ++k) {
+      if (vertices_[own_.primitives.point(k)] == vertex) return true;
+    }
+    return false;
   }
 
   void look_at_whole(const LineName& side) {

@@ -224,6 +224,12 @@ TEST(PartedSides, SectionsAreClosed) {
   }
 }
 
+/// A polygon that is folded back on itself has the boundary that it has.
+TEST(PartedSides, OfOnePolygonAloneAreItsBoundary) {
+  const std::vector<Polygon> line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}};
+  EXPECT_NEAR(lengths(line, "boundary", Eye::at({1, 2, 3}))[test::kBoundary], 4.0, 1e-12);
+}
+
 /// A box whose top is three rectangles, as a file may have it.
 TEST(PartedSides, OfABoxWithThreeRectanglesOnTopAreItsEdges) {
   std::vector<Polygon> faces{

@@ -198,7 +198,7 @@ class SideKinds::Finder {
       const auto end = std::find_if(first, stretches.cend(), [&](const StretchOfSide& s) {
         return s.low != first->low || s.high != first->high;
       });
-      const std::span same(first, end);
+      const std::span<const StretchOfSide> same(&*first, static_cast<std::size_t>(end - first));
       const auto& [from, to] = sides[first->side];
       const bool is_whole =
           same.size() == 1 && first->low == std::min(from, to) && first->high == std::max(from, to);

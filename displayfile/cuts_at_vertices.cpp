@@ -88,10 +88,10 @@ class CutsInPicture {
   };
 
   /// Of the picture: what is outside of it is in the first row or column.
-  static constexpr std::uint32_t kSquares = 256;
+  static constexpr std::size_t kSquares = 256;
   static std::size_t square(double x, double y) {
     const auto of = [](double v) {
-      return v >= 0.0 && v < 1.0 ? static_cast<std::uint32_t>(v * kSquares) : 0u;
+      return v >= 0.0 && v < 1.0 ? static_cast<std::size_t>(v * kSquares) : std::size_t{0};
     };
     return of(x) * kSquares + of(y);
   }

@@ -436,8 +436,8 @@ class SideKinds::Tiling {
       for (last = first + 1; last < end && goes_on(last);) ++last;
       if (kinds_[first] != 0) tile(first, last);
     }
-    for (std::uint32_t k = 0; k < sides_.size(); ++k) {
-      if (has_some_left(sides_[k])) draw(sides_[k]);
+    for (const PartedSide& side : sides_) {
+      if (has_some_left(side)) draw(side);
     }
   }
 

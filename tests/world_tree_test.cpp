@@ -262,7 +262,7 @@ TEST(WorldTree, OrdersAreRightForEyesAHairOffPlanes) {
     }
   }
   const StageCounts stages = predicate_counts()[static_cast<std::size_t>(Predicate::side_of_plane)];
-  EXPECT_GT(stages.exact, 100u) << "the filter decided what it cannot know";
+  EXPECT_GT(stages.exact, 100u / test::kSlower) << "a filter decided what it cannot know";
 }
 
 /// Two parallel sheets: one's plane divides, and the order tells on which side of it the eye is

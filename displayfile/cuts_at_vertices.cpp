@@ -129,6 +129,9 @@ class MovedPieces {
 
   /// Of all that were cut, in order. False if the piece is a line of which nothing is left.
   bool move(SortedPiece& piece) {
+    if (next_ == cuts_.all.size() || cuts_.all[next_].point - piece.first >= piece.sides) {
+      return true;  // it has none
+    }
     moved_.clear();
     bool some = false;
     for (std::uint32_t point = piece.first; point < piece.first + piece.sides; ++point) {
@@ -168,14 +171,21 @@ class MovedPieces {
   std::vector<std::uint32_t> kept_;
 };
 
-/// Those that are no vertices of their own item, bit for bit.
+/// Those that are no vertices of their own item, bit for bit, nor where the line before ended at
+/// one.
 void find_cuts(const ViewedScene& scene, const SortedPieces& pieces, CutsInPicture& cuts) {
+  const Point3* last = nullptr;  // that is a vertex
   for (const SortedPiece& piece : pieces.pieces) {
     if (piece.first == SortedPiece::kWhole) continue;
     const PointRow own = scene.points(piece.item);
     for (std::uint32_t k = piece.first; k < piece.first + piece.sides; ++k) {
       const Point3& p = pieces.points[k];
-      if (std::ranges::find(own, p) == own.end()) cuts.all.push_back({p, p, k});
+      if (last != nullptr && p == *last) continue;
+      if (std::ranges::find(own, p) == own.end()) {
+        cuts.all.push_back({p, p, k});
+      } else {
+        last = &p;
+      }
     }
   }
 }

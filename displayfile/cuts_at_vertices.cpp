@@ -52,8 +52,8 @@ class CutsInPicture {
       }
     }
   }
-  /// Of the vertices that are as close as the radius in x and y a cut is put at the first, one of
-  /// its depth before all others.
+  /// Puts each cut that is as close as the radius in x and y at the vertex, unless it has one: the
+  /// first counts, and one of the cut's depth before all others.
   void take_vertex(const Point3& vertex) {
     if (has_some_[square(vertex.x, vertex.y)] == 0) return;
     for_each_near(vertex, [&](Cut& cut) {
@@ -87,7 +87,7 @@ class CutsInPicture {
     std::uint32_t cut, next;
   };
 
-  /// Of the picture: what is outside of it is in the first row or column.
+  /// Squares of the picture in a row; what is outside of it counts to the first row or column.
   static constexpr std::size_t kSquares = 256;
   static std::size_t square(double x, double y) {
     const auto of = [](double v) {
@@ -127,7 +127,7 @@ class MovedPieces {
  public:
   MovedPieces(const CutsInPicture& cuts, SortedPieces& pieces) : cuts_(cuts), pieces_(pieces) {}
 
-  /// Of all that were cut, in order. False if the piece is a line of which nothing is left.
+  /// To be called for all pieces that were cut, in order. False if nothing is left of a line.
   bool move(SortedPiece& piece) {
     if (next_ == cuts_.all.size() || cuts_.all[next_].point - piece.first >= piece.sides) {
       return true;  // it has none
@@ -144,8 +144,8 @@ class MovedPieces {
   }
 
  private:
-  /// By what was moved, without sides that have lost their length; false if a line has. A sliver of
-  /// a polygon that has no more than two sides left stays as it is: it may cover a pixel's centre.
+  /// Writes what was moved, without sides that have lost their length; false if a line has. A
+  /// polygon that has no more than two sides left stays as it is: it may cover a pixel's centre.
   bool replace(SortedPiece& piece) {
     kept_.clear();
     for (std::uint32_t k = 0; k < piece.sides; ++k) {

@@ -163,7 +163,7 @@ class SideKinds::Finder {
     }
   }
 
-  /// Of the sides around one, or around a stretch, those that no view changes.
+  /// The kinds that no view changes, of the sides around one, or around a stretch.
   LineKinds fixed_kinds(std::span<const RunningSide> sides) {
     LineKinds kinds = 0;
     const auto add = [&](LineKind kind, bool is_one) {
@@ -444,8 +444,8 @@ class SideKinds::Tiling {
  private:
   static constexpr std::uint32_t kNobody = 0xffffffffu;
 
-  /// By sides that follow each other from the first of stretches of the same kinds to the last, if
-  /// there are such sides: those of one polygon's cut side are.
+  /// Draws stretches of the same kinds by sides that follow each other from the first stretch to
+  /// the last, if there are such sides: where a face was cut into others its sides are.
   void tile(std::uint32_t first, std::uint32_t last) {
     const auto from = std::ranges::lower_bound(sides_, first, {}, &PartedSide::first);
     for (auto side = from; side != sides_.end() && side->first < last; ++side) {

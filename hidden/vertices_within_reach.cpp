@@ -144,8 +144,8 @@ class SidesOfLines {
                                    kRounding * (1.0 + diameter_ / length)));
     }
   }
-  /// Of very many with nearly the same keys each is joined to some of the others, and these to each
-  /// other.
+  /// Where very many have nearly the same keys each is joined to some of the others, and these to
+  /// each other.
   void join() {
     constexpr std::size_t kMost = 32;
     KeyGrid grid(tolerances_);

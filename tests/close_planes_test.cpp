@@ -98,7 +98,7 @@ TEST(ClosePlanes, WhereOneIsThinAllMayBe) {
   EXPECT_EQ(close.may_touch(), scene.all_from(0));
 }
 
-/// Of a polygon that is not flat the support plane counts.
+/// The support plane is what counts where a polygon is not flat.
 TEST(ClosePlanes, SmallOnesLieInTheSupportPlaneOfABentOne) {
   ScenePlanes scene(7);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();

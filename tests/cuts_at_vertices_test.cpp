@@ -28,7 +28,7 @@ constexpr double kRounding = 1e-13;
 
 using Places = std::vector<std::array<double, 2>>;
 
-/// Of what is no sliver as wide as rounding.
+/// The points of pieces that are no slivers as wide as rounding.
 Places places_of(const DrawnPieces& pieces) {
   Places places;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -42,7 +42,7 @@ Places places_of(const DrawnPieces& pieces) {
   return places;
 }
 
-/// Of two places so close one at least is none of the vertices.
+/// Pairs of places as close as rounding, of which one at least is no vertex.
 std::size_t cracks(const Places& places, const Places& vertices) {
   const auto is_vertex = [&](const auto& p) { return std::ranges::binary_search(vertices, p); };
   std::size_t found = 0;

@@ -9,40 +9,38 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/disjoint_sets.h"
+#include "hidden/exact/rounding.h"
 
 namespace displayfile {
 
 namespace {
 
-/// False only if the faces leave a hole: those of a closed surface have a sum of area vectors of 0,
-/// but for what is within reach.
-bool area_may_be_closed(const Mesh& mesh) {
-  constexpr double kLeft = 1e-6;
-  Point3 sum(0.0);
-  double all = 0.0;
+double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// False only if the faces leave a hole: those of a closed surface have a sum of area vectors of 0.
+/// Sides whose ends are within reach of each other are apart by an area of their length times that;
+/// the rest is rounding, of products and of their sum.
+bool area_may_be_closed(const Mesh& mesh, double reach) {
+  Point3 twice_area(0.0);
+  double lengths = 0.0, products = 0.0;
   for (std::size_t i = 0; i < mesh.faces(); ++i) {
     const auto face = mesh.face(i);
     const Point3& p = mesh.vertices[face[0]];
-    Point3 twice_area(0.0);
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      twice_area += glm::cross(mesh.vertices[face[k - 1]] - p, mesh.vertices[face[k]] - p);
-    }
-    sum += twice_area;
-    all += std::abs(twice_area.x) + std::abs(twice_area.y) + std::abs(twice_area.z);
-  }
-  return !(glm::length(sum) > kLeft * all);
-}
-
-/// Calls visit(from, to) for every edge of every face, but for those of no length.
-template <class Visitor>
-void for_each_edge(const WeldedFaces& faces, Visitor&& visit) {
-  for (std::size_t i = 0; i < faces.faces(); ++i) {
-    std::uint32_t from = faces.face(i).back();
-    for (const std::uint32_t to : faces.face(i)) {
-      if (from != to) visit(from, to);
-      from = to;
+    Point3 a = mesh.vertices[face[1]] - p;
+    double to_a = sum_of_sizes(a);
+    lengths += 2.0 * to_a;  // a side is no longer than the ways to both of its ends
+    for (const std::uint32_t corner : face.subspan(2)) {
+      const Point3 b = mesh.vertices[corner] - p;
+      const double to_b = sum_of_sizes(b);
+      twice_area += glm::cross(a, b);
+      products += to_a * to_b;
+      lengths += 2.0 * to_b;
+      a = b;
+      to_a = to_b;
     }
   }
+  const double rounded = (static_cast<double>(mesh.corners.size()) + 16.0) * kUnit * products;
+  return !(glm::length(twice_area) > 4.0 * reach * lengths + rounded);
 }
 
 /// True if every edge is used exactly twice, once in each direction.
@@ -112,8 +110,8 @@ bool bounds_solids(const WeldedFaces& faces, double reach) {
 }  // namespace
 
 bool closed_and_consistently_oriented(const Mesh& mesh) {
-  if (mesh.objects.empty() || !area_may_be_closed(mesh)) return false;
   const double reach = reach_of_vertices(mesh);
+  if (mesh.objects.empty() || !area_may_be_closed(mesh, reach)) return false;
   const WeldedFaces all = weld(mesh, reach);
   if (bounds_solids(all, reach)) return true;
   if (mesh.objects.size() == 1) return false;

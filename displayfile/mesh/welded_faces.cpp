@@ -16,26 +16,19 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 struct Edge {
   std::uint32_t from, to;
-  std::uint32_t low() const { return std::min(from, to); }
   std::uint32_t high() const { return std::max(from, to); }
 };
 
 /// Edges that run through two vertices more often one way than the other.
 std::vector<SideOfPoints> unpaired_edges(const WeldedFaces& faces) {
   std::vector<std::size_t> end(faces.vertices.size() + 1, 0);
-  const auto for_each = [&](const auto& visit) {
-    for (std::size_t i = 0; i < faces.faces(); ++i) {
-      std::uint32_t from = faces.face(i).back();
-      for (const std::uint32_t to : faces.face(i)) {
-        if (from != to) visit(Edge{from, to});
-        from = to;
-      }
-    }
-  };
-  for_each([&](const Edge& edge) { ++end[edge.low() + 1]; });
+  for_each_edge(faces,
+                [&](std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<Edge> edges(end.back());
-  for_each([&](const Edge& edge) { edges[end[edge.low()]++] = edge; });
+  for_each_edge(faces, [&](std::uint32_t from, std::uint32_t to) {
+    edges[end[std::min(from, to)]++] = {from, to};
+  });
   std::vector<SideOfPoints> unpaired;
   std::size_t begin = 0;
   for (std::size_t v = 0; v < faces.vertices.size(); begin = end[v++]) {

@@ -23,6 +23,18 @@ struct WeldedFaces {
   }
 };
 
+/// Calls visit(from, to) for every edge of every face, but for those of no length.
+template <class Visit>
+void for_each_edge(const WeldedFaces& faces, const Visit& visit) {
+  for (std::size_t i = 0; i < faces.faces(); ++i) {
+    std::uint32_t from = faces.face(i).back();
+    for (const std::uint32_t to : faces.face(i)) {
+      if (from != to) visit(from, to);
+      from = to;
+    }
+  }
+}
+
 /// Within which distance vertices of a mesh are one unless another is set (hidden/touching.h).
 double reach_of_vertices(const Mesh& mesh);
 

@@ -148,7 +148,7 @@ TEST(ClosePlanes, AllThatLieInOnePlaneAreFound) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     ScenePlanes scene(seed);
     const Point3 at = scene.point(), u = glm::normalize(scene.point()), v = scene.point();
-    for (int n = 0; n < 30; ++n) {
+    for (int n = 0; n < 31; ++n) {  // the last has no other above it in the sort
       const Point3 in_plane = at + scene.coordinate() * u + scene.coordinate() * v;
       scene.enter(ScenePlanes::square(in_plane, 0.1 * u, 0.1 * v));
     }

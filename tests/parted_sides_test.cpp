@@ -230,6 +230,21 @@ TEST(PartedSides, OfOnePolygonAloneAreItsBoundary) {
   EXPECT_NEAR(lengths(line, "boundary", Eye::at({1, 2, 3}))[test::kBoundary], 4.0, 1e-12);
 }
 
+/// Two rectangles that meet at a right angle, one of them further along: each of both sides is in
+/// part a boundary and in part a crease, and no other side has the parts.
+TEST(PartedSides, ThatAreOfOneKindNowhereAreDrawnWhole) {
+  const std::vector<Polygon> faces{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}},
+                                   {{3, 0, 0}, {1, 0, 0}, {1, 0, 1}, {3, 0, 1}}};
+  const auto drawn = lengths(faces, "crease,boundary", Eye::at({5, 7, 9}));
+  double length = 0.0, of_creases = 0.0;
+  for (const auto& [kinds, of_kinds] : drawn) {
+    length += of_kinds;
+    if ((kinds & test::kCrease) != 0) of_creases += of_kinds;
+  }
+  EXPECT_NEAR(length, 12.0, 1e-12);
+  EXPECT_NEAR(of_creases, 4.0, 1e-12);
+}
+
 /// A box whose top is three rectangles, as a file may have it.
 TEST(PartedSides, OfABoxWithThreeRectanglesOnTopAreItsEdges) {
   std::vector<Polygon> faces{

@@ -376,6 +376,21 @@ class GraphicsSystem {
     set();
     said_ = said;
   }
+  /// Calls enter(), which opens and closes segments. Where touching is automatic the reach of what
+  /// they hold is this one, in the coordinates of the input: that of numbers which are less exact
+  /// than doubles.
+  template <class Enter>
+  void with_automatic_reach(double reach, Enter&& enter) {
+    if (touching_.kind != Touching::Kind::automatic) return enter();
+    put_touching_in_force({Touching::Kind::length, reach});
+    try {
+      enter();
+    } catch (...) {
+      touching_ = {Touching::Kind::automatic};
+      throw;
+    }
+    put_touching_in_force({Touching::Kind::automatic});
+  }
   /// Calls enter(), which may set fill styles for what it enters; the one in force before is in
   /// force afterwards, also if enter() throws, and counts as said if it did.
   template <class Enter>
@@ -483,6 +498,8 @@ class GraphicsSystem {
   void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
     if (recorder_ != nullptr) recorder_->write(routine, arguments);
   }
+  void record_touching(const Touching& touching);
+  void put_touching_in_force(const Touching& touching);
   void record_said(Setting setting, std::string_view routine,
                    std::initializer_list<Recorder::Argument> arguments) {
     said_.insert(setting);

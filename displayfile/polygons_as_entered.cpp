@@ -1,7 +1,6 @@
 #include "displayfile/polygons_as_entered.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -9,20 +8,9 @@
 #include "displayfile/entered_polygons.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/bent_polygon.h"
+#include "hidden/largest_coordinate.h"
 
 namespace displayfile {
-
-namespace {
-
-double largest_coordinate(const PointRow& points) {
-  double largest = 0.0;
-  for (const Point3& p : points) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return largest;
-}
-
-}  // namespace
 
 void PolygonsAsEntered::add(const EnteredPolygons& polygons) {
   const std::uint32_t first = parts_.empty() ? 0 : parts_.back().end;

@@ -11,10 +11,10 @@
 
 namespace displayfile {
 
-double entered_reach(const Touching& touching, double largest) {
-  constexpr double kUnits = 8.0, kDouble = 0x1p-52;  // of double precision
+double entered_reach(const Touching& touching, double largest, double unit) {
+  constexpr double kUnits = 8.0;
   switch (touching.kind) {
-    case Touching::Kind::automatic: return kUnits * kDouble * largest;
+    case Touching::Kind::automatic: return kUnits * unit * largest;
     case Touching::Kind::off: return 0.0;
     case Touching::Kind::length: return touching.length;
   }

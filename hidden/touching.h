@@ -20,9 +20,12 @@ struct Touching {
   bool operator==(const Touching&) const = default;
 };
 
+/// By what part of the largest a number may be off, as it is rounded.
+inline constexpr double kUnitOfDoubles = 0x1p-52, kUnitOfSingles = 0x1p-24;
+
 /// The reach before the modelling transformation. `largest` is the largest magnitude of a
-/// coordinate that was entered, of polygons and lines.
-double entered_reach(const Touching& touching, double largest);
+/// coordinate that was entered, of polygons and lines; `unit` is that of these numbers.
+double entered_reach(const Touching& touching, double largest, double unit = kUnitOfDoubles);
 /// What holds unless it is set.
 inline constexpr Touching kUnlessSet{Touching::Kind::automatic};
 

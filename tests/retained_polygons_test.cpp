@@ -185,5 +185,21 @@ TEST_P(RetainedPolygonsOf, ThatShareVerticesAreKeptOnce) {
   expect_triangles(system.display_file(), 1, 2);
 }
 
+/// Where lines are selected a segment is viewed when it is closed, from what was retained.
+TEST(RetainedPolygons, AreThoseThatWereEnteredBesideLinesToo) {
+  for (const bool with_line : {false, true}) {
+    GraphicsSystem g;
+    g.set_lines(line_selection("boundary"));
+    g.open_segment(1);
+    g.move_abs_3(0.1, 0.1, 0.1);
+    if (with_line) g.line_abs_3(0.9, 0.8, 0.7);
+    for (int i = 0; i < 3; ++i) g.polygon_abs_3(triangle(0.01 + 0.001 * i));
+    g.close_segment();
+    SCOPED_TRACE(with_line ? "with a line" : "without lines");
+    expect_triangles(g.display_file(), 1, 3);
+    EXPECT_EQ(kept(g.display_file(), 1).are_retained(), !with_line);
+  }
+}
+
 }  // namespace
 }  // namespace displayfile

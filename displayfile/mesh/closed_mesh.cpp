@@ -110,7 +110,7 @@ bool bounds_solids(const WeldedFaces& faces, double reach) {
 }  // namespace
 
 bool closed_and_consistently_oriented(const Mesh& mesh) {
-  const double reach = reach_of_vertices(mesh);
+  const double reach = entered_reach(mesh);
   if (mesh.objects.empty() || !area_may_be_closed(mesh, reach)) return false;
   const WeldedFaces all = weld(mesh, reach);
   if (bounds_solids(all, reach)) return true;

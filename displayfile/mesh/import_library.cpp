@@ -27,6 +27,8 @@
 #include "displayfile/mesh/skins.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/shared_library.h"
+#include "hidden/largest_coordinate.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -190,7 +192,9 @@ class MaterialReader {
 class SceneReader {
  public:
   SceneReader(const std::string& path, bool with_normals)
-      : path_(path), with_normals_(with_normals), mesh_(path) {}
+      : path_(path), with_normals_(with_normals), mesh_(path) {
+    mesh_.set_single_precision();
+  }
 
   /// Before any node.
   void add_materials(const ImportLibrary& library, const aiScene& scene) {
@@ -276,9 +280,11 @@ class SceneReader {
   void add_vertices(const aiMesh& part, const glm::dmat4& to_world) {
     const bool moved = to_world != glm::dmat4(1.0);
     const bool coloured = says_colours(part);
+    double largest = 0.0;
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
       const aiVector3D& v = part.mVertices[i];
       Point3 p(v.x, v.y, v.z);
+      largest = std::max(largest, largest_coordinate(p));
       if (moved) p = Point3(to_world * HomogeneousPoint(p, 1.0));
       if (!in_range(p)) {
         fail(fmt::format("vertex {} is ({}, {}, {}): expected finite coordinates", i, p.x, p.y,
@@ -287,6 +293,9 @@ class SceneReader {
       mesh_.add_vertex(p);
       if (coloured) add_colour(i, part.mColors[0][i]);
     }
+    double longest = 0.0;  // column
+    for (int k = 0; k < 3; ++k) longest = std::max(longest, glm::length(Point3(to_world[k])));
+    mesh_.note_rounding(kUnitOfSingles * largest * longest);
   }
 
   /// Its opacity is not known: the library makes one up where the file has none.

@@ -7,13 +7,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "hidden/largest_coordinate.h"
+
 namespace displayfile {
 
 namespace {
-
-double largest_coordinate(const Point3& p) {
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-}
 
 /// Between neighbouring numbers of single precision.
 double distance_between_floats(double size) {

@@ -14,6 +14,8 @@
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/solids/solid_faces.h"
+#include "hidden/largest_coordinate.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -174,6 +176,11 @@ std::vector<std::string> left_out(const Mesh::Skipped& skipped) {
   return all;
 }
 
+double entered_reach(const Mesh& mesh) {
+  const double of_doubles = entered_reach(kUnlessSet, largest_coordinate(mesh.vertices));
+  return std::max(of_doubles, entered_reach(kUnlessSet, mesh.rounding, 1.0));
+}
+
 void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options) {
   const RoundToNearest nearest;
@@ -182,7 +189,7 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
   const bool mirrored = system.modelling_transformation().mirrors();
   const Mesh turned = mirrored ? turned_over(as_read) : Mesh();
   const Mesh& mesh = mirrored ? turned : as_read;
-  system.enter_segments([&] {
+  const auto enter_objects = [&] {
     int next = first_segment_name;
     for (const Mesh::Object& object : mesh.objects) {
       if (!object.name.empty()) system.comment(object.name);
@@ -190,6 +197,10 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
       enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
       system.close_segment();
     }
+  };
+  system.enter_segments([&] {
+    if (mesh.rounding > 0.0) return system.with_automatic_reach(entered_reach(mesh), enter_objects);
+    enter_objects();
   });
 }
 

@@ -45,6 +45,9 @@ struct Mesh {
   std::optional<Upright> usual_upright{};  ///< by the custom of the format, where neither does
   std::vector<Object> objects;             ///< in the order of the faces; each has some
   std::vector<Point3> vertices;            ///< also those that no face uses
+  /// By how much a coordinate may be off as the numbers of the file are rounded (entered_reach);
+  /// 0: no more than doubles are.
+  double rounding = 0.0;
   std::vector<Point3> normals;             ///< of any length; zero if not known
   std::vector<std::uint32_t> corners;      ///< indices into vertices, face after face
   std::vector<std::size_t> first_corner;   ///< of each face; one more at the end
@@ -96,10 +99,17 @@ void complete_normals(Mesh& mesh);
 /// of equal position are the same), and every connected part encloses a positive volume.
 bool closed_and_consistently_oriented(const Mesh& mesh);
 
+/// Within which distance parts of the mesh touch, unless it is set (hidden/touching.h): 8 times the
+/// unit of its file's numbers. That is 2^-24 of the largest coordinate in single precision; of
+/// decimals, the longest of which has 6 significant digits or more, half a unit of its last digit,
+/// at most 2^-17; else 2^-52.
+double entered_reach(const Mesh& mesh);
+
 /// One segment an object, named first_segment_name and up, in the view and the styles in force;
 /// faces that are turned outward stay so where the modelling transformation mirrors; faces that
 /// have a colour are filled in it, or all in that of the options. The fill style in force stays
-/// what it was. The normals of the vertices, if the mesh has any, are set for each face. The name
+/// what it was. Where touching is automatic, that of the segments is entered_reach of the mesh.
+/// The normals of the vertices, if the mesh has any, are set for each face. The name
 /// of an object is recorded as a comment. Throws Error if a segment is open, one of the names is in
 /// use or the colour is outside of [0,1]; then nothing was entered.
 void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name,

@@ -9,6 +9,8 @@
 #include "clip/error.h"
 #include "clip/secret_hash.h"
 #include "displayfile/mesh/left_out_sentence.h"
+#include "hidden/largest_coordinate.h"
+#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -131,6 +133,7 @@ Mesh MeshBuilder::finish() && {
   if (!in_order) std::ranges::stable_sort(runs_, {}, &Run::object);
   if (!in_order || has_degenerate_faces()) gather_faces();
   name_objects();
+  find_rounding();
   give_faces_materials();
   if (mesh_.faces() == 0) {
     throw Error(
@@ -140,6 +143,13 @@ Mesh MeshBuilder::finish() && {
                     path_, mesh_.skipped.points_and_lines, mesh_.skipped.degenerate_faces));
   }
   return std::move(mesh_);
+}
+
+void MeshBuilder::find_rounding() {
+  constexpr double kMost = 0x1p-17;  // of the largest coordinate
+  const double largest = largest_coordinate(mesh_.vertices);
+  if (is_in_single_precision_) note_rounding(kUnitOfSingles * largest);
+  mesh_.rounding = std::min(mesh_.rounding, kMost * largest);
 }
 
 bool MeshBuilder::is_degenerate(std::size_t face) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -53,6 +54,10 @@ class MeshBuilder {
   void use_colour(const std::optional<Rgba>& colour);
   /// The colour of the vertex that was added last.
   void add_vertex_colour(const Rgba& colour);
+  /// Coordinates may be off by so much, as the numbers of the file are rounded.
+  void note_rounding(double rounding) { mesh_.rounding = std::max(mesh_.rounding, rounding); }
+  /// Coordinates are rounded to single precision.
+  void set_single_precision() { is_in_single_precision_ = true; }
   /// Something that the file lost, in a sentence.
   void warn(std::string sentence) { mesh_.skipped.warnings.push_back(std::move(sentence)); }
 
@@ -79,6 +84,7 @@ class MeshBuilder {
     std::size_t object, first_face, end_face = 0;
   };
 
+  void find_rounding();
   bool is_degenerate(std::size_t face) const;
   bool has_degenerate_faces() const;
   /// Keeps the faces that are not degenerate, in the order of the runs.
@@ -93,7 +99,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<std::string> names_;  // of the objects
   std::vector<Run> runs_;
-  bool normals_as_vertices_ = false;
+  bool normals_as_vertices_ = false, is_in_single_precision_ = false;
   std::uint32_t material_ = Mesh::kNoMaterial;  // of the faces from here on, or the colour
   Palette<Rgba> face_colours_;                  // if there are any, what face_materials means
   std::vector<Rgba> vertex_colours_;            // of the vertices so far; kNoColour if unknown

@@ -32,6 +32,7 @@ struct Counts {
   std::uint64_t points_and_lines = 0, degenerate_faces = 0, textured_faces = 0;
   std::uint64_t transparent_faces = 0;
   std::uint64_t has_upright = 0;
+  double rounding = 0.0;
   double up[3] = {0.0, 0.0, 0.0};
 };
 
@@ -217,6 +218,9 @@ Mesh receive_mesh(const ByteSource& source, std::size_t most_bytes) {
   skipped.degenerate_faces = static_cast<std::size_t>(counts.degenerate_faces);
   skipped.textured_faces = static_cast<std::size_t>(counts.textured_faces);
   skipped.transparent_faces = static_cast<std::size_t>(counts.transparent_faces);
+  require(counts.rounding >= 0.0 && counts.rounding <= kCoordinateLimit,
+          "a rounding that is none");
+  mesh.rounding = counts.rounding;
   if (counts.has_upright != 0) {
     const Point3 up(counts.up[0], counts.up[1], counts.up[2]);
     require(in_range(up), "a direction that is not finite");
@@ -261,7 +265,8 @@ void send_mesh(const Mesh& mesh, const ByteSink& sink) {
                 .degenerate_faces = mesh.skipped.degenerate_faces,
                 .textured_faces = mesh.skipped.textured_faces,
                 .transparent_faces = mesh.skipped.transparent_faces,
-                .has_upright = mesh.upright ? 1u : 0u};
+                .has_upright = mesh.upright ? 1u : 0u,
+                .rounding = mesh.rounding};
   if (mesh.upright) {
     for (int k = 0; k < 3; ++k) counts.up[k] = mesh.upright->up[k];
   }

@@ -128,6 +128,7 @@ class ObjReader {
     if (auto missing = indices_.missing_texture(text_)) mesh_.warn(std::move(*missing));
     warn();
     materials_.tell(mesh_);
+    mesh_.note_rounding(text_.rounding_of_coordinates());
     return std::move(mesh_).finish();
   }
 

@@ -83,6 +83,7 @@ class OffReader {
     warn_of_what_was_left_out();
     mesh_.warn_of_lines_left(text_.count_filled_lines());
     mesh_.share_normals_as_vertices();
+    mesh_.note_rounding(text_.rounding_of_coordinates());
     return std::move(mesh_).finish();
   }
 

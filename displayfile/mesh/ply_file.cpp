@@ -151,6 +151,8 @@ class PlyText {
 
   double real(PlyType, const PlyPlace& place) { return text_.real(next(place), "a number"); }
   double coordinate(PlyType, const PlyPlace& place) { return text_.coordinate(next(place)); }
+  double rounding_of_coordinates() const { return text_.rounding_of_coordinates(); }
+  static bool has_single_coordinates() { return false; }
   std::int64_t list_count(const PlyProperty&, const PlyPlace& place) {
     return text_.announced(next(place), "values of a list", 2);
   }
@@ -193,8 +195,11 @@ class PlyBinary {
       fail(place, fmt::format("coordinate {}: expected a finite number of magnitude at most {}",
                               value, kLargestCoordinate));
     }
+    has_single_coordinates_ |= type == PlyType::float32;
     return value;
   }
+  static double rounding_of_coordinates() { return 0.0; }
+  bool has_single_coordinates() const { return has_single_coordinates_; }
   std::int64_t list_count(const PlyProperty& list, const PlyPlace& place) {
     const std::int64_t count = integer_of(*list.count, next(size_of(*list.count), place));
     if (count < 0) fail(place, fmt::format("a list of {} values", count));
@@ -231,6 +236,7 @@ class PlyBinary {
   const TextCursor& text_;
   std::string_view path_, data_;
   std::endian order_;
+  bool has_single_coordinates_ = false;
 };
 
 // ---- Elements --------------------------------------------------------------------------
@@ -290,6 +296,8 @@ class PlyReader {
     }
     mesh_.warn_of_lines_left(values_.lines_left());
     mesh_.share_normals_as_vertices();
+    mesh_.note_rounding(values_.rounding_of_coordinates());
+    if (values_.has_single_coordinates()) mesh_.set_single_precision();
     return std::move(mesh_).finish();
   }
 

@@ -544,7 +544,7 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   const RoundToNearest nearest;
   require_plane(plane);
   const CuttingPlane cutting(plane);
-  const double reach = reach_of_vertices(mesh);
+  const double reach = entered_reach(mesh);
   const WeldedFaces faces = weld(mesh, reach);
   Cutter cutter(cutting, faces, reach);
   const Mesh::Object whole{"", 0, mesh.faces()};

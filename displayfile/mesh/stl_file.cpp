@@ -85,6 +85,7 @@ Mesh read_binary(const MeshFile& file) {
         "{} those that it announces: left out",
         left == kFacet ? "1 facet follows" : fmt::format("{} facets follow", left / kFacet)));
   }
+  mesh.set_single_precision();
   return std::move(mesh).finish();
 }
 
@@ -98,6 +99,7 @@ class StlText {
       read_part(word);
     }
     if (in_solid_) text_.fail(text_.at(), "end of file: expected endsolid");
+    mesh_.note_rounding(text_.rounding_of_coordinates());
     return std::move(mesh_).finish();
   }
 

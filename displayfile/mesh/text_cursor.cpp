@@ -161,12 +161,13 @@ std::optional<Rgba> TextCursor::colour(std::span<const std::string_view> fields)
   return colour;
 }
 
-double TextCursor::coordinate(std::string_view f) const {
+double TextCursor::coordinate(std::string_view f) {
   const double value = real(f, "a coordinate");
   if (!(std::abs(value) <= kLargestCoordinate)) {
     fail(f, fmt::format("coordinate {}: expected a finite number of magnitude at most {}", f,
                         kLargestCoordinate));
   }
+  digits_.see(f);
   return value;
 }
 

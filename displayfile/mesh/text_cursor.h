@@ -15,6 +15,7 @@
 #include "clip/point.h"
 #include "clip/work_budget.h"
 #include "displayfile/mesh/mesh_colour.h"
+#include "displayfile/mesh/written_digits.h"
 
 namespace displayfile {
 
@@ -111,8 +112,12 @@ class TextCursor {
   /// are anything else.
   std::optional<Rgba> colour(std::span<const std::string_view> fields) const;
 
+  /// By how much the coordinates so far may be off, as their decimals are rounded; 0 if they are
+  /// meant as they stand.
+  double rounding_of_coordinates() const { return digits_.rounding(); }
+
   /// These throw Error at the field's place if it is no such number.
-  double coordinate(std::string_view f) const;
+  double coordinate(std::string_view f);
   double real(std::string_view f, std::string_view expected) const;
   double finite(std::string_view f, std::string_view expected) const;
   std::int64_t integer(std::string_view f, std::string_view expected) const;
@@ -148,6 +153,7 @@ class TextCursor {
   char line_end_;
   std::size_t at_ = 0;
   WorkSteps lines_;
+  WrittenDigits digits_;
 };
 
 /// A name as some programs write it, in quotation marks, without them.

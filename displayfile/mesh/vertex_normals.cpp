@@ -43,7 +43,7 @@ std::vector<Point3> angle_weighted_normals(const WeldedFaces& faces) {
 void complete_normals(Mesh& mesh) {
   const RoundToNearest nearest;
   mesh.corner_normals.resize(mesh.corners.size(), Mesh::kNoNormal);
-  const WeldedFaces faces = weld(mesh, reach_of_vertices(mesh));
+  const WeldedFaces faces = weld(mesh, entered_reach(mesh));
   const std::vector<Point3> around = angle_weighted_normals(faces);
   const auto first = static_cast<std::uint32_t>(mesh.normals.size());
   for (std::size_t k = 0; k < mesh.corners.size(); ++k) {

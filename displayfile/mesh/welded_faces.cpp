@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "hidden/touching.h"
 #include "hidden/vertices_within_reach.h"
 
 namespace displayfile {
@@ -48,14 +47,6 @@ std::vector<SideOfPoints> unpaired_edges(const WeldedFaces& faces) {
 }
 
 }  // namespace
-
-double reach_of_vertices(const Mesh& mesh) {
-  double largest = 0.0;
-  for (const Point3& p : mesh.vertices) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return entered_reach(kUnlessSet, largest);
-}
 
 WeldedFaces weld(const Mesh& mesh, double reach) {
   constexpr std::uint32_t kUsed = 0;

@@ -35,9 +35,6 @@ void for_each_edge(const WeldedFaces& faces, const Visit& visit) {
   }
 }
 
-/// Within which distance vertices of a mesh are one unless another is set (hidden/touching.h).
-double reach_of_vertices(const Mesh& mesh);
-
 /// All faces of a mesh, which must outlive them.
 WeldedFaces weld(const Mesh& mesh, double reach = 0.0);
 

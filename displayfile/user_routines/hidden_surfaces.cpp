@@ -52,9 +52,18 @@ void GraphicsSystem::set_hidden_lines(HiddenLines lines) {
 void GraphicsSystem::set_touching(const Touching& touching) {
   require_touching(touching);
   if (!touching_replaced_) touching_ = touching;
+  record_touching(touching);
+}
+
+void GraphicsSystem::record_touching(const Touching& touching) {
   if (recorder_ == nullptr) return;
   const std::string word = word_of(touching);
   record("set-touching", {std::string_view(word)});
+}
+
+void GraphicsSystem::put_touching_in_force(const Touching& touching) {
+  touching_ = touching;
+  record_touching(touching);
 }
 
 void GraphicsSystem::replace_touching(const Touching& touching) {

@@ -8,6 +8,7 @@
 #include "displayfile/lighting.h"
 #include "displayfile/segment.h"
 #include "displayfile/vertex_shading.h"
+#include "hidden/line_cuts.h"
 
 namespace displayfile {
 
@@ -26,6 +27,8 @@ class PieceGatherer {
   void pick(int id) { pick_ = id; }
   void line_pick(int id) { line_pick_ = id; }
   void line_kinds(LineKinds kinds) { of_lines_ = kinds; }
+  void line_cuts(LineCuts cuts) { cuts_of_lines_ = cuts; }
+  void corner_cuts(std::span<const std::uint8_t> cuts) { of_corners_ = cuts; }
   void side_kinds(std::span<const LineKinds> kinds) { of_sides_ = kinds; }
   void intensities(std::span<const double> values) { of_vertices_ = {.intensities = values}; }
   void normals(std::span<const Point3> values, const Light& light) {
@@ -36,6 +39,8 @@ class PieceGatherer {
     if (line_.kind != LineStyle::Kind::none) {
       pieces_.points.insert(pieces_.points.end(), {pen_, p});
       pieces_.sides.insert(pieces_.sides.end(), {std::uint8_t{0}, of_lines_});
+      const auto [at_start, at_end] = cuts_of_lines_;
+      pieces_.cuts.insert(pieces_.cuts.end(), {std::uint8_t{at_start}, std::uint8_t{at_end}});
       end_piece(Kind::line, line_.colour, line_pick_);
     }
     pen_ = p;
@@ -48,10 +53,13 @@ class PieceGatherer {
       for (std::size_t i = 0; i < sides.size(); ++i) {
         const LineKinds kinds = of_sides_.empty() ? kDrawn : of_sides_[i];
         pieces_.sides.push_back(has_lines && sides[i] == op::line ? kinds : LineKinds{0});
+        const bool is_cut = has_lines && !of_corners_.empty() && of_corners_[i] != 0;
+        pieces_.cuts.push_back(is_cut ? 1 : 0);
       }
       end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
     }
     of_sides_ = {};
+    of_corners_ = {};
     of_vertices_ = {};
     pen_ = vertices.back();
   }
@@ -72,8 +80,10 @@ class PieceGatherer {
   int segment_ = 0;
   std::int32_t pick_ = -1, line_pick_ = -1;
   LineKinds of_lines_ = kDrawn;
-  std::span<const LineKinds> of_sides_{};  // of the polygon that follows
-  VertexShading of_vertices_{};            // likewise
+  LineCuts cuts_of_lines_;
+  std::span<const LineKinds> of_sides_{};       // of the polygon that follows
+  std::span<const std::uint8_t> of_corners_{};  // likewise
+  VertexShading of_vertices_{};                 // likewise
   std::vector<double> intensities_;
   Point3 pen_{0.0};
   WorkSteps steps_;

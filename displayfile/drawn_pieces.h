@@ -32,6 +32,9 @@ struct DrawnPieces {
   /// For each point 1 if the side that ends at it is drawn, or the kinds of line that it is
   /// (hidden/line_kinds.h), and 0 if it is not: sides that cuts made are not.
   std::vector<std::uint8_t> sides;
+  /// For each point 1 if it is an end of a line, or of a side that is drawn, at which that is cut:
+  /// it goes on there, but something may hide the rest. A thick line ends there without a cap.
+  std::vector<std::uint8_t> cuts;
   /// One each piece: of solid polygons the colour that they are filled with, a shaded one with the
   /// mean of its shades; and how its sides, or the line, are drawn.
   std::vector<Colour> fills;

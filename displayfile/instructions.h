@@ -14,6 +14,7 @@
 #include "displayfile/entered_polygons.h"
 #include "displayfile/style.h"
 #include "displayfile/vertex_shading.h"
+#include "hidden/line_cuts.h"
 #include "hidden/line_kinds.h"
 #include "hidden/surface_mark.h"
 
@@ -361,6 +362,12 @@ class TransformedVisitor {
   }
   void line_pick(std::int32_t id) {
     if constexpr (requires { visit_.line_pick(id); }) visit_.line_pick(id);
+  }
+  void line_cuts(LineCuts cuts) {
+    if constexpr (requires { visit_.line_cuts(cuts); }) visit_.line_cuts(cuts);
+  }
+  void corner_cuts(std::span<const std::uint8_t> cuts) {
+    if constexpr (requires { visit_.corner_cuts(cuts); }) visit_.corner_cuts(cuts);
   }
   void text_style(const TextStyle& s) {
     if constexpr (requires { visit_.text_style(s); }) visit_.text_style(s);

@@ -15,6 +15,7 @@
 #include "displayfile/normal_plane.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/hidden_method.h"
+#include "hidden/line_cuts.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -60,8 +61,9 @@ struct SortedScene {
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
-  /// and, if the visitor has them, line_kinds(LineKinds) and line_pick(int) of the lines that
-  /// follow, kDrawn and -1 at first.
+  /// and, if the visitor has them, line_kinds(LineKinds), line_pick(int) and line_cuts(LineCuts) of
+  /// the lines that follow, kDrawn, -1 and none at first; and corner_cuts(span<const uint8_t>)
+  /// before a polygon of which a side that is drawn was cut: 1 for each corner where it was.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
   /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
   /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
@@ -163,6 +165,7 @@ class PieceWriter {
         check_line_kinds(kDrawn);
       }
       check_line_pick(is_line ? piece.item : ordered_->pieces.pick_item(piece));
+      check_line_cuts(piece, points);
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
     } else {
@@ -211,6 +214,48 @@ class PieceWriter {
     }
   }
 
+  void check_line_cuts(const SortedPiece& piece, std::span<const Point3> points) {
+    if constexpr (requires { visit_.line_cuts(LineCuts()); }) {
+      const LineCuts cuts = cuts_of_line(piece, points);
+      if (cuts != line_cuts_) visit_.line_cuts(cuts);
+      line_cuts_ = cuts;
+    }
+  }
+
+  LineCuts cuts_of_line(const SortedPiece& piece, std::span<const Point3> part) const {
+    LineCuts cuts;
+    if (is_stroke_) {
+      cuts = ordered_->pieces.stroke_cuts(piece);
+    } else {
+      const PointRow ends = scene().points(piece.item);
+      cuts = {part[0] != ends[0], part[1] != ends[1]};
+    }
+    return {cuts.at_start || is_clipped(piece.item, part[0]),
+            cuts.at_end || is_clipped(piece.item, part[1])};
+  }
+
+  /// Whether the point is on a border of the item's viewport that is no border of the picture.
+  bool is_clipped(std::uint32_t item, const Point3& p) const {
+    const auto [x_min, x_max, y_min, y_max] = scene().viewport_of(item);
+    return (p.x == x_min && x_min > 0.0) || (p.x == x_max && x_max < 1.0) ||
+           (p.y == y_min && y_min > 0.0) || (p.y == y_max && y_max < 1.0);
+  }
+
+  /// The corners at which a drawn side ends and the next is not drawn, or the other way round, and
+  /// which are no vertices of the whole polygon, or clipped.
+  void check_corner_cuts(const SortedPiece& piece, std::span<const Point3> points) {
+    const PointRow own = scene().points(piece.item);
+    cut_corners_.assign(std::max<std::size_t>(points.size(), 3), 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if ((kinds_[i] != 0) == (kinds_[(i + 1) % points.size()] != 0)) continue;
+      const bool is_own =
+          piece.first == SortedPiece::kWhole || std::ranges::find(own, points[i]) != own.end();
+      cut_corners_[i] = !is_own || is_clipped(piece.item, points[i]) ? 1 : 0;
+    }
+    if (std::ranges::find(cut_corners_, 1) == cut_corners_.end()) return;
+    visit_.corner_cuts(std::span<const std::uint8_t>(cut_corners_));
+  }
+
   PointRow points_of(const SortedPiece& piece) const {
     if (piece.first == SortedPiece::kWhole) return scene().points(piece.item);
     return std::span(ordered_->pieces.points).subspan(piece.first, piece.sides);
@@ -227,6 +272,9 @@ class PieceWriter {
       sides_.push_back(kinds_.back() != 0 ? op::line : op::move);
     }
     VertexShading shading = shading_of(piece, points);
+    if constexpr (requires { visit_.corner_cuts(std::span<const std::uint8_t>()); }) {
+      check_corner_cuts(piece, points);
+    }
     if (points.size() < 3) {
       padded_.assign(points.begin(), points.end());
       padded_.resize(3, points.back());
@@ -288,6 +336,8 @@ class PieceWriter {
   std::vector<std::int32_t> sides_;
   std::vector<LineKinds> kinds_;  // of the sides
   LineKinds line_kinds_ = kDrawn;
+  LineCuts line_cuts_;
+  std::vector<std::uint8_t> cut_corners_;
   std::vector<Point3> padded_;
   std::vector<double> intensities_;  // of one piece
   std::vector<Point3> normals_;      // likewise

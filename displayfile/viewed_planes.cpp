@@ -38,6 +38,15 @@ void ViewedScene::find_entered(const std::function<EnteredPolygon(std::uint32_t)
   }
 }
 
+Rectangle ViewedScene::viewport_of(Item item) const {
+  constexpr Rectangle kPicture{0.0, 1.0, 0.0, 1.0};
+  if (as_entered_ == nullptr) return kPicture;
+  const std::uint32_t look = look_of(item);
+  const AsEntered& all = *as_entered_;
+  const ViewVolume* const volume = all.own_volume ? &*all.own_volume : all.volumes[look];
+  return volume != nullptr && all.images[look]->is_identity() ? volume->viewport() : kPicture;
+}
+
 /// The number of the item's polygon among those entered, or kNotEntered.
 std::uint32_t ViewedScene::entered_number(Item item) const {
   if (!as_entered_->polygons_of_items) return entered_of_item_[item];

@@ -204,6 +204,9 @@ class ViewedScene : public EndsAsEntered {
   EnteredItem plane_as_entered(Item item) const;
   /// The number of how the item is viewed, the same for those that are viewed alike.
   std::uint32_t look_of(Item item) const;
+  /// The viewport that the item was clipped to, whose borders are those of the window; the whole
+  /// picture if that is not known, as after an image transformation.
+  Rectangle viewport_of(Item item) const;
   /// Primitives::touching.
   double touching_of_ends() const { return planes_ == nullptr ? 0.0 : planes_->radius_of_ends; }
   /// What bounds how far a point of a fill's plane as entered may be from the fill's own plane, in

@@ -27,7 +27,9 @@ struct Interpretation {
   Point3 pen{0.0};
   VertexShading of_vertices{};                         // of the polygon that follows
   std::span<const LineKinds> of_sides{};               // likewise
+  std::span<const std::uint8_t> of_corners{};          // likewise
   LineKinds of_lines = kDrawn;                         // that follow
+  LineCuts cuts_of_lines{};                            // likewise
   bool in_segment = false, in_segment_before = false;  // before disjoint polygons
   std::vector<double> of_normals{};                    // intensities, of one polygon
   WorkSteps steps{};
@@ -49,7 +51,9 @@ struct Interpretation {
     of_vertices = {.normals = values, .light = &light};
   }
   void side_kinds(std::span<const LineKinds> kinds) { of_sides = kinds; }
+  void corner_cuts(std::span<const std::uint8_t> cuts) { of_corners = cuts; }
   void line_kinds(LineKinds kinds) { of_lines = kinds; }
+  void line_cuts(LineCuts cuts) { cuts_of_lines = cuts; }
   void disjoint_polygons(bool begin) {
     if (begin) {
       in_segment_before = in_segment;
@@ -62,21 +66,22 @@ struct Interpretation {
   void line(const Point3& p) {
     steps.step();
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) {
-      device.line({pen, p, style, of_lines});
+      device.line({pen, p, style, of_lines, cuts_of_lines});
     }
     pen = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     steps.step();
-    const DrawnPolygon polygon{vertices,         sides,
-                               fill_style,       style,
-                               pick_id,          vertex_intensities(of_vertices, of_normals),
-                               of_sides,         of_vertices.normals,
-                               of_vertices.light};
+    const DrawnPolygon polygon{vertices,          sides,
+                               fill_style,        style,
+                               pick_id,           vertex_intensities(of_vertices, of_normals),
+                               of_sides,          of_vertices.normals,
+                               of_vertices.light, of_corners};
     if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
     if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
     of_vertices = {};
     of_sides = {};
+    of_corners = {};
     pen = vertices.back();
   }
 };

@@ -7,6 +7,7 @@
 #include "displayfile/intensity_plane.h"
 #include "displayfile/lighting.h"
 #include "displayfile/segment.h"
+#include "hidden/line_cuts.h"
 
 namespace displayfile {
 
@@ -29,6 +30,9 @@ struct DrawnPolygon {
   /// they are seen in, for a device that lights each pixel: to others it is Gouraud shading.
   std::span<const Point3> normals = {};
   const Light* light = nullptr;
+  /// 1 for each vertex at which a drawn side was cut, by what may hide the rest of it. Empty if
+  /// none was.
+  std::span<const std::uint8_t> cuts = {};
 };
 
 /// Where a polygon is filled with one colour: a shaded one gets the mean of its
@@ -43,6 +47,7 @@ struct DrawnLine {
   Point3 from, to;
   const LineStyle& style;
   LineKinds kinds = kDrawn;
+  LineCuts cuts = {};
 };
 
 /// Where the interpreter draws: the one interface every output device has.

@@ -673,6 +673,7 @@ std::vector<std::pair<std::int32_t, std::size_t>> joined(const std::vector<Loop>
   for (const auto& [pick, corners] : in_order) {
     pieces.points.insert(pieces.points.end(), corners.begin(), corners.end());
     pieces.sides.resize(pieces.points.size(), 1);
+    pieces.cuts.resize(pieces.points.size(), 0);
     const auto kind = corners.size() == 2 ? DrawnPieces::Kind::line : DrawnPieces::Kind::solid;
     pieces.end_piece({.kind = kind, .fill = {}, .line = {}, .pick = pick, .segment = 1});
   }

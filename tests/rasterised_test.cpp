@@ -1,20 +1,18 @@
 // SVG and PDF files, drawn by somebody else, show the picture that the z-buffer shows.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "interp/draw.h"
-#include "interp/files/png_file.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
+#include "tests/rasterised.h"
 #include "tests/replayed.h"
 #include "tests/shaded_scenes.h"
 #include "tests/temporary_folder.h"
@@ -27,24 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-bool have(const std::string& tool) {
-  return std::system(("command -v " + tool + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-Picture rasterised(const fs::path& file) {
-  const std::string command =
-      file.extension() == ".svg"
-          ? fmt::format("rsvg-convert '{0}' -o '{0}.png'", file.string())
-          : fmt::format("pdftoppm -r 72 -png -singlefile '{0}' '{0}'", file.string());
-  EXPECT_EQ(std::system(command.c_str()), 0) << command;
-  return read_png(file.string() + ".png");
-}
-
 /// Runs with each format for which there is a program that draws it.
 class Rasterised : public TemporaryFolder, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
-    const std::string tool = svg_format() ? "rsvg-convert" : "pdftoppm";
+    const std::string tool = rasteriser(GetParam());
     if (!have(tool)) GTEST_SKIP() << tool << " is not installed";
   }
   bool svg_format() const { return std::string(GetParam()) == "svg"; }
@@ -63,12 +48,6 @@ class Rasterised : public TemporaryFolder, public testing::WithParamInterface<co
 };
 INSTANTIATE_TEST_SUITE_P(Vector, Rasterised, testing::Values("svg", "pdf"),
                          [](const auto& format) { return std::string(format.param); });
-
-std::uint32_t at(const Picture& picture, double x, double y) {
-  const auto column = static_cast<std::size_t>(x * picture.width);
-  const auto row = static_cast<std::size_t>((1.0 - y) * picture.height);
-  return picture.pixels[row * static_cast<std::size_t>(picture.width) + column];
-}
 
 int channel_difference(std::uint32_t a, std::uint32_t b) {
   int largest = 0;

@@ -142,7 +142,7 @@ TEST_F(VectorFile, SvgOfASmallScene) {
 .segment{fill:none;fill-rule:evenodd;stroke-width:0.75;stroke-linejoin:round}
 .f1{fill:#ff8000}
 .f2{fill:#ff8000;stroke:#ff8000}
-.l1{stroke:#000000;stroke-width:1.5}
+.l1{stroke:#000000;stroke-width:1.5;stroke-linecap:round}
 .l2{stroke:#0000ff;stroke-width:2;stroke-dasharray:6 4}
 </style>
 <rect class="background" width="200" height="100"/>

@@ -195,7 +195,7 @@ class Evaluated : public VectorDevice {
       }
     }
   }
-  void paint_lines(const Path&, const LineStyle&, LineKinds) override {}
+  void paint_lines(const Path&, const LineStyle&, LineKinds, LineCap) override {}
   void paint_text(const ViewedText&, const Point2&, double) override {}
 
   std::vector<Painted> painted_;

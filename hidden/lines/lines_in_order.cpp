@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hidden/exact/precision_policies.h"
+#include "hidden/line_cuts.h"
 #include "hidden/line_kinds.h"
 #include "hidden/lines/chains.h"
 #include "hidden/lines/grid_surface.h"
@@ -16,6 +17,9 @@
 namespace displayfile {
 
 namespace {
+
+/// Of the picture: less is not seen, and no reason to count a line's end as cut off.
+constexpr double kNoLength = 1e-9;
 
 /// Items, and after them an item for each intersection line, so that these have names too.
 class ItemsAndIntersections {
@@ -82,14 +86,15 @@ class ChainWriter {
     for (const VisiblePiece& piece : pieces) {
       const LineName name{piece.item, piece.corner};
       const std::uint32_t item = items_.item_of(piece.item);
-      Drawn drawn{item, item, kinds_of(LineKind::intersection)};
+      Drawn drawn{item, item, kinds_of(LineKind::intersection), {}};
       if (!items_.is_intersection(piece.item)) {
         while (line->name != name) ++line;
-        drawn = {item, line->pick_item, line->kinds};
+        drawn = {item, line->pick_item, line->kinds, {}};
       }
       const LineEnds ends(primitives_, name);
       const Point3 from = ends.at(piece.from), to = ends.at(piece.to);
       if (glm::distance(Point2(from), Point2(to)) <= least_length_) continue;
+      drawn.cuts = {is_cut_off(ends.from, from), is_cut_off(to, ends.to)};
       const std::uint64_t group = groups_.empty() ? 0 : groups_[item];
       links_.push_back({from, to, (group << 8) | drawn.kinds});
       drawn_.push_back(drawn);
@@ -107,7 +112,8 @@ class ChainWriter {
       const ChainLink& link = links_[piece];
       all_.points.push_back(reversed ? link.to : link.from);
       all_.points.push_back(reversed ? link.from : link.to);
-      all_.visible.insert(all_.visible.end(), {LineKinds{0}, drawn_[piece].kinds});
+      const LineCuts cuts = reversed ? drawn_[piece].cuts.reversed() : drawn_[piece].cuts;
+      all_.visible.insert(all_.visible.end(), {cuts.byte(), drawn_[piece].kinds});
       all_.pick_items.push_back(drawn_[piece].pick_item);
     }
   }
@@ -116,7 +122,12 @@ class ChainWriter {
   struct Drawn {
     std::uint32_t item, pick_item;
     LineKinds kinds;
+    LineCuts cuts;
   };
+  /// Whether a part of a line is missing that can be seen.
+  bool is_cut_off(const Point3& from, const Point3& to) const {
+    return glm::distance(Point2(from), Point2(to)) > std::max(kNoLength, least_length_);
+  }
 
   const ItemsAndIntersections& items_;
   Primitives primitives_;

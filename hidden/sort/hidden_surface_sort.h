@@ -10,6 +10,7 @@
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
+#include "hidden/line_cuts.h"
 #include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
@@ -73,7 +74,7 @@ struct SortedPieces {
   Lit light(std::size_t k) const { return k < lights.size() ? lights[k] : Lit::unknown; }
   /// The points of the pieces that were cut: coordinates, each rounded once, and whether the side
   /// that ends at the point is drawn and as what, as Primitives::visible (the sides that cuts made
-  /// are not).
+  /// are not). Of a stroke, whose first point ends no side, that point has the byte of its cuts.
   std::vector<Point3> points;
   std::vector<std::uint8_t> visible;
   /// Where the sort was asked to name sides: the corner of the item, from 0, at which the side ends
@@ -92,6 +93,10 @@ struct SortedPieces {
   /// is.
   bool is_stroke(std::size_t k) const {
     return k >= first_stroke || is_hidden(k) || is_intersection(pieces[k]);
+  }
+  /// At which ends a stroke is cut.
+  LineCuts stroke_cuts(const SortedPiece& stroke) const {
+    return LineCuts::of(visible[stroke.first]);
   }
 
   /// The items whose pick identifiers pieces of lines have, by their first points over 2: one of

@@ -142,7 +142,8 @@ df_pieces arrays_of(const DrawnPieces& p) {
           p.line_widths.data(),
           reinterpret_cast<const std::uint8_t*>(p.line_kinds.data()),
           p.picks.data(),
-          p.segments.data()};
+          p.segments.data(),
+          p.cuts.data()};
 }
 
 }  // namespace

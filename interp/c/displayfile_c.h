@@ -157,6 +157,7 @@ typedef struct {
   const uint8_t* line_kinds;  /* DF_LINE_SOLID, ... */
   const int32_t* picks;       /* pick identifiers; -1: none */
   const int32_t* segments;    /* names */
+  const uint8_t* cuts;        /* of each point: 1 if a line, or a drawn side, is cut there */
 } df_pieces;
 enum { DF_SOLID = 0, DF_HOLLOW = 1, DF_LINE = 2 };
 enum { DF_LINE_SOLID = 0, DF_LINE_DASHED = 1, DF_LINE_NONE = 2 };

@@ -205,8 +205,11 @@ void join_pieces(std::span<const std::uint32_t> sides, std::span<const Point3> p
     if (whole[k].empty()) {
       const auto sides_of = std::span(pieces.sides).subspan(pieces.first[k], corners.size());
       joined.sides.insert(joined.sides.end(), sides_of.begin(), sides_of.end());
+      const auto cuts_of = std::span(pieces.cuts).subspan(pieces.first[k], corners.size());
+      joined.cuts.insert(joined.cuts.end(), cuts_of.begin(), cuts_of.end());
     } else {
       joined.sides.resize(joined.points.size(), 1);
+      joined.cuts.resize(joined.points.size(), 0);
     }
     joined.end_piece(pieces.looks(k));
   }

@@ -32,7 +32,8 @@ py::tuple arrays_of(DrawnPieces&& pieces) {
                         owned(std::move(pieces.sides)), owned(std::move(pieces.fills)),
                         owned<std::uint8_t>(std::move(pieces.line_kinds), {n}),
                         owned(std::move(pieces.line_colours)), owned(std::move(pieces.line_widths)),
-                        owned(std::move(pieces.picks)), owned(std::move(pieces.segments)));
+                        owned(std::move(pieces.picks)), owned(std::move(pieces.segments)),
+                        owned(std::move(pieces.cuts)));
 }
 
 namespace {
@@ -245,7 +246,8 @@ DrawnPieces found(const Asked& asked) {
   return pieces;
 }
 
-/// Points, the first of each piece, what it is of, its sides, and which lines are hidden.
+/// Points, the first of each piece, what it is of, its sides, which lines are hidden, and which
+/// points are cuts.
 py::tuple arrays_found(const Asked& asked) {
   DrawnPieces pieces = without_interpreter([&] { return found(asked); });
   std::vector<std::uint8_t> is_hidden(pieces.size());
@@ -254,7 +256,7 @@ py::tuple arrays_found(const Asked& asked) {
   }
   return py::make_tuple(owned(std::move(pieces.points)), owned(std::move(pieces.first)),
                         owned(std::move(pieces.picks)), owned(std::move(pieces.sides)),
-                        owned(std::move(is_hidden)));
+                        owned(std::move(is_hidden)), owned(std::move(pieces.cuts)));
 }
 
 }  // namespace

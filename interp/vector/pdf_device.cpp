@@ -82,7 +82,6 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
   require_success(cairo().status(context_.get()));
   cairo().set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
   cairo().set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
-  cairo().set_line_cap(context_.get(), CAIRO_LINE_CAP_BUTT);
   if (const auto sheet = sheet_of(options, width, height)) {
     const double points = sheet->pixel * kPointsOfMillimetre;
     cairo().translate(context_.get(), sheet->left * kPointsOfMillimetre,
@@ -146,17 +145,18 @@ void PdfDevice::paint_figure(const Figure& figure) {
       context_.get(), figure);
 }
 
-void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
+void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
+                            LineCap cap) {
   begin_layer(first_name_of(kinds));
   cairo_t* context = context_.get();
   set_colour(style.colour);
-  const auto& p = path.points;
-  if (std::ranges::all_of(p, [&](const Point2& other) { return other == p.front(); })) {
-    // Cairo draws nothing for a line of no length; here it is a dot.
+  if (cap == LineCap::square) {
+    const Point2& dot = path.points.front();
     const double w = style.width;
-    cairo().rectangle(context, p.front().x - 0.5 * w, p.front().y - 0.5 * w, w, w);
+    cairo().rectangle(context, dot.x - 0.5 * w, dot.y - 0.5 * w, w, w);
     return cairo().fill(context);
   }
+  cairo().set_line_cap(context, cap == LineCap::round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
   cairo().set_line_width(context, style.width);
   const double dashes[] = {style.dash, style.gap};
   cairo().set_dash(context, dashes, style.kind == LineStyle::Kind::dashed ? 2 : 0, 0.0);

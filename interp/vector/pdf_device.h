@@ -44,7 +44,7 @@ class PdfDevice : public VectorDevice {
   void close_group() override {}
   void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;
-  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
+  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
   void begin_layer(std::string_view name);  ///< of what follows; empty: it is in none

@@ -70,14 +70,6 @@ std::string hex(std::uint32_t pixel) {
                      (pixel >> 16) & 0xff);
 }
 
-/// A run whose points are all one: drawn as a dot.
-bool is_dot(std::span<const Point2> run) {
-  for (const Point2& p : run) {
-    if (p != run.front()) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void SvgDevice::open_group(int segment_name) {
@@ -140,10 +132,11 @@ void SvgDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) 
   body_ += "\"/>\n";
 }
 
-void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) {
+void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
+                            LineCap cap) {
   const bool dashed = style.kind == LineStyle::Kind::dashed;
   const LineKey key{pixel_of(style.colour), style.width, dashed ? style.dash : 0.0,
-                    dashed ? style.gap : 0.0};
+                    dashed ? style.gap : 0.0, cap == LineCap::round};
   const std::size_t number = line_classes_.try_emplace(key, line_classes_.size() + 1).first->second;
   append_path_data(path);
   const auto outline_before =
@@ -151,10 +144,9 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
   if (joinable_.class_end != 0 && outline_before == data_ && !has_kind(kinds)) {
     body_.insert(joinable_.class_end, fmt::format(" l{}{}", number, kOwn));
   } else {
-    const bool dot = path.runs.size() == 1 && is_dot(path.run(0));
     fmt::format_to(std::back_inserter(body_), "<path class=\"l{}{}{}{}\"{} d=\"", number, kOwn,
                    has_kind(kinds) ? " " : "", names_of(kinds),
-                   dot ? " stroke-linecap=\"square\"" : "");
+                   cap == LineCap::square ? " stroke-linecap=\"square\"" : "");
     body_ += data_;
     body_ += "\"/>\n";
   }
@@ -198,10 +190,11 @@ std::vector<std::string> SvgDevice::style_rules() const {
                                     seam ? fmt::format(";stroke:{}", hex(pixel)) : "");
   }
   for (const auto& [key, number] : line_classes_) {
-    const auto [pixel, width, dash, gap] = key;
+    const auto [pixel, width, dash, gap, round] = key;
     lines[number - 1] =
-        fmt::format(".l{}{}{{stroke:{};stroke-width:{}{}}}\n", number, kOwn, hex(pixel), width,
-                    dash > 0.0 ? fmt::format(";stroke-dasharray:{} {}", dash, gap) : "");
+        fmt::format(".l{}{}{{stroke:{};stroke-width:{}{}{}}}\n", number, kOwn, hex(pixel), width,
+                    dash > 0.0 ? fmt::format(";stroke-dasharray:{} {}", dash, gap) : "",
+                    round ? ";stroke-linecap:round" : "");
   }
   for (const auto& [key, number] : text_classes_) {
     const auto [pixel, size, alignment] = key;

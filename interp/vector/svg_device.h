@@ -22,13 +22,13 @@ namespace displayfile {
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
 /// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME-KEY"
 /// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. Every style
-/// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, t1-KEY, ... of texts. Where
-/// lines were selected, each is also of a class for every kind that it is: outline, boundary,
-/// crease, material, intersection, all (displayfile/line_kinds.md). These have no rule and are the
-/// same in all files; every other name ends in the file's key (interp/vector/file_key.h), so that
-/// files in one page keep apart. Coordinates have three decimals at most. Disjoint fills are a
-/// group of class "figure-KEY", in coordinates of its own: whole units of the stated precision
-/// (interp/vector/seams.md).
+/// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, with round caps and without,
+/// t1-KEY, ... of texts. Where lines were selected, each is also of a class for every kind that it
+/// is: outline, boundary, crease, material, intersection, all (displayfile/line_kinds.md). These
+/// have no rule and are the same in all files; every other name ends in the file's key
+/// (interp/vector/file_key.h), so that files in one page keep apart. Coordinates have three
+/// decimals at most. Disjoint fills are a group of class "figure-KEY", in coordinates of its own:
+/// whole units of the stated precision (interp/vector/seams.md).
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -43,13 +43,14 @@ class SvgDevice : public VectorDevice {
  private:
   using FillKey = std::tuple<std::uint32_t, bool>;  // pixel_of the colour, with seam
   using TextKey = std::tuple<std::uint32_t, double, TextStyle::Alignment>;
-  using LineKey = std::tuple<std::uint32_t, double, double, double>;  // width, dash, gap or 0
+  /// Width, dash, gap or 0, with round caps.
+  using LineKey = std::tuple<std::uint32_t, double, double, double, bool>;
 
   void open_group(int segment_name) override;
   void close_group() override;
   void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;  // svg_figure.cpp
-  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) override;
+  void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
   void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
 
   std::size_t fill_class(const FillKey& key) {

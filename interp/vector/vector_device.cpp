@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"
@@ -33,6 +34,11 @@ bool is_short(const Point2& a, const Point2& b) {
   return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) < kNoLength;
 }
 
+/// A run whose points are all one.
+bool is_dot(std::span<const Point2> run) {
+  return std::ranges::all_of(run, [&](const Point2& p) { return p == run.front(); });
+}
+
 bool finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace
@@ -40,6 +46,12 @@ bool finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); 
 void VectorDevice::Path::clear() {
   points.clear();
   runs.clear();
+}
+
+void VectorDevice::Path::add(const Path& other, std::size_t i) {
+  start(other.runs[i].closed);
+  const auto run = other.run(i);
+  points.insert(points.end(), run.begin(), run.end());
 }
 
 std::span<const Point2> VectorDevice::Path::run(std::size_t i) const {
@@ -163,6 +175,7 @@ void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
     const LineKinds of_side = polygon.kinds.empty() ? kDrawn : polygon.kinds[i];
     return polygon.sides[i] == op::line && of_side == kinds;
   };
+  const auto is_cut = [&](std::size_t i) { return !polygon.cuts.empty() && polygon.cuts[i] != 0; };
   std::size_t start = 0;
   while (start < n && drawn(start) && near_the_page(to_page(v[start]), reach)) ++start;
   path_.clear();
@@ -170,7 +183,7 @@ void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
     path_.start(true);
     path_.points.push_back(to_page(v.back()));
     for (const Point3& p : v.first(n - 1)) path_.points.push_back(to_page(p));
-    return paint_lines(path_, polygon.line, kinds);
+    return paint_with_caps(path_, polygon.line, kinds);
   }
   bool joined = false;  // the next side continues the run
   for (std::size_t k = 1; k <= n; ++k) {
@@ -183,19 +196,21 @@ void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
     }
     if (!joined || a != whole_a) {
       path_.start(false);
+      path_.runs.back().cuts.at_start = is_cut(previous_corner(i, n));
       path_.points.push_back(a);
     }
     path_.points.push_back(b);
+    path_.runs.back().cuts.at_end = is_cut(i);
     joined = b == whole_b;
   }
-  if (!path_.empty()) paint_lines(path_, polygon.line, kinds);
+  if (!path_.empty()) paint_with_caps(path_, polygon.line, kinds);
 }
 
 void VectorDevice::line(const DrawnLine& line) {
   const double reach = kReach + line.style.width / 2;
   Point2 a = to_page(line.from), b = to_page(line.to);
   const Point2 whole_a = a, whole_b = b;
-  if (!clip_to_neighbourhood(a, b, reach)) return finish_lines();
+  if (!clip_to_neighbourhood(a, b, reach)) return finish_path();
   const bool full =
       lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
   const bool goes_on = !lines_.empty() && !full && lines_end_ == line.from &&
@@ -204,19 +219,26 @@ void VectorDevice::line(const DrawnLine& line) {
   // is not drawn, and an outline is closed without it.
   const bool is_dot = Point2(line.from) == Point2(line.to);
   if (!is_dot && is_short(goes_on ? lines_.points.back() : a, b)) {
-    if (goes_on) lines_end_ = line.to;
+    if (goes_on) end_line(line);
     return;
   }
   if (!goes_on) {
-    finish_lines();
+    finish_path();
     lines_style_ = line.style;
     lines_kinds_ = line.kinds;
     lines_.start(false);
+    lines_.runs.back().cuts.at_start = line.cuts.at_start;
     lines_.points.push_back(a);
   }
   lines_.points.push_back(b);
+  end_line(line);
+  if (b != whole_b) finish_path();
+}
+
+/// The path of lines ends where this one does.
+void VectorDevice::end_line(const DrawnLine& line) {
   lines_end_ = line.to;
-  if (b != whole_b) finish_lines();
+  lines_.runs.back().cuts.at_end = line.cuts.at_end;
 }
 
 void VectorDevice::draw_texts(const DisplayFile& display_file) {
@@ -234,13 +256,53 @@ void VectorDevice::draw_texts(const DisplayFile& display_file) {
 }
 
 void VectorDevice::finish_lines() {
+  finish_path();
+  finish_discs();
+}
+
+void VectorDevice::finish_path() {
   if (lines_.empty()) return;
   if (lines_.points.size() > 3 && lines_.points.front() == lines_.points.back()) {
     lines_.points.pop_back();  // the last line closes the run: its corner is joined too
     lines_.runs.front().closed = true;
   }
-  paint_lines(lines_, lines_style_, lines_kinds_);
+  paint_with_caps(lines_, lines_style_, lines_kinds_);
   lines_.clear();
+}
+
+/// With the caps that the runs' ends have. A cut end has none: a run with one has butt caps, and at
+/// its other end a disc, which is half of it the line's own and for the rest the cap.
+void VectorDevice::paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds) {
+  if (style != discs_style_) finish_discs();
+  discs_style_ = style;
+  if (path.runs.size() == 1 && is_dot(path.run(0))) {
+    return paint_lines(path, style, kinds, LineCap::square);
+  }
+  if (style.kind == LineStyle::Kind::dashed) return paint_lines(path, style, kinds, LineCap::butt);
+  uncut_.clear();
+  cut_.clear();
+  for (std::size_t i = 0; i < path.runs.size(); ++i) {
+    const LineCuts cuts = path.runs[i].closed ? LineCuts() : path.runs[i].cuts;
+    (cuts.any() ? cut_ : uncut_).add(path, i);
+    if (cuts.at_start != cuts.at_end) add_disc(path.run(i), cuts, kinds);
+  }
+  if (!uncut_.empty()) paint_lines(uncut_, style, kinds, LineCap::round);
+  if (!cut_.empty()) paint_lines(cut_, style, kinds, LineCap::butt);
+}
+
+/// At the end that is not cut; none if it would reach over the one that is.
+void VectorDevice::add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds) {
+  if (glm::distance(run.front(), run.back()) < discs_style_.width / 2) return;
+  Path& discs = discs_[kinds];
+  discs.start(false);
+  discs.points.insert(discs.points.end(), 2, cuts.at_start ? run.back() : run.front());
+}
+
+void VectorDevice::finish_discs() {
+  for (const auto& [kinds, discs] : discs_) {
+    paint_lines(discs, discs_style_, kinds, LineCap::round);
+  }
+  discs_.clear();
 }
 
 }  // namespace displayfile

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,17 @@ namespace displayfile {
 /// both enlarged, and should draw it in the size in which it is shown.
 inline constexpr double kSeamWidth = 0.75;
 
+/// How a line ends that is drawn.
+enum class LineCap {
+  butt,    ///< at its last point
+  round,   ///< with half a disc as wide as the line
+  square,  ///< half a width beyond its last point: of a dot, which is a square
+};
+
 /// What the devices that draw lines and areas share: pixel coordinates with y down, from the
 /// picture's top left corner; nothing far outside of the picture; lines that continue each other
 /// joined into one path, if they are of the same kinds; seams closed. A shaded polygon is filled
-/// with a linear gradient.
+/// with a linear gradient. Solid lines have round caps, but none where they are cut.
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide, or if an option is out of its range.
@@ -55,6 +63,7 @@ class VectorDevice : public OutputDevice {
     struct Run {
       std::size_t first;
       bool closed;
+      LineCuts cuts = {};
     };
     std::vector<Point2> points;
     std::vector<Run> runs;
@@ -62,6 +71,7 @@ class VectorDevice : public OutputDevice {
     bool empty() const { return runs.empty(); }
     void clear();
     void start(bool closed) { runs.push_back({points.size(), closed}); }
+    void add(const Path& other, std::size_t i);  ///< one of its runs
     std::span<const Point2> run(std::size_t i) const;
   };
 
@@ -79,8 +89,10 @@ class VectorDevice : public OutputDevice {
   /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
   /// in one for each segment.
   virtual void paint_figure(const Figure& figure) = 0;
-  /// Lines that are all of the same kinds (hidden/line_kinds.h).
-  virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds) = 0;
+  /// Lines that are all of the same kinds (hidden/line_kinds.h). A run of two equal points with
+  /// round caps is a disc.
+  virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
+                           LineCap cap) = 0;
   /// `anchor` is on or close to the page; `size` of the letters in pixels.
   virtual void paint_text(const ViewedText& text, const Point2& anchor, double size) = 0;
 
@@ -89,6 +101,11 @@ class VectorDevice : public OutputDevice {
   bool near_the_page(const Point2& p, double reach) const;
   FillPaint paint_of(const DrawnPolygon& polygon);
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
+  void paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds);
+  void add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds);
+  void end_line(const DrawnLine& line);
+  void finish_path();
+  void finish_discs();
   bool clip_to_neighbourhood(Point2& a, Point2& b, double reach) const;
   bool find_loop(std::span<const Point3> vertices);
 
@@ -105,6 +122,10 @@ class VectorDevice : public OutputDevice {
   Point3 lines_end_{0.0};
   LineStyle lines_style_;
   LineKinds lines_kinds_ = kDrawn;
+  Path uncut_, cut_;  // of what is painted now, by their caps
+  /// Round caps of lines whose other end is cut, by kinds, not painted yet; all of one style.
+  std::map<LineKinds, Path> discs_;
+  LineStyle discs_style_;
   std::vector<Point2> clipped_, page_;
 };
 

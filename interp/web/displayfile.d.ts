@@ -74,6 +74,8 @@ export interface Pieces {
   lineKinds: Uint8Array;
   picks: Int32Array;
   segments: Int32Array;
+  /** Of each point: 1 if a line, or a side that is drawn, is cut there. */
+  cuts: Uint8Array;
 }
 
 /** The view parameters, as their user routines take them. */

@@ -283,6 +283,7 @@
               lineKinds: array('line_kinds', Uint8Array, count),
               picks: array('picks', Int32Array, count),
               segments: array('segments', Int32Array, count),
+              cuts: array('cuts', Uint8Array, points),
             };
           }];
         });

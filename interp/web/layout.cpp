@@ -67,6 +67,7 @@ extern "C" const char* df_layout() {
                   MEMBER(df_pieces, sides) MEMBER(df_pieces, fills) MEMBER(df_pieces, line_colours)
                       MEMBER(df_pieces, line_widths) MEMBER(df_pieces, line_kinds)
                           MEMBER(df_pieces, picks) MEMBER(df_pieces, segments)
+                              MEMBER(df_pieces, cuts)
           .structure("df_seen", sizeof(df_seen)) MEMBER(df_seen, is_seen) MEMBER(df_seen, kind)
               MEMBER(df_seen, pick) MEMBER(df_seen, segment) MEMBER(df_seen, depth)
           .structure("df_view", sizeof(df_view)) MEMBER(df_view, reference_point)

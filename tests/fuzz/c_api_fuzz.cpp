@@ -276,6 +276,7 @@ class CProgram {
       const std::size_t points = p.pieces == 0 ? 0 : p.first[p.pieces];
       if (p.points != nullptr) returned.bytes += bytes_of(p.points, 3 * points);
       if (p.sides != nullptr) returned.bytes += bytes_of(p.sides, points);
+      if (p.cuts != nullptr) returned.bytes += bytes_of(p.cuts, points);
       if (p.fills != nullptr) returned.bytes += bytes_of(p.fills, 3 * p.pieces);
       if (p.segments != nullptr) returned.bytes += bytes_of(p.segments, p.pieces);
       return returned;

@@ -195,6 +195,7 @@ static void test_pieces(void) {
   options.method = "map";
   DO(system, df_drawn_pieces(system, &options, &pieces));
   EXPECT(pieces.pieces == 3);
+  for (k = 0; k < pieces.first[3]; ++k) EXPECT(pieces.cuts[k] == 0); /* the line is all hidden */
   df_destroy(system);
 }
 

@@ -148,6 +148,7 @@ class System(metaclass=_Metaclass):
         npt.NDArray[np.float64],
         npt.NDArray[np.int32],
         npt.NDArray[np.int32],
+        npt.NDArray[np.uint8],
     ]: ...
     def _polygons(self) -> int: ...
     def _record(self, on: bool) -> None: ...
@@ -198,6 +199,7 @@ _Pieces: TypeAlias = tuple[
     npt.NDArray[np.float64],
     npt.NDArray[np.uint32],
     npt.NDArray[np.int32],
+    npt.NDArray[np.uint8],
     npt.NDArray[np.uint8],
     npt.NDArray[np.uint8],
 ]

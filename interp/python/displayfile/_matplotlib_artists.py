@@ -109,6 +109,10 @@ class Styles:
         same = [self.style(s._replace(hatch=None, hatch_colour=None)) for s in self.styles[:]]
         return np.array(same, np.int64)[which]
 
+    def butt(self, which: int) -> int:
+        """The same style without caps."""
+        return self.style(self.styles[which]._replace(cap="butt"))
+
     def dash(self, pattern: Any) -> int:
         if pattern not in self.dashes:
             self.dashes.append(pattern)
@@ -158,7 +162,7 @@ def _attributes(
     )
 
 
-def _joined(columns: list[Attributes]) -> Attributes:
+def joined(columns: list[Attributes]) -> Attributes:
     return Attributes(*(np.concatenate(column) for column in zip(*columns)))
 
 
@@ -230,7 +234,7 @@ class Polygons:
             return
         self.points = np.concatenate(self._points)
         self.sides = np.concatenate(self._sides)
-        self.attributes = _joined(self._attributes)
+        self.attributes = joined(self._attributes)
 
     def some(self, which: npt.NDArray[np.bool_]) -> tuple[Floats, Indices]:
         return self.points[np.repeat(which, self.sides)], self.sides[which]
@@ -266,7 +270,7 @@ class Lines:
             return
         self.segments = np.concatenate(self._segments)
         self.line = np.concatenate(self._line)
-        self.attributes = _joined(self._attributes)
+        self.attributes = joined(self._attributes)
 
 
 def add_polygons(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -> None:

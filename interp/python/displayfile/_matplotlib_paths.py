@@ -8,7 +8,8 @@ import numpy as np
 from matplotlib.path import Path
 
 from . import _matplotlib_private as private
-from ._matplotlib_artists import Lines, Polygons, Styles
+from ._matplotlib_artists import Attributes, Lines, Polygons, Styles, joined
+from ._matplotlib_ends import ended
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from mpl_toolkits.mplot3d import Axes3D
 
+    Bools = npt.NDArray[np.bool_]
     Floats = npt.NDArray[np.float64]
     Indices = npt.NDArray[np.int64]
 
@@ -40,9 +42,17 @@ class Paths:
 
 
 def add_pieces(
-    polygons: Polygons, pieces: Any, lines: Lines, of_item: Indices, styles: Styles, paths: Paths
+    ax: Axes3D,
+    polygons: Polygons,
+    pieces: Any,
+    lines: Lines,
+    of_item: Indices,
+    cuts: Bools,
+    styles: Styles,
+    paths: Paths,
 ) -> None:
-    """Pieces in their order: those of one polygon that follow one another are one path."""
+    """Pieces in their order: those of one polygon that follow one another are one path. After the
+    polygons' items come those of segments, whose ends are cut if cuts, (n, 2), are True."""
     assert polygons.attributes is not None
     count = len(polygons.sides)
     first = pieces.first.astype(np.int64)
@@ -87,8 +97,6 @@ def add_pieces(
     made = private.paths(xy, codes, begin, end)
     extra_of: list[int] = []
     is_seam: list[bool] = []
-    for r in np.flatnonzero(line_run).tolist():
-        made[r] = Path(pieces.points[first[run[r]] : first[run[r]] + 2, :2])
     edges: list[Path] = []
     is_side = ~_on_bridges(pieces, first, item, polygons)
     is_own = pieces.sides > 0
@@ -102,30 +110,70 @@ def add_pieces(
         is_seam += [seam] * len(chosen)
         edges += private.paths(points, side_codes, b[chosen], e[chosen])
 
-    columns = [face, edge, width, a.antialiased, dash, a.style]
-    if line_run.any():
-        assert lines.attributes is not None
-        segment = of_item[of_run[line_run]]
-        is_marker = segment >= len(lines.segments)
-        whose = lines.attributes.of(lines.line[np.where(is_marker, 0, segment)])
-        for column, values in zip(columns, whose):
-            column[line_run] = values
-        columns[1][np.flatnonzero(line_run)[is_marker]] = 0.0
+    looks = Attributes(face, edge, width, a.antialiased, dash, a.style)
+    place = np.arange(len(made), dtype=float)
     if edges:
         extra, seam_too = np.array(extra_of), np.array(is_seam)
         own = a.of(extra)
-        own_edge = np.where(seam_too[:, None], own.face, own.edge)
-        own_width = np.where(seam_too, _SEAM, own.width)
-        own_dash = np.where(seam_too, 0, own.dash)
-        added = [np.zeros((len(extra), 4)), own_edge, own_width, own.antialiased, own_dash]
-        order = np.argsort(np.concatenate([np.arange(len(made)), extra + 0.5]), kind="stable")
-        columns = [
-            np.concatenate([c, new])[order]
-            for c, new in zip(columns, [*added, styles.unhatched(own.style)])
-        ]
-        made += edges
-        made = [made[k] for k in order.tolist()]
-    paths.add(made, *columns)
+        own = own._replace(
+            face=np.zeros((len(extra), 4)),
+            edge=np.where(seam_too[:, None], own.face, own.edge),
+            width=np.where(seam_too, _SEAM, own.width),
+            dash=np.where(seam_too, 0, own.dash),
+            style=styles.unhatched(own.style),
+        )
+        looks, made, place = joined([looks, own]), made + edges, np.append(place, extra + 0.5)
+    if line_run.any():
+        kept = np.append(~line_run, np.ones(len(made) - len(line_run), bool))
+        made = [path for path, keep in zip(made, kept.tolist()) if keep]
+        looks, place = looks.of(kept), place[kept]
+    which = np.flatnonzero(is_line & (of_item[item] < len(lines.segments)))
+    if len(which):
+        of_piece = cuts[item[which] - count]
+        drawn, of_drawn, own = _line_pieces(ax, pieces, which, of_item, of_piece, lines, styles)
+        run_of = np.searchsorted(run, which[of_drawn], side="right") - 1
+        made, looks, place = made + drawn, joined([looks, own]), np.append(place, run_of)
+    order = np.argsort(place, kind="stable")
+    paths.add([made[k] for k in order.tolist()], *looks.of(order))
+
+
+def _line_pieces(
+    ax: Axes3D,
+    pieces: Any,
+    which: Indices,
+    of_item: Indices,
+    cuts: Bools,
+    lines: Lines,
+    styles: Styles,
+) -> tuple[list[Path], Indices, Attributes]:
+    """Pieces of lines as paths, of which of the pieces each is one, and what it looks like. cuts, (n, 2),
+    are those of the ends of the lines."""
+    assert lines.attributes is not None
+    looks = lines.attributes.of(lines.line[of_item[pieces.item[which]]])
+    ends = pieces.first[which].astype(np.int64)[:, None] + [0, 1]
+    return _ended(ax, list(pieces.points[ends, :2]), pieces.cuts[ends] | cuts, looks, styles)
+
+
+def _ended(
+    ax: Axes3D, polylines: list[Floats], cuts: Bools, looks: Attributes, styles: Styles
+) -> tuple[list[Path], Indices, Attributes]:
+    """Polylines as paths that end where they are cut, of which polyline each is a part, and what it
+    looks like."""
+    made: list[Path] = []
+    of: list[int] = []
+    butt: list[bool] = []
+    for k, points in enumerate(polylines):
+        cap = styles.styles[int(looks.style[k])].cap
+        is_plain = bool(looks.dash[k] == 0 and looks.edge[k, 3] >= 1.0)
+        parts = ended(ax, points, cuts[k], float(looks.width[k]), cap, is_plain)
+        made += [Path(part) for part, _ in parts]
+        of += [k] * len(parts)
+        butt += [is_butt for _, is_butt in parts]
+    whose = np.array(of, np.int64)
+    looks = looks.of(whose)
+    for k in np.flatnonzero(butt).tolist():
+        looks.style[k] = styles.butt(int(looks.style[k]))
+    return made, whose, looks
 
 
 def _sides(
@@ -177,9 +225,16 @@ def _lies_on(segments: Floats, lines: Floats) -> npt.NDArray[np.bool_]:
 
 
 def add_polylines(
-    ax: Axes3D, lines: Lines, parts: Floats, item: Indices, styles: Styles, paths: Paths
+    ax: Axes3D,
+    lines: Lines,
+    parts: Floats,
+    item: Indices,
+    cuts: Bools,
+    styles: Styles,
+    paths: Paths,
 ) -> None:
-    """Parts of segments, in the order of the segments: those that join are one path."""
+    """Parts of segments, in the order of the segments: those that join are one path. Their ends are
+    cut where cuts, (n, 2), are True."""
     if lines.attributes is None or not len(item):
         return
     line = lines.line[item]
@@ -187,23 +242,26 @@ def add_polylines(
     joins &= np.abs(parts[1:, 0, :2] - parts[:-1, 1, :2]).max(axis=1) < 1e-12
     begin = np.flatnonzero(np.concatenate([[True], ~joins]))
     end = np.append(begin[1:], len(item))
-    made = [
-        Path(np.concatenate([parts[b : b + 1, 0, :2], parts[b:e, 1, :2]]))
+    polylines = [
+        np.concatenate([parts[b : b + 1, 0, :2], parts[b:e, 1, :2]])
         for b, e in zip(begin.tolist(), end.tolist())
     ]
-    whose = lines.attributes.of(line[begin])
-    dash = whose.dash.copy()
+    looks = lines.attributes.of(line[begin])
+    cut_ends = np.column_stack([cuts[begin, 0], cuts[end - 1, 1]])
+    made, of, looks = _ended(ax, polylines, cut_ends, looks, styles)
+    dash = looks.dash.copy()
     if dash.any():
         lengths = _lengths_on_paper(ax, lines)
         unit = 72.0 / ax.figure.dpi
-        corner = ax.transData.transform(lines.segments[item[begin], 0, :2])
-        start = ax.transData.transform(parts[begin, 0, :2])
-        from_start = lengths[item[begin]] + np.hypot(*(start - corner).T) * unit
+        first = item[begin][of]
+        corner = ax.transData.transform(lines.segments[first, 0, :2])
+        start = ax.transData.transform([path.vertices[0] for path in made])
+        from_start = lengths[first] + np.hypot(*(start - corner).T) * unit
         for k in np.flatnonzero(dash).tolist():
             offset, dashes = styles.dashes[dash[k]]
             styles.dashes.append((offset + float(from_start[k]), dashes))
             dash[k] = len(styles.dashes) - 1
-    paths.add(made, *whose._replace(dash=dash))
+    paths.add(made, *looks._replace(dash=dash))
 
 
 def _lengths_on_paper(ax: Axes3D, lines: Lines) -> Floats:

@@ -26,6 +26,7 @@ from ._matplotlib_artists import (
     rounding_of_projected,
     style_of,
 )
+from ._matplotlib_ends import with_cut_corners
 from ._matplotlib_paths import Paths, add_pieces, add_polylines
 from ._polygons import sort, visible_lines
 
@@ -116,7 +117,8 @@ class Scene(Collection):  # type: ignore[misc]
         self._tint = np.tile([0.0, 0.0, 0.0, 1.0], (len(markers), 1))
         whole_line = lines.segments, np.arange(len(lines.segments))
         if polygons.attributes is None:
-            add_polylines(self.axes, lines, *whole_line, styles, paths)
+            uncut = np.zeros((len(lines.segments), 2), bool)
+            add_polylines(self.axes, lines, *whole_line, uncut, styles, paths)
             return
         opaque = polygons.is_opaque()
         low, high = polygons.points.min(axis=0), polygons.points.max(axis=0)
@@ -133,13 +135,15 @@ class Scene(Collection):  # type: ignore[misc]
         segments = np.concatenate(
             [lines.segments + raised, np.stack([places - half, places + half], axis=1)]
         )
-        parts, item = _parts_seen(polygons.some(opaque), segments, touching)
+        parts, item, cuts = _parts_seen(polygons.some(opaque), segments, touching)
         # What is behind translucent polygons is sorted with them; what is not is drawn last.
         count = len(lines.segments)
+        is_line = item < count
+        cuts[is_line] = with_cut_corners(lines, item[is_line], cuts[is_line])
         behind = _is_behind(polygons.some(~opaque), parts, touching) if not opaque.all() else None
         if behind is not None:
-            parts, of_parts, behind_part = behind
-            item = item[of_parts]
+            parts, of_parts, behind_part, more_cuts = behind
+            item, cuts = item[of_parts], cuts[of_parts] | more_cuts
         else:
             behind_part = np.zeros(len(item), bool)
         of_marker = item >= count
@@ -158,12 +162,16 @@ class Scene(Collection):  # type: ignore[misc]
         )
         of_item = np.full(len(polygons.sides) + len(sorted_too), -1)
         of_item[len(polygons.sides) :] = item[sorted_too]
-        add_pieces(polygons, pieces, lines, of_item, styles, paths)
+        add_pieces(
+            self.axes, polygons, pieces, lines, of_item, cuts[sorted_too], styles, paths
+        )
         is_marker = of_item[pieces.item] >= count
         if is_marker.any():
             self._tint_markers(polygons, pieces, of_item - count, is_marker, markers, shown)
         on_top = ~behind_part & ~of_marker
-        add_polylines(self.axes, lines, parts[on_top] - raised, item[on_top], styles, paths)
+        add_polylines(
+            self.axes, lines, parts[on_top] - raised, item[on_top], cuts[on_top], styles, paths
+        )
 
     def _tint_markers(
         self,
@@ -265,26 +273,28 @@ def _unscaled(pattern: Any, scale: float) -> Any:
 
 def _parts_seen(
     polygons: tuple[Floats, Indices], segments: Floats, touching: float
-) -> tuple[Floats, Indices]:
-    """The parts of segments that are seen, in the order of the segments and along them."""
+) -> tuple[Floats, Indices, npt.NDArray[np.bool_]]:
+    """The parts of segments that are seen, in the order of the segments and along them, of which each
+    is a part, and which of its ends are cut."""
     points, sides = polygons
     if not len(sides) or not len(segments):
-        return segments, np.arange(len(segments))
+        return segments, np.arange(len(segments)), np.zeros((len(segments), 2), bool)
     seen = visible_lines(points, sides=sides, segments=segments, touching=touching)
     order = _order_along(segments, seen.points, seen.item)
-    return seen.points[order], seen.item[order].astype(np.int64)
+    return seen.points[order], seen.item[order].astype(np.int64), seen.cuts[order]
 
 
 def _is_behind(
     polygons: tuple[Floats, Indices], segments: Floats, touching: float
-) -> tuple[Floats, Indices, npt.NDArray[np.bool_]] | None:
-    """The parts of segments that polygons are before, and those that none is before."""
+) -> tuple[Floats, Indices, npt.NDArray[np.bool_], npt.NDArray[np.bool_]] | None:
+    """The parts of segments that polygons are before, and those that none is before; likewise."""
     points, sides = polygons
     if not len(segments):
         return None
     seen = visible_lines(points, sides=sides, segments=segments, hidden=True, touching=touching)
     order = _order_along(segments, seen.points, seen.item)
-    return seen.points[order], seen.item[order].astype(np.int64), seen.hidden[order]
+    item = seen.item[order].astype(np.int64)
+    return seen.points[order], item, seen.hidden[order], seen.cuts[order]
 
 
 def _order_along(segments: Floats, parts: Floats, item: Any) -> Indices:

@@ -23,6 +23,9 @@ class PolygonPieces(typing.NamedTuple):
     """(K,): which of the polygons each piece is of; segments are counted after them."""
     sides: npt.NDArray[np.uint8]
     """(N,): not 0 if the side that ends at the point is one of the polygon's own."""
+    cuts: npt.NDArray[np.bool_]
+    """(N,): True if a segment, or a side of the polygon's own, is cut there, of which the rest is in
+    another piece."""
 
 
 class VisiblePieces(typing.NamedTuple):
@@ -49,6 +52,9 @@ class VisibleLines(typing.NamedTuple):
     if kinds of lines were asked for; else 1."""
     hidden: npt.NDArray[np.bool_]
     """(K,): True where the line is hidden, if hidden lines were asked for."""
+    cuts: npt.NDArray[np.bool_]
+    """(K, 2): True for each end at which the line goes on, hidden; or seen, where it is hidden. A
+    thick line has no cap there."""
 
 
 def sort(
@@ -90,10 +96,10 @@ def sort(
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
-    points, first, item, own, _ = _displayfile._pieces_of(
+    points, first, item, own, _, cuts = _displayfile._pieces_of(
         polygons, sides, method, threads, segments, whole, touching
     )
-    return PolygonPieces(points, first, item, own)
+    return PolygonPieces(points, first, item, own, cuts.view(bool))
 
 
 def visible_pieces(
@@ -117,7 +123,7 @@ def visible_pieces(
     Raises:
         Error: As in sort.
     """
-    points, first, item, _, _ = _displayfile._pieces_of(
+    points, first, item, *_ = _displayfile._pieces_of(
         polygons, sides, "map", threads, None, False, touching
     )
     return VisiblePieces(points, first, item)
@@ -152,7 +158,8 @@ def visible_lines(
     Raises:
         Error: As in sort; or kinds that are unknown.
     """
-    points, _, item, kinds, is_hidden = _displayfile._lines_of(
+    points, _, item, kinds, is_hidden, cuts = _displayfile._lines_of(
         polygons, sides, method, lines, hidden, threads, segments, touching
     )
-    return VisibleLines(points.reshape(-1, 2, 3), item, kinds[1::2], is_hidden.view(bool))
+    ends = cuts.view(bool).reshape(-1, 2)
+    return VisibleLines(points.reshape(-1, 2, 3), item, kinds[1::2], is_hidden.view(bool), ends)

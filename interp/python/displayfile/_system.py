@@ -54,6 +54,9 @@ class Pieces(typing.NamedTuple):
     """(K,): pick identifiers; -1 for a line without one."""
     segments: npt.NDArray[np.int32]
     """(K,): names of segments."""
+    cuts: npt.NDArray[np.uint8]
+    """(N,): 1 if the point is an end of a line, or of a side that is drawn, at which it is cut: it goes
+    on there, but something may hide the rest. A thick line has no cap there."""
 
 
 class System(_displayfile.System):

@@ -266,6 +266,30 @@ def test_visible_lines():
     assert np.sum(length[both.hidden]) == pytest.approx(0.5)
 
 
+def test_the_cuts_of_lines():
+    wall = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
+    lines = [[[0.5, -1, 0], [0.5, 2, 0]], [[-1, 2, 0], [0, 2, 0]]]
+    seen = visible_lines([wall], segments=lines)
+    assert seen.points[:, :, 1].tolist() == [[-1, 0], [1, 2], [2, 2]]
+    assert seen.cuts.tolist() == [[False, True], [True, False], [False, False]]
+    all_parts = visible_lines([wall], segments=lines, hidden=True)
+    (middle,) = all_parts.cuts[all_parts.hidden]
+    assert middle.tolist() == [True, True]
+
+
+@pytest.mark.parametrize("method", ["depth-sort", "bsp"])
+def test_the_cuts_of_a_sort(method):
+    pieces = sort(CROSSING, segments=[[[0.1, 0.5, -1], [0.9, 0.5, 2]]], method=method)
+    assert len(pieces.cuts) == len(pieces.points)
+    assert np.allclose(pieces.points[pieces.cuts, 0], 0.5)
+    for k, item in enumerate(pieces.item):
+        own = slice(pieces.first[k], pieces.first[k + 1])
+        given = [[0.1, 0.5, -1], [0.9, 0.5, 2]] if item == 2 else CROSSING[item]
+        is_given = [any((p == q).all() for q in np.array(given)) for p in pieces.points[own]]
+        assert (~pieces.cuts[own] | ~np.array(is_given)).all()
+    assert pieces.cuts.sum() >= 6
+
+
 def test_kinds_of_lines():
     lines = visible_lines(CROSSING, lines="boundary,intersection")
     assert sorted(set(lines.kinds.tolist())) == [4, 32]

@@ -340,7 +340,8 @@ std::vector<Point3> ViewedScene::find_rests() const {
     if (!points) continue;
     const std::uint32_t plane = entered_plane(item);
     const bool is_close = plane < are_close.size() && are_close[plane] != 0;
-    if (!is_close && !is_off_its_plane(item) && rest_of_bent(*points) == nullptr) continue;
+    const bool lacks_nothing = !is_off_its_plane(item) || planes_->are_founders[item] != 0;
+    if (!is_close && lacks_nothing && rest_of_bent(*points) == nullptr) continue;
     const auto [rest, is_new] = known.try_emplace(*points, Point3(0.0));
     if (is_new) rest->second = rest_of(item, *points);
     rests[item] = rest->second;

@@ -171,6 +171,21 @@ void RetainedScene::in_order_of_entry(const Segment& segment, OnPrimitive&& on_p
   }
 }
 
+namespace {
+
+bool is_by_back_face(LineKinds kinds) { return (kinds & SideKinds::kByBackFace) != 0; }
+
+}  // namespace
+
+bool RetainedScene::removes_back_faces(const Segment& segment) const {
+  for (std::uint32_t i = segment.first; i < segment.end; ++i) {
+    if (shared_attributes(i).back_face_removal) return true;
+  }
+  return false;
+}
+
+/// Of a back face that is removed a side may stay, by which alone a line is drawn: the polygon is
+/// hollow then.
 void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
@@ -181,7 +196,9 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
   std::vector<LineKinds> selected;
   if (part.sides != nullptr) {
     selected.resize(part.sides->corners());
-    part.sides->in_view(*this, part, eye, selected);
+    using TurnedAway = SideKinds::TurnedAway;
+    part.sides->in_view(*this, part, eye, selected,
+                        removes_back_faces(part) ? TurnedAway::stays : TurnedAway::kept);
   }
   const std::uint32_t first_corner = this->first_corner(part);
   const auto sides_of = [&](std::uint32_t i) {
@@ -193,6 +210,23 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
   for (const auto& [upward, x_points, y_points] : part.surfaces) {
     segment.mark_surface({stage.pipeline().volume().infinitely_far(upward), x_points, y_points});
   }
+  std::vector<LineKinds> alone;
+  const auto enter_sides_alone = [&](std::uint32_t i) {
+    Attributes of_sides = attributes;
+    alone.clear();
+    for (const LineKinds kinds : sides_of(i)) {
+      const bool stays = is_by_back_face(kinds) || !of_sides.back_face_removal;
+      alone.push_back(stays ? static_cast<LineKinds>(kinds & ~SideKinds::kByBackFace)
+                            : LineKinds{0});
+    }
+    if (of_sides.back_face_removal) {
+      of_sides.fill.kind = FillStyle::Kind::hollow;
+      of_sides.back_face_removal = false;
+      stage.attributes_changed();
+      in_force.reset();
+    }
+    if (enter_viewed(i, of_sides, alone, stage, segment)) is_item(i);
+  };
   const auto enter_primitive = [&](std::uint32_t i) {
     if (in_force != primitives_[i].look) {
       in_force = primitives_[i].look;
@@ -200,6 +234,7 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
       if (attributes.light) attributes.light->toward = lights_turned * attributes.light->toward;
       stage.attributes_changed();
     }
+    if (std::ranges::any_of(sides_of(i), is_by_back_face)) return enter_sides_alone(i);
     if (enter_viewed(i, attributes, sides_of(i), stage, segment) && draws(i)) is_item(i);
   };
   in_order_of_entry(part, enter_primitive, [&](const Text& text) {
@@ -309,7 +344,9 @@ void RetainedScene::sides_in_view(const Eye& eye, std::vector<LineKinds>& of_cor
   for (const Segment& segment : segments_) {
     if (segment.sides == nullptr) continue;
     const auto own = std::span(of_corners).subspan(first_corner(segment), segment.sides->corners());
-    segment.sides->in_view(*this, segment, eye, own);
+    using TurnedAway = SideKinds::TurnedAway;
+    segment.sides->in_view(*this, segment, eye, own,
+                           removes_back_faces(segment) ? TurnedAway::removed : TurnedAway::kept);
   }
 }
 

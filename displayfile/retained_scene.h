@@ -163,6 +163,8 @@ class RetainedScene : public Watched<RetainedScene> {
   bool has_intersections() const;
   /// Some segment draws other sides than those that the line style shows.
   bool selects_lines() const;
+  /// Those of some polygon of the segment are.
+  bool removes_back_faces(const Segment& segment) const;
   /// For the side that ends at each corner of the scene its kinds in a view, 0 where it is not
   /// drawn, whatever the line style; 1 of all that no segment was asked for.
   void sides_in_view(const Eye& eye, std::vector<LineKinds>& of_corners) const;

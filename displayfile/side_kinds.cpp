@@ -257,7 +257,7 @@ class SideKinds::Finder {
     std::ranges::stable_sort(shared, [](const SharedStretch& a, const SharedStretch& b) {
       return std::tie(a.line, a.start) < std::tie(b.line, b.start);
     });
-    std::vector<PartedSide> of_lone(lone_.size(), {0, kNoStretch, 0, 0});
+    std::vector<PartedSide> of_lone(lone_.size(), {0, 0, kNoStretch, 0, 0});
     for (std::uint32_t k = 0; k < shared.size(); ++k) {
       around_side_.clear();
       for (const StretchOfSide& s : shared[k].sides) {
@@ -275,6 +275,7 @@ class SideKinds::Finder {
       PartedSide& side = of_lone[k];
       if (side.first == kNoStretch) continue;
       side.corner = corner_of(lone_[k]);
+      side.face = lone_[k].item;
       if (scene_.shared_attributes(primitive_of(lone_[k])).is_outlined()) {
         side.drawn = is_visible(lone_[k]) ? kAnyKind : kinds_of(LineKind::outline);
       }
@@ -408,57 +409,109 @@ SideKinds::SideKinds(const RetainedScene& scene, const RetainedScene::Segment& s
   Finder(scene, segment, wanted, *this).find();
 }
 
+/// The primitives that have it.
+std::span<const std::uint32_t> SideKinds::faces_of(std::uint32_t stretch) const {
+  const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_face;
+  return std::span(faces_).subspan(first, stretches_[stretch].end_face - first);
+}
+
 LineKinds SideKinds::kinds_of_stretch(std::uint32_t stretch,
                                       std::span<const std::uint8_t> is_facing) const {
-  const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_face;
-  const auto faces = std::span(faces_).subspan(first, stretches_[stretch].end_face - first);
-  const bool is_outline = std::ranges::any_of(
-      faces, [&](std::uint32_t face) { return is_facing[face] != is_facing[faces[0]]; });
+  const auto faces = faces_of(stretch);
+  const bool is_outline = wants_outlines_ && std::ranges::any_of(faces, [&](std::uint32_t face) {
+                            return is_facing[face] != is_facing[faces[0]];
+                          });
   const LineKinds fixed = stretches_[stretch].fixed;
   return is_outline ? static_cast<LineKinds>(fixed | kinds_of(LineKind::outline)) : fixed;
 }
 
-/// Draws each stretch that is a line once, as far as it can be.
+/// Draws each stretch that is a line once, as far as it can be: by sides of polygons that face the
+/// viewer where there are such, since others may be removed.
 class SideKinds::Tiling {
  public:
   Tiling(const SideKinds& sides, std::span<const LineKinds> of_stretches,
+         std::span<const std::uint8_t> is_facing, TurnedAway turned_away,
          std::span<LineKinds> of_corners)
-      : sides_(sides.parted_),
+      : all_(sides),
+        sides_(sides.parted_),
         kinds_(of_stretches),
+        is_facing_(is_facing),
+        turned_away_(turned_away),
         of_corners_(of_corners),
         is_drawn_(of_stretches.size(), 0),
         reached_by_(of_stretches.size() + 1, kNobody) {
+    for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
+      has_facing_.push_back(std::ranges::any_of(
+          sides.faces_of(k), [&](std::uint32_t face) { return is_facing[face] != 0; }));
+    }
     const auto end = static_cast<std::uint32_t>(kinds_.size());
     for (std::uint32_t first = 0, last = 0; first < end; first = last) {
-      const auto goes_on = [&](std::uint32_t k) {
-        return !sides.stretches_[k].begins_line && kinds_[k] == kinds_[first];
-      };
-      for (last = first + 1; last < end && goes_on(last);) ++last;
-      if (kinds_[first] != 0) tile(first, last);
+      last = end_of_run(first, end, [&](std::uint32_t k) { return kinds_[k] == kinds_[first]; });
+      if (kinds_[first] != 0) tile_run(first, last);
     }
-    for (const PartedSide& side : sides_) {
-      if (has_some_left(side)) draw(side);
+    for (const bool facing : {true, false}) {
+      for (const PartedSide& side : sides_) {
+        if (is_facing_[side.face] == (facing ? 1 : 0) && has_some_left(side)) draw(side);
+      }
     }
   }
 
  private:
   static constexpr std::uint32_t kNobody = 0xffffffffu;
 
-  /// Draws stretches of the same kinds by sides that follow each other from the first stretch to
+  template <class GoesOn>
+  std::uint32_t end_of_run(std::uint32_t first, std::uint32_t end, const GoesOn& goes_on) const {
+    std::uint32_t last = first + 1;
+    while (last < end && !all_.stretches_[last].begins_line && goes_on(last)) ++last;
+    return last;
+  }
+
+  /// Stretches of the same kinds: those that a polygon has which faces the viewer, and others, by
+  /// themselves if they can be, or else together.
+  void tile_run(std::uint32_t first, std::uint32_t last) {
+    bool are_all = true;
+    for (const bool draws : {false, true}) {
+      for (std::uint32_t from = first, to = first; from < last; from = to) {
+        const bool facing = has_facing_[from];
+        to = end_of_run(from, last, [&](std::uint32_t k) { return has_facing_[k] == facing; });
+        const bool is_tiled = (facing && tile(from, to, true, draws)) ||
+                              (may_be_any(facing) && tile(from, to, false, draws));
+        are_all &= is_tiled;
+      }
+      if (!draws && !are_all && may_be_any(true) && tile(first, last, false, true)) return;
+    }
+  }
+  bool may_be_any(bool has_facing) const {
+    return !has_facing || turned_away_ != TurnedAway::removed;
+  }
+
+  /// Draws stretches by sides that follow each other from the first stretch to
   /// the last, if there are such sides: where a face was cut into others its sides are.
-  void tile(std::uint32_t first, std::uint32_t last) {
+  bool tile(std::uint32_t first, std::uint32_t last, bool by_facing, bool draws) {
     const auto from = std::ranges::lower_bound(sides_, first, {}, &PartedSide::first);
     for (auto side = from; side != sides_.end() && side->first < last; ++side) {
       const bool begins = side->first == first || reached_by_[side->first] != kNobody;
       if (!begins || side->end > last || reached_by_[side->end] != kNobody) continue;
       if ((kinds_[first] & side->drawn) == 0) continue;
+      if (by_facing && is_facing_[side->face] == 0) continue;
       reached_by_[side->end] = static_cast<std::uint32_t>(side - sides_.begin());
     }
-    for (std::uint32_t at = last; reached_by_[last] != kNobody && at != first;) {
+    const bool is_reached = reached_by_[last] != kNobody;
+    for (std::uint32_t at = last; draws && is_reached && at != first;) {
       const PartedSide& side = sides_[reached_by_[at]];
       draw(side);
+      if (turned_away_ == TurnedAway::stays && is_facing_[side.face] == 0) mark(side);
       at = side.first;
     }
+    std::fill(reached_by_.begin() + first, reached_by_.begin() + last + 1, kNobody);
+    return is_reached;
+  }
+  /// Where some polygon that has a part of it faces the viewer.
+  void mark(const PartedSide& side) {
+    const auto begin = has_facing_.begin();
+    if (std::find(begin + side.first, begin + side.end, true) == begin + side.end) return;
+    LineKinds& of_side = of_corners_[side.corner];
+    of_side = static_cast<LineKinds>(of_side | kByBackFace);
   }
   bool has_some_left(const PartedSide& side) const {
     for (std::uint32_t k = side.first; k < side.end; ++k) {
@@ -474,19 +527,25 @@ class SideKinds::Tiling {
     }
   }
 
+  const SideKinds& all_;
   std::span<const PartedSide> sides_;
   std::span<const LineKinds> kinds_;
+  std::span<const std::uint8_t> is_facing_;
+  TurnedAway turned_away_;
   std::span<LineKinds> of_corners_;
+  std::vector<bool> has_facing_;  // of the stretches
   std::vector<std::uint8_t> is_drawn_;
   std::vector<std::uint32_t> reached_by_;  // of each stretch's start: a side that ends there
 };
 
 void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment& segment,
-                        const Eye& eye, std::span<LineKinds> of_corners) const {
+                        const Eye& eye, std::span<LineKinds> of_corners,
+                        TurnedAway turned_away) const {
   std::ranges::copy(fixed_, of_corners.begin());
   if (ends_.empty() && parted_.empty()) return;
   std::vector<std::uint8_t> is_facing(segment.end - segment.first, 0);
-  for (std::uint32_t i = segment.first; wants_outlines_ && i < segment.end; ++i) {
+  const bool counts = wants_outlines_ || !parted_.empty();
+  for (std::uint32_t i = segment.first; counts && i < segment.end; ++i) {
     if (!scene[i].is_line() && faces(eye, scene.points(i))) is_facing[i - segment.first] = 1;
   }
   std::uint32_t first = 0;
@@ -507,7 +566,7 @@ void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment
   for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
     of_stretches.push_back(kinds_of_stretch(k, is_facing));
   }
-  Tiling(*this, of_stretches, of_corners);
+  Tiling(*this, of_stretches, is_facing, turned_away, of_corners);
 }
 
 void SideKinds::in_any_view(std::span<LineKinds> of_corners) const {

@@ -21,10 +21,18 @@ class SideKinds {
   SideKinds(const RetainedScene& scene, const RetainedScene::Segment& segment,
             const LineSelection& wanted);
 
+  /// What becomes of polygons that are turned away from the viewer.
+  enum class TurnedAway : std::uint8_t {
+    kept,     ///< they are polygons like others
+    stays,    ///< a side of theirs stays that has kByBackFace
+    removed,  ///< all of them
+  };
+  static constexpr LineKinds kByBackFace = 128;
   /// For the side that ends at each of the segment's corners its kinds, 0 where it is not drawn; of
-  /// lines kDrawn. `scene` has the segment.
+  /// lines kDrawn. `scene` has the segment. A line that is only a part of a side that faces the
+  /// viewer is drawn by a side that is turned away, if one is just that part and may be.
   void in_view(const RetainedScene& scene, const RetainedScene::Segment& segment, const Eye& eye,
-               std::span<LineKinds> of_corners) const;
+               std::span<LineKinds> of_corners, TurnedAway turned_away) const;
   /// The same of all views together: 0 where it is drawn in none.
   void in_any_view(std::span<LineKinds> of_corners) const;
 
@@ -44,11 +52,12 @@ class SideKinds {
   };
   /// A side that stretches make up, which others have too.
   struct PartedSide {
-    std::uint32_t corner;
-    std::uint32_t first, end;  ///< of its stretches
-    LineKinds drawn;           ///< the kinds as which it may be drawn
+    std::uint32_t corner, face;  ///< the face as in faces_
+    std::uint32_t first, end;    ///< of its stretches
+    LineKinds drawn;             ///< the kinds as which it may be drawn
   };
 
+  std::span<const std::uint32_t> faces_of(std::uint32_t stretch) const;
   LineKinds kinds_of_stretch(std::uint32_t stretch, std::span<const std::uint8_t> is_facing) const;
   class Tiling;
 

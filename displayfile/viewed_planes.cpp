@@ -242,6 +242,7 @@ void ViewedScene::find_shared_planes(Planes& found) const {
   found.of_items.clear();
   found.founders.clear();
   found.elsewhere.clear();
+  found.are_founders.clear();
   found.touching = found.find_touching();
   const TouchingPlanes* const touching = found.touching.get();
   if (touching->touching() == 0) return;
@@ -270,6 +271,7 @@ void ViewedScene::find_shared_planes(Planes& found) const {
     if (found.in_plane.empty()) continue;
     found.founders.resize(items(), kNotEntered);
     found.elsewhere.resize(items(), 0);
+    found.are_founders.resize(items(), 0);
     for (const Item item : found.in_plane) {
       found.founders[item] = members.front();
       found.elsewhere[item] = found.polygons[item] == members.front() ? 0 : 1;
@@ -299,6 +301,19 @@ bool is_nearly_edge_on(const Plane& plane) {
 
 }  // namespace
 
+/// True only if the plane of the item's own points, as it was entered, is not seen edge-on.
+bool ViewedScene::is_certainly_seen(Item item) const {
+  if (item == kNone || !(viewing_radius() > 0.0)) return false;
+  const auto own = own_plane_points(item);
+  if (!own) return false;
+  const Point2 at(points_[(*own)[0]]);
+  const Point2 a = Point2(points_[(*own)[1]]) - at, b = Point2(points_[(*own)[2]]) - at;
+  const double twice_area = std::abs(a.x * b.y - a.y * b.x);
+  const double around = std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
+  // A difference of two points is off by twice the radius, and what clipping left a little more.
+  return twice_area > 16.0 * viewing_radius() * (around + viewing_radius());
+}
+
 std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) const {
   if (const auto* const of_bent = plane_of_bent(item)) return *of_bent;
   const PointRow vertices = points(item);
@@ -318,7 +333,9 @@ std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) 
 void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                               Planes& found) const {
   const bool is_its_own = in_plane.size() < 2 && (found.are_close || in_plane[0] == founder);
-  if (is_its_own || (!found.are_close && is_plane_edge_on(in_plane[0]))) return;
+  if (in_plane.size() < 2 && in_plane[0] == founder) found.are_founders[founder] = 1;
+  if (is_its_own) return;
+  if (!found.are_close && !is_certainly_seen(founder) && is_plane_edge_on(in_plane[0])) return;
   const auto area = [&](Item item) {
     constexpr double kOfFounder = 16.0;
     return std::abs(newell_c(points(item))) * (item == founder ? kOfFounder : 1.0);
@@ -336,7 +353,9 @@ void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint
   if (found.of_items.empty()) found.of_items.resize(items(), {Primitives::kOwnPlane, 0, 0});
   for (const Item item : in_plane) {
     found.of_items[item] = plane;
-    if (largest == founder) found.elsewhere[item] = 0;
+    if (largest != founder) continue;
+    found.elsewhere[item] = 0;
+    found.are_founders[item] = 1;
   }
 }
 

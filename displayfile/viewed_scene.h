@@ -355,6 +355,8 @@ class ViewedScene : public EndsAsEntered {
     /// none. Empty if all are so.
     std::vector<std::uint32_t> founders;
     std::vector<std::uint8_t> elsewhere;  ///< of the same items: that polygon does not stand for it
+    std::vector<std::uint8_t>
+        are_founders;  ///< of the same items: their planes' points are its own
     std::vector<std::uint32_t> polygons, item_of, in_plane;  // memory of find_planes
   };
   /// What was entered, for all items.
@@ -404,6 +406,7 @@ class ViewedScene : public EndsAsEntered {
   std::optional<EnteredLine> entered_line(Item item, std::uint32_t corner) const;
   void find_entered(const std::function<EnteredPolygon(std::uint32_t)>& polygon_of);
   bool is_edge_on(Item item) const;
+  bool is_certainly_seen(Item item) const;
   bool is_plane_edge_on(Item item) const;
   void find_bent(std::span<const std::uint32_t> polygons);
   std::optional<Bent> bent_item(Item item, std::uint32_t polygon);

@@ -185,6 +185,38 @@ TEST(PartedSides, AreOfTheKindsOfTheCleanSolid) {
   }
 }
 
+/// Where back faces are removed, a side of one stays that alone is a line and no more.
+TEST(PartedSides, AreDrawnWhereBackFacesAreRemoved) {
+  const auto drawn_length = [](const std::vector<Polygon>& faces, const std::string& words) {
+    GraphicsSystem g;
+    g.set_perspective({1.5, 1.2, 30.0});
+    g.set_window(-12.0, 12.0, -12.0, 12.0);
+    g.set_view_depth(-12.0, 12.0);
+    g.set_lines(line_selection(words));
+    g.set_back_face_removal(true);
+    g.open_segment(1);
+    for (const Polygon& face : faces) g.polygon_abs_3(face);
+    g.close_segment();
+    double length = 0.0;
+    for (const auto& [ends, kinds] : test::drawn_sides(g.display_file())) {
+      EXPECT_EQ(kinds & 128, 0);
+      const Point3 way = ends.second - ends.first;
+      length += std::hypot(way.x, way.y);
+    }
+    return length;
+  };
+  for (std::uint64_t seed = 1; seed < 200; ++seed) {
+    if (seed % 4 == 0) continue;  // seen along an axis
+    const Solids solids = any_solids(seed);
+    for (const char* const words : {"crease,boundary", "outline,crease", "outline"}) {
+      const double expected = drawn_length(solids.clean, words);
+      EXPECT_GT(expected, 0.01);
+      EXPECT_NEAR(drawn_length(solids.cut, words), expected, 1e-9)
+          << "seed " << seed << ", " << words;
+    }
+  }
+}
+
 Mesh mesh_of(const std::vector<Polygon>& faces) {
   Mesh mesh;
   mesh.first_corner.push_back(0);

@@ -176,6 +176,8 @@ std::vector<std::string> left_out(const Mesh::Skipped& skipped) {
   return all;
 }
 
+void Mesh::set_reach(double reach) { rounding = reach / entered_reach(kUnlessSet, 1.0, 1.0); }
+
 double entered_reach(const Mesh& mesh) {
   const double of_doubles = entered_reach(kUnlessSet, largest_coordinate(mesh.vertices));
   return std::max(of_doubles, entered_reach(kUnlessSet, mesh.rounding, 1.0));

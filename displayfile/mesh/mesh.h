@@ -58,6 +58,9 @@ struct Mesh {
   std::vector<std::uint32_t> face_materials;
   Skipped skipped;
 
+  /// Makes entered_reach that of parts of other inputs; one that is smaller than that of doubles
+  /// has no effect.
+  void set_reach(double reach);
   std::size_t faces() const { return first_corner.empty() ? 0 : first_corner.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t i) const {
     return std::span(corners).subspan(first_corner[i], first_corner[i + 1] - first_corner[i]);

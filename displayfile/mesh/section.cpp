@@ -554,6 +554,7 @@ Section section(const Mesh& mesh, const SectionPlane& plane) {
   std::vector<std::size_t> object_of;
   result.closed = find_loops(cutter, loops, object_of);
   result.behind = std::move(cutter.behind);
+  result.behind.rounding = mesh.rounding;
   result.face_of = std::move(cutter.face_of);
   result.side_of = std::move(cutter.side_of);
   if (!result.closed) return result;

@@ -18,7 +18,7 @@ std::vector<HiddenPiece> hidden_pieces(std::span<const LineName> lines, const Se
 /// The hidden pieces without what a visible piece of another line covers in the projection, and
 /// where hidden pieces cover each other with one of them, that of the first line by item and corner
 /// (hidden/lines/hidden_pieces.md). Lines cover each other that are no farther apart than
-/// kLinesApart (hidden/lines/lines_on_lines.h), in device coordinates. By item, corner, from.
+/// lines_apart (hidden/lines/lines_on_lines.h), in device coordinates. By item, corner, from.
 std::vector<HiddenPiece> uncovered_pieces(const Primitives& items, const SeenLines& seen,
                                           std::span<const HiddenPiece> hidden);
 

@@ -41,7 +41,10 @@ class Intersections {
     if (touches_line(kB)) meet_inside(b, kB, false);
     join_inside();
     if (inside_.empty()) return;
-    if (ends_ == IntersectionEnds::rounded && (share_a_side(a, b) || touch_as_entered())) return;
+    if (ends_ == IntersectionEnds::rounded) {
+      if (share_a_side(a, b) || touch_as_entered()) return;
+      leave_out_sides_in_planes();
+    }
     for (const auto& [from, to] : inside_) {
       if (ends_ == IntersectionEnds::defined) {
         lines.push_back({a, b, well_known(from), well_known(to), {}, {}});
@@ -97,19 +100,59 @@ class Intersections {
   }
 
   /// What is within reach of the other's plane is on neither side: then one of them does not pass
-  /// through it. A corner that clipping made is where it is seen.
-  bool touch_as_entered() const {
+  /// through it. A corner that clipping made is where it is seen. Finds which corners are so.
+  bool touch_as_entered() {
     if (items_.ends == nullptr) return false;
-    return std::ranges::any_of(std::array{kA, kB}, [&](std::uint32_t own) {
+    bool touch = false;
+    for (const std::uint32_t own : {kA, kB}) {
       bool before = false, behind = false;
-      for (std::uint32_t k = 0; k < side_[own].size() && !(before && behind); ++k) {
-        const bool is_beyond = side_[own][k] != 0 && !is_on_plane_as_entered(own, k);
-        before |= is_beyond && side_[own][k] > 0;
-        behind |= is_beyond && side_[own][k] < 0;
+      on_plane_[own].resize(side_[own].size());
+      for (std::uint32_t k = 0; k < side_[own].size(); ++k) {
+        const bool is_on = side_[own][k] == 0 || is_on_plane_as_entered(own, k);
+        on_plane_[own][k] = is_on ? 1 : 0;
+        before |= !is_on && side_[own][k] > 0;
+        behind |= !is_on && side_[own][k] < 0;
       }
-      return !(before && behind);
-    });
+      touch |= !(before && behind);
+    }
+    return touch;
   }
+  /// A side both of whose corners are in the other's plane is a side already, and its polygon is on
+  /// one side of it alone; by rounding it may be on both.
+  void leave_out_sides_in_planes() {
+    if (items_.ends == nullptr) return;
+    for (const std::uint32_t own : {kA, kB}) {
+      const auto sides = static_cast<std::uint32_t>(on_plane_[own].size());
+      for (std::uint32_t next = 0, k = sides - 1; next < sides; k = next++) {
+        if (on_plane_[own][k] != 0 && on_plane_[own][next] != 0) leave_out_side(own, k, next);
+      }
+    }
+  }
+  void leave_out_side(std::uint32_t own, std::uint32_t k, std::uint32_t next) {
+    const DefinedPoint at_k = at_corner(pair_[own], own, k),
+                       at_next = at_corner(pair_[own], own, next);
+    const Point3 p = items_.points[point(pair_[own], k)],
+                 q = items_.points[point(pair_[own], next)];
+    others_.clear();
+    for (const Part& part : inside_) {
+      const Point3 from = rounded(definitions(), part.from), to = rounded(definitions(), part.to);
+      const int axis = std::abs(to.x - from.x) >= std::abs(to.y - from.y) ? 0 : 1;
+      const double sign = to[axis] < from[axis] ? -1.0 : 1.0;
+      const bool in_order = sign * p[axis] < sign * q[axis];
+      const double low = sign * (in_order ? p : q)[axis], high = sign * (in_order ? q : p)[axis];
+      const double crumb = std::max(kCrumb, 4.0 * std::min(items_.touching, kCrumbAtMost));
+      if (std::min(high, sign * to[axis]) - std::max(low, sign * from[axis]) <= crumb) {
+        others_.push_back(part);
+        continue;
+      }
+      if (low - sign * from[axis] > crumb)
+        others_.push_back({part.from, in_order ? at_k : at_next});
+      if (sign * to[axis] - high > crumb) others_.push_back({in_order ? at_next : at_k, part.to});
+    }
+    std::swap(inside_, others_);
+  }
+  /// Shorter pieces are what viewing and the reach leave.
+  static constexpr double kCrumb = 1e-12, kCrumbAtMost = 1e-3;
   /// As an end of both of its sides.
   bool is_on_plane_as_entered(std::uint32_t own, std::uint32_t k) const {
     constexpr auto kOnPlane = EndsAsEntered::Place::on_plane;
@@ -268,7 +311,8 @@ class Intersections {
   std::array<std::uint32_t, 2> pair_{};
   std::array<Plane, 2> planes_;
   OrderOnLine order_;
-  std::array<std::vector<std::int8_t>, 2> side_;  // of the other's plane, each corner
+  std::array<std::vector<std::int8_t>, 2> side_;       // of the other's plane, each corner
+  std::array<std::vector<std::uint8_t>, 2> on_plane_;  // likewise: within reach of it, as entered
   std::vector<DefinedPoint> crossings_;
   std::vector<Part> inside_, others_, more_;
   std::array<std::vector<Side>, 2> sides_of_;

@@ -17,6 +17,8 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// A short line near another has the other's direction only by accident if it is turned by more.
 constexpr double kMostTurned = 0x1p-16;
+/// The same where lines may be farther apart: times that distance.
+constexpr double kTurnedByApart = 64.0;
 
 /// As far beyond its ends as a leader is long its supporting line is so many times less certain
 /// than between them.
@@ -112,7 +114,8 @@ class LeaderTable {
 
 class LeadingLines {
  public:
-  explicit LeadingLines(std::span<const LineOfPicture> lines) : lines_(lines) {
+  LeadingLines(std::span<const LineOfPicture> lines, double apart)
+      : lines_(lines), most_turned_(std::max(kMostTurned, kTurnedByApart * apart)) {
     Point2 low(std::numeric_limits<double>::infinity()), high(-low);
     double largest = 0.0;
     for (const LineOfPicture& line : lines) {
@@ -124,7 +127,7 @@ class LeadingLines {
     }
     middle_ = low + 0.5 * (high - low);
     reach_ = std::max(high.x - low.x, high.y - low.y);
-    apart_ = std::max(kLinesApart, kRounding * largest);
+    apart_ = std::max(apart, kRounding * largest);
   }
 
   std::vector<std::uint32_t> numbers() {
@@ -155,13 +158,13 @@ class LeadingLines {
   std::size_t find_leaders_of_level(std::size_t from) {
     constexpr double kOfLevel = 1.0 / 16.0;
     const double apart = kBeyond * apart_;
-    const double least_turned = 2.0 * apart / kMostTurned;
+    const double least_turned = 2.0 * apart / most_turned_;
     const double longest = length_[order_[from]];
     const bool is_last = longest * kOfLevel <= least_turned;
     const double shortest = is_last ? 0.0 : longest * kOfLevel;
     // Slopes change at most twice as fast as angles.
     const double turned =
-        2.0 * (is_last ? kBeyond * kMostTurned : 2.0 * apart / shortest) + kRounding;
+        2.0 * (is_last ? kBeyond * most_turned_ : 2.0 * apart / shortest) + kRounding;
     LeaderTable table(turned, turned * reach_ + 2.0 * apart, lines_.size());
     for (const std::uint32_t leader : leaders_) table.add(supports_[leader], leader);
     std::size_t n = from;
@@ -189,7 +192,7 @@ class LeadingLines {
     const double length = length_[leader];
     if (!std::isfinite(length)) return false;
     const Point2 way = (to - from) / length;
-    const double apart = std::min(apart_, 0.5 * kMostTurned * length_[line]);
+    const double apart = std::min(apart_, 0.5 * most_turned_ * length_[line]);
     const auto is_near = [&](const Point2& p) {
       const Point2 from_it = p - from;
       const double along = way.x * from_it.x + way.y * from_it.y;
@@ -202,7 +205,7 @@ class LeadingLines {
 
   std::span<const LineOfPicture> lines_;
   Point2 middle_{0.0};
-  double reach_ = 0.0, apart_ = 0.0;
+  double reach_ = 0.0, apart_ = 0.0, most_turned_;
   std::vector<double> length_;
   std::vector<Support> supports_;
   std::vector<std::uint32_t> order_, rank_, leader_, leaders_;
@@ -210,9 +213,9 @@ class LeadingLines {
 
 }  // namespace
 
-std::vector<std::uint32_t> leading_lines(std::span<const LineOfPicture> lines) {
+std::vector<std::uint32_t> leading_lines(std::span<const LineOfPicture> lines, double apart) {
   if (lines.empty()) return {};
-  return LeadingLines(lines).numbers();
+  return LeadingLines(lines, apart).numbers();
 }
 
 }  // namespace displayfile

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,13 +17,18 @@ struct LineOfPicture {
 /// Lines that are no farther apart than this share of the picture are drawn over each other.
 inline constexpr double kLinesApart = 1e-9;
 
+/// The same of a scene in which a coordinate may be off by `touching` (Primitives::touching): twice
+/// as much, if that is more, and at most 1e-3.
+inline double lines_apart(double touching) { return std::clamp(2.0 * touching, kLinesApart, 1e-3); }
+
 /// Finds lines that lie on each other (hidden/lines/hidden_pieces.md): for each line the number of
 /// its leader, a line that is not shorter. From the longest line to the shortest, equally long ones
 /// in order, each line follows the first earlier leader from whose supporting line none of its ends
-/// is farther than kLinesApart, and else leads itself. Beyond the leader's ends up to three times
-/// as much is allowed: where both run they are then no farther apart than twice kLinesApart. Lines
-/// shorter than 2^17 kLinesApart must be closer, by as much as they are shorter. Rounding of
-/// coordinates that are larger than the picture is allowed for.
-std::vector<std::uint32_t> leading_lines(std::span<const LineOfPicture> lines);
+/// is farther than `apart`, and else leads itself. Beyond the leader's ends up to three times
+/// as much is allowed: where both run they are then no farther apart than twice that. Short lines
+/// must be closer: by no more than a part of their length, 2^-17, or 32 times `apart` if that is
+/// more. Rounding of coordinates that are larger than the picture is allowed for.
+std::vector<std::uint32_t> leading_lines(std::span<const LineOfPicture> lines,
+                                         double apart = kLinesApart);
 
 }  // namespace displayfile

@@ -50,7 +50,10 @@ std::vector<MeshPiece> closed_objects(const Mesh& mesh, const WeldedFaces& faces
 }  // namespace
 
 std::vector<MeshPiece> closed_pieces(const Mesh& mesh) {
-  const WeldedFaces faces = weld(mesh);
+  const double reach = entered_reach(mesh);
+  const WeldedFaces welded = weld(mesh, reach);
+  const FacesWithCorners with_corners(welded, SidesWithVertices(welded, reach));
+  const WeldedFaces& faces = with_corners.faces();
   std::vector<MeshPiece> pieces;
   for (const MeshPiece& whole : closed_objects(mesh, faces)) {
     SideBalance balance;

@@ -115,6 +115,7 @@ Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!display_file.segment(segment.name).visible) continue;
     const std::size_t first_face = mesh.faces(), first_vertex = mesh.vertices.size();
+    mesh.set_reach(std::max(entered_reach(mesh), scene.reach_in_world(segment)));
     const auto points = scene.points(segment);
     mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
     for (std::uint32_t i = segment.first; i < segment.end; ++i) {

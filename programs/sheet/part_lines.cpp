@@ -94,7 +94,7 @@ RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> ca
   PartEntry entry(part, scene);
   int name = 0;
   const auto segment = [&](const auto& enter) {
-    scene.open_segment(++name, view, kUnlessSet);
+    scene.open_segment(++name, view, {Touching::Kind::length, entered_reach(part.mesh)});
     enter();
     scene.close_segment(selection);
   };

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/lines/lines_on_lines.h"
+
+namespace displayfile {
+
+/// A piece of a line that is to be drawn, in device coordinates.
+struct StrokeOfPicture {
+  LineOfPicture line;
+  std::uint32_t rank = 0;   ///< where strokes lie on each other the lowest is drawn
+  std::uint32_t group = 0;  ///< those that look alike; others are drawn over each other
+  bool is_entered = false;  ///< as it is, by the application: it is no crumb
+};
+
+/// What is drawn of a stroke: from and to are shares of it.
+struct StrokePart {
+  std::uint32_t stroke;
+  double from, to;
+  /// No end of another stroke is where one of its ends is: it is a crumb if it is shorter than the
+  /// pen is wide.
+  bool is_alone;
+  bool is_whole() const { return from == 0.0 && to == 1.0; }
+};
+
+/// Strokes as a draughtsman draws them (hidden/lines/strokes_once.md): where several of a group lie
+/// on each other, within `apart`, each place is drawn by one. A stroke that nothing covers is
+/// whole. By stroke, from.
+std::vector<StrokePart> strokes_once(std::span<const StrokeOfPicture> strokes,
+                                     double apart = kLinesApart);
+
+/// True if a stroke from one point to the other is shorter than a pen is wide. `pixels` is the
+/// picture's size in the units of that width.
+bool is_shorter_than_wide(const Point2& from, const Point2& to, const Point2& pixels, double width);
+
+}  // namespace displayfile

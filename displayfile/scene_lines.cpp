@@ -37,9 +37,9 @@ class DrawnItems {
   Primitives items_;
 };
 
-/// Items of different segments or line styles are not drawn by one stroke: a number for each
-/// segment and style. Empty if there is one.
-std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
+}  // namespace
+
+std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene) {
   std::map<std::array<double, 8>, std::uint32_t> numbers;
   std::vector<std::uint32_t> of_items(scene.items());
   const auto styles = scene.line_styles();
@@ -70,8 +70,6 @@ std::vector<std::uint32_t> strokes_of(const ViewedScene& scene) {
   return of_items;
 }
 
-}  // namespace
-
 std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene) {
   return lines_to_draw(*DrawnItems(scene), scene.picks());
 }
@@ -83,7 +81,8 @@ FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortO
 
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
                             HiddenLines hidden_lines) {
-  SortedPieces lines = lines_in_order(scene.primitives(), strokes_of(scene), found, hidden_lines);
+  SortedPieces lines =
+      lines_in_order(scene.primitives(), looks_of_lines(scene), found, hidden_lines);
   put_cuts_at_vertices(scene, lines);
   return lines;
 }
@@ -91,7 +90,7 @@ SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
 SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
                                 HiddenLines hidden_lines) {
   SortedPieces lines =
-      lines_beside_sides(scene.primitives(), strokes_of(scene), found, hidden_lines);
+      lines_beside_sides(scene.primitives(), looks_of_lines(scene), found, hidden_lines);
   put_cuts_at_vertices(scene, lines);
   return lines;
 }
@@ -109,7 +108,7 @@ SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) 
   }
   // The lines' points stay where their pick identifiers are looked up.
   SortedPieces all =
-      lines_in_order(scene.primitives(), strokes_of(scene), found, options.hidden_lines);
+      lines_in_order(scene.primitives(), looks_of_lines(scene), found, options.hidden_lines);
   const auto before = static_cast<std::uint32_t>(all.points.size());
   all.first_stroke = fills.pieces.size();
   all.lights = std::move(fills.lights);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "displayfile/viewed_scene.h"
@@ -11,6 +12,9 @@ namespace displayfile {
 // that are visible and have a line style.
 
 std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
+/// Items of different segments or line styles are not drawn by one stroke: a number for each
+/// segment and style, by item. Empty if there is one.
+std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
 /// Throws Error for a method that finds no lines.
 FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options);
 

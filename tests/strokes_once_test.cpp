@@ -18,7 +18,7 @@ namespace {
 
 StrokeOfPicture stroke(const Point2& from, const Point2& to, std::uint32_t rank = 0,
                        std::uint32_t group = 0) {
-  return {{from, to}, rank, group, false};
+  return {{from, to}, rank, group, false, false};
 }
 
 std::vector<StrokePart> once(const std::vector<StrokeOfPicture>& strokes, double apart = 1e-9) {
@@ -129,6 +129,12 @@ TEST(StrokesOnce, ThatWereEnteredAreNeverAlone) {
   StrokeOfPicture entered = stroke({0.1, 0.1}, {0.2, 0.1});
   entered.is_entered = true;
   EXPECT_EQ(alone({entered}), std::vector<bool>{false});
+}
+
+TEST(StrokesOnce, ThatAreHiddenJoinNothing) {
+  StrokeOfPicture hidden = stroke({0.2, 0.1}, {0.2, 0.4}, 0, 1);
+  hidden.is_hidden = true;
+  EXPECT_EQ(alone({stroke({0.1, 0.1}, {0.2, 0.1}), hidden}), (std::vector<bool>{true, false}));
 }
 
 /// A group matters to what covers, not to what meets.

@@ -177,6 +177,42 @@ TEST(TouchingLines, TheFeetOfATableInARoomAreClosed) {
       {0.1, 0.1, 0.1}, 7.442114892993217);
 }
 
+/// The notch of a plate around a post, whose corners are on both sides of each of the post's faces.
+/// One face of the post is wider than the notch: beyond it the plate is passed through.
+TEST(TouchingLines, NoIntersectionAlongASideInTheOthersPlane) {
+  for (int degrees = 0; degrees < 90; ++degrees) {
+    SCOPED_TRACE(degrees);
+    for (const double wider : {0.0, 0.1}) {
+      GraphicsSystem g;
+      g.set_view_plane_normal({-1, -2, -2});
+      g.set_parallel({1, 2, 2});
+      g.rotate_x_3(degrees);
+      g.open_segment(1);
+      g.polygon_abs_3({{-0.9, 0, -0.7},
+                       {-0.3, 0, -0.7},
+                       {-0.3, 0, 0.1},
+                       {0.3, 0, 0.1},
+                       {0.3, 0, -0.7},
+                       {0.9, 0, -0.7},
+                       {0.9, 0, 0.7},
+                       {-0.9, 0, 0.7}});
+      const double x = 0.3 + wider;
+      g.polygon_abs_3({{-0.3, -0.2, 0.1}, {x, -0.2, 0.1}, {x, 0.4, 0.1}, {-0.3, 0.4, 0.1}});
+      g.close_segment();
+      const auto lines = intersection_lines(ViewedScene(g.display_file()).primitives(), 1);
+      ASSERT_EQ(lines.size(), wider > 0.0 ? 1u : 0u);
+      if (lines.empty()) continue;
+      // As long as the part beyond the notch.
+      const Primitives items = ViewedScene(g.display_file()).primitives();
+      const auto length = [](const Point3& a, const Point3& b) {
+        return glm::distance(Point2(a), Point2(b));
+      };
+      const double notch = length(items.points[2], items.points[3]);
+      EXPECT_NEAR(length(lines[0].start, lines[0].end), notch * wider / 0.6, 1e-12);
+    }
+  }
+}
+
 /// A wall that stands on a floor does not pass through it, whatever viewing makes of its foot.
 TEST(TouchingLines, NoIntersectionWherePolygonsTouch) {
   for (int degrees = 0; degrees < 90; ++degrees) {

@@ -42,11 +42,15 @@ void find_alone(std::span<const StrokeOfPicture> strokes, double apart,
   }
   const std::vector<std::uint32_t> first = first_within(ends, apart);
   std::vector<std::uint32_t> met(ends.size(), 0);
-  for (const std::uint32_t k : first) ++met[k];
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (!strokes[parts[k / 2].stroke].is_hidden) ++met[first[k]];
+  }
   for (std::size_t k = 0; k < parts.size(); ++k) {
+    const StrokeOfPicture& stroke = strokes[parts[k].stroke];
     const std::uint32_t from = first[2 * k], to = first[2 * k + 1];
     const std::uint32_t own = from == to ? 2 : 1;
-    parts[k].is_alone = !strokes[parts[k].stroke].is_entered && met[from] == own && met[to] == own;
+    const bool may_be = !stroke.is_entered && !stroke.is_hidden;
+    parts[k].is_alone = may_be && met[from] == own && met[to] == own;
   }
 }
 

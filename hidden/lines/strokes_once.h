@@ -15,14 +15,15 @@ struct StrokeOfPicture {
   std::uint32_t rank = 0;   ///< where strokes lie on each other the lowest is drawn
   std::uint32_t group = 0;  ///< those that look alike; others are drawn over each other
   bool is_entered = false;  ///< as it is, by the application: it is no crumb
+  bool is_hidden = false;   ///< and drawn nevertheless: it is no crumb, and joins none
 };
 
 /// What is drawn of a stroke: from and to are shares of it.
 struct StrokePart {
   std::uint32_t stroke;
   double from, to;
-  /// No end of another stroke is where one of its ends is: it is a crumb if it is shorter than the
-  /// pen is wide.
+  /// No end of another stroke that is seen is where one of its ends is: it is a crumb if it is
+  /// shorter than the pen is wide.
   bool is_alone;
   bool is_whole() const { return from == 0.0 && to == 1.0; }
 };

@@ -357,34 +357,45 @@ std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint
   const int way = line.b > 0 || (line.b == 0 && line.a < 0) ? 1 : -1;
   line.ahead_x = way * line.b;
   line.ahead_y = -way * line.a;
-  const ExactParts parts = common(inside(item_a, line), inside(item_b, line));
+  const ExactParts parts = common(inside(item_a, item_b, line), inside(item_b, item_a, line));
   if (parts.empty() || share_a_side(items_.points(item_a), items_.points(item_b))) return lines;
   if (touches(item_a, item_b, line) || touches(item_b, item_a, line)) return lines;
   for (const ExactPart& part : parts) lines.push_back(between(line, part, *p));
   return lines;
 }
 
+/// Which corners are within reach of the other's plane as entered.
+std::vector<bool> LineHiders::corners_on_plane(std::uint32_t item, std::uint32_t other) const {
+  using Place = EndsAsEntered::Place;
+  const auto corners = static_cast<std::uint32_t>(items_.points(item).size());
+  std::vector<bool> are_on(corners, false);
+  for (std::uint32_t k = 0; items_.some_touch() && k < corners; ++k) {
+    const std::uint32_t next = (k + 1) % corners;
+    are_on[k] = items_.places({item, k}, other)[1] == Place::on_plane &&
+                items_.places({item, next}, other)[0] == Place::on_plane;
+  }
+  return are_on;
+}
+
 /// All corners on the one side of the line are within reach of the other's plane as entered.
 bool LineHiders::touches(std::uint32_t item, std::uint32_t other, const FlatLine& line) const {
-  using Place = EndsAsEntered::Place;
   if (!items_.some_touch()) return false;
   const std::span<const Point3> points = items_.points(item);
+  const std::vector<bool> are_on = corners_on_plane(item, other);
   bool left = false, right = false;
   for (std::uint32_t k = 0; k < points.size(); ++k) {
     const int side =
         sgn(line.c - line.a * scaled(points[k].x, places_) - line.b * scaled(points[k].y, places_));
-    const auto next = static_cast<std::uint32_t>((k + 1) % points.size());
-    const bool is_on_plane = items_.places({item, k}, other)[1] == Place::on_plane &&
-                             items_.places({item, next}, other)[0] == Place::on_plane;
-    left |= side > 0 && !is_on_plane;
-    right |= side < 0 && !is_on_plane;
+    left |= side > 0 && !are_on[k];
+    right |= side < 0 && !are_on[k];
   }
   return !(left && right);
 }
 
 /// Where points close to the line, left and right of it, are inside by even-odd; united, so that a
-/// place where the boundary only touches it is no end.
-ExactParts LineHiders::inside(std::uint32_t item, const FlatLine& line) const {
+/// place where the boundary only touches it is no end. The ends of a side that lies in the other's
+/// plane as entered are on the line.
+ExactParts LineHiders::inside(std::uint32_t item, std::uint32_t other, const FlatLine& line) const {
   struct Vertex {
     Integer aside, place;
   };
@@ -392,6 +403,10 @@ ExactParts LineHiders::inside(std::uint32_t item, const FlatLine& line) const {
   for (const Point3& at : items_.points(item)) {
     const Integer x = scaled(at.x, places_), y = scaled(at.y, places_);
     vertices.push_back({line.c - line.a * x - line.b * y, line.ahead_x * x + line.ahead_y * y});
+  }
+  const std::vector<bool> are_on = corners_on_plane(item, other);
+  for (std::size_t k = 0, before = vertices.size() - 1; k < vertices.size(); before = k++) {
+    if (are_on[k] && are_on[before]) vertices[k].aside = vertices[before].aside = 0;
   }
   std::array<ExactParts, 2> of_sides;
   for (const int side : {1, -1}) {

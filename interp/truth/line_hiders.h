@@ -106,8 +106,9 @@ class LineHiders {
   struct FlatLine {
     Integer a, b, c, ahead_x, ahead_y;
   };
+  std::vector<bool> corners_on_plane(std::uint32_t item, std::uint32_t other) const;
   bool touches(std::uint32_t item, std::uint32_t other, const FlatLine& line) const;
-  ExactParts inside(std::uint32_t item, const FlatLine& line) const;
+  ExactParts inside(std::uint32_t item, std::uint32_t other, const FlatLine& line) const;
   ExactLine between(const FlatLine& line, const ExactPart& part, const DepthPlane& plane) const;
 
   void enter_solids(int threads);

@@ -2,7 +2,10 @@
 
 #include <vector>
 
+#include "clip/point.h"
+#include "hidden/lines/lines_in_order.h"
 #include "hidden/lines/strokes_once.h"
+#include "hidden/lines/visible_lines.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -13,5 +16,10 @@ class ViewedScene;
 /// numbers from 0) as a picture has them: each place of the strokes of one segment and style once,
 /// and those known that join no other (hidden/lines/strokes_once.md).
 std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPieces& pieces);
+
+/// What is drawn in a picture of what is seen of a scene's lines: each place once, without crumbs.
+/// `pixels` is the picture's size in the unit of widths; 0: crumbs are drawn too.
+std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const FoundLines& found,
+                                            const Point2& pixels);
 
 }  // namespace displayfile

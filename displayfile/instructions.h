@@ -369,6 +369,10 @@ class TransformedVisitor {
   void corner_cuts(std::span<const std::uint8_t> cuts) {
     if constexpr (requires { visit_.corner_cuts(cuts); }) visit_.corner_cuts(cuts);
   }
+  bool is_crumb(const Point3& from, const Point3& to) const requires requires(const Visitor& v) {
+    v.is_crumb(from, to);
+  }
+  { return visit_.is_crumb(matrix_.apply(from), matrix_.apply(to)); }
   void text_style(const TextStyle& s) {
     if constexpr (requires { visit_.text_style(s); }) visit_.text_style(s);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "displayfile/drawn_strokes.h"
+
 namespace displayfile {
 
 namespace {
@@ -20,6 +22,11 @@ std::size_t count(const SortedScene& sorted, bool lines) {
 }
 
 }  // namespace
+
+std::span<const StrokePart> OrderedScene::strokes_of_picture() const {
+  std::call_once(of_picture->are_found, [&] { of_picture->parts = drawn_strokes(*scene, pieces); });
+  return of_picture->parts;
+}
 
 bool SortedScene::has_shadows() const {
   return std::ranges::any_of(parts, [](const auto& part) { return part->scene->has_shadows(); });

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,6 +18,7 @@
 #include "displayfile/viewed_scene.h"
 #include "hidden/hidden_method.h"
 #include "hidden/line_cuts.h"
+#include "hidden/lines/strokes_once.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -40,6 +43,16 @@ struct SortCounts {
 struct OrderedScene {
   std::shared_ptr<const ViewedScene> scene;
   SortedPieces pieces;  ///< of the scene's items
+
+  /// Its strokes as a picture has them (displayfile/drawn_strokes.h). They are found when they are
+  /// first needed, by whichever thread.
+  std::span<const StrokePart> strokes_of_picture() const;
+
+  struct StrokesOfPicture {
+    std::once_flag are_found;
+    std::vector<StrokePart> parts;
+  };
+  std::shared_ptr<StrokesOfPicture> of_picture = std::make_shared<StrokesOfPicture>();
 };
 
 /// What the hidden-surface check makes of one segment, or of several together: scenes of which none
@@ -64,6 +77,9 @@ struct SortedScene {
   /// and, if the visitor has them, line_kinds(LineKinds), line_pick(int) and line_cuts(LineCuts) of
   /// the lines that follow, kDrawn, -1 and none at first; and corner_cuts(span<const uint8_t>)
   /// before a polygon of which a side that is drawn was cut: 1 for each corner where it was.
+  /// A visitor that draws a picture has is_crumb(Point3, Point3), which tells whether a stroke of
+  /// the line style in force is shorter than its pen is wide: it gets strokes as pictures have them
+  /// (OrderedScene::strokes_of_picture), without crumbs.
   /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
   /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
   /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
@@ -94,19 +110,20 @@ class PieceWriter {
   }
   /// What is drawn as lines after all polygons.
   void save_strokes(const OrderedScene& ordered) {
-    save_pieces(ordered, ordered.pieces.first_stroke, ordered.pieces.pieces.size());
+    const std::size_t first = ordered.pieces.first_stroke;
+    if constexpr (kDrawsPicture) {
+      for (const StrokePart& part : ordered.strokes_of_picture()) {
+        part_ = part;
+        save_piece(ordered, first + part.stroke);
+      }
+      part_ = kWholeStroke;
+    } else {
+      save_pieces(ordered, first, ordered.pieces.pieces.size());
+    }
   }
 
   void save_pieces(const OrderedScene& ordered, std::size_t from, std::size_t to) {
-    ordered_ = &ordered;
-    for (std::size_t k = from; k < to; ++k) {
-      const SortedPiece& piece = ordered.pieces.pieces[k];
-      is_hidden_ = ordered.pieces.is_hidden(k);
-      is_stroke_ = ordered.pieces.is_stroke(k);
-      light_ = ordered.pieces.light(k);
-      if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
-      send_to_df(piece);
-    }
+    for (std::size_t k = from; k < to; ++k) save_piece(ordered, k);
   }
 
   /// What follows names its segment, whichever it is.
@@ -128,6 +145,21 @@ class PieceWriter {
 
  private:
   using Lit = SortedPieces::Lit;
+  static constexpr bool kDrawsPicture = requires(const Visitor& v) {
+    v.is_crumb(Point3(), Point3());
+  };
+  static constexpr StrokePart kWholeStroke{0, 0.0, 1.0, false};
+
+  void save_piece(const OrderedScene& ordered, std::size_t k) {
+    ordered_ = &ordered;
+    const SortedPiece& piece = ordered.pieces.pieces[k];
+    is_hidden_ = ordered.pieces.is_hidden(k);
+    is_stroke_ = ordered.pieces.is_stroke(k);
+    light_ = ordered.pieces.light(k);
+    if (!scene().segments().empty()) check_segment(scene().segment_name(piece.item));
+    send_to_df(piece);
+  }
+
   /// Whose fill style is in force, and in which light.
   struct ItemOfScene {
     const ViewedScene* scene = nullptr;
@@ -165,6 +197,9 @@ class PieceWriter {
         check_line_kinds(kDrawn);
       }
       check_line_pick(is_line ? piece.item : ordered_->pieces.pick_item(piece));
+      if constexpr (kDrawsPicture) {
+        if (part_.is_alone && visit_.is_crumb(points[0], points[1])) return;
+      }
       check_line_cuts(piece, points);
       if (!pen_known_ || pen_ != points[0]) visit_.move(points[0]);
       visit_.line(points[1]);
@@ -226,6 +261,7 @@ class PieceWriter {
     LineCuts cuts;
     if (is_stroke_) {
       cuts = ordered_->pieces.stroke_cuts(piece);
+      cuts = {cuts.at_start && part_.from == 0.0, cuts.at_end && part_.to == 1.0};
     } else {
       const PointRow ends = scene().points(piece.item);
       cuts = {part[0] != ends[0], part[1] != ends[1]};
@@ -256,9 +292,13 @@ class PieceWriter {
     visit_.corner_cuts(std::span<const std::uint8_t>(cut_corners_));
   }
 
-  PointRow points_of(const SortedPiece& piece) const {
+  PointRow points_of(const SortedPiece& piece) {
     if (piece.first == SortedPiece::kWhole) return scene().points(piece.item);
-    return std::span(ordered_->pieces.points).subspan(piece.first, piece.sides);
+    const auto points = std::span(ordered_->pieces.points).subspan(piece.first, piece.sides);
+    if (part_.is_whole()) return points;
+    part_points_ = {part_.at(points[0], points[1], part_.from),
+                    part_.at(points[0], points[1], part_.to)};
+    return std::span<const Point3>(part_points_);
   }
 
   /// A piece of an edge-on polygon may be a single side; a polygon instruction has three or more.
@@ -324,7 +364,9 @@ class PieceWriter {
   Visitor& visit_;
   const OrderedScene* ordered_ = nullptr;
   bool is_hidden_ = false, is_stroke_ = false;  // the piece that is sent
-  Lit light_ = Lit::unknown;                    // likewise
+  StrokePart part_ = kWholeStroke;              // likewise, of a stroke
+  std::array<Point3, 2> part_points_;
+  Lit light_ = Lit::unknown;  // likewise
   ItemOfScene fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;

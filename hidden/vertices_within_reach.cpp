@@ -207,9 +207,11 @@ void find_along(std::span<const Point3> points, std::span<const SideOfPoints> al
   for (const std::uint32_t k : sides) {
     const auto& [from, to] = all[k];
     const Point3 way = points[to] - points[from];
-    const End a = end_at(from), b = end_at(to);
-    const auto last = std::ranges::upper_bound(ends, std::max(a, b));
-    for (auto at = std::ranges::lower_bound(ends, std::min(a, b)); at != last; ++at) {
+    // A short side may be of another direction than the longest: its ends tell little then.
+    const double a = end_at(from).place, b = end_at(to).place;
+    const double low = std::min(a, b), high = std::max(a, b);
+    const auto last = std::ranges::upper_bound(ends, high + reach, {}, &End::place);
+    for (auto at = std::ranges::lower_bound(ends, low - reach, {}, &End::place); at != last; ++at) {
       if (at->vertex == from || at->vertex == to) continue;
       const Point3 off = points[at->vertex] - points[from];
       const double share = glm::dot(off, way) / glm::dot(way, way);

@@ -55,6 +55,9 @@ struct DrawOptions {
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected.
   int samples = 1;
+  /// Pieces of lines are drawn that are shorter than they are wide, and join no other
+  /// (hidden/lines/strokes_once.md).
+  bool crumbs = false;
   /// Vectors for pens: on A4 unless another paper is said. `hidden` must then be a method that
   /// leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is franklin, or
   /// where fills are hatched the map.

@@ -4,6 +4,7 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/vertex_shading.h"
+#include "hidden/lines/strokes_once.h"
 
 namespace displayfile {
 
@@ -61,6 +62,9 @@ struct Interpretation {
     }
     if (!in_segment_before) end_segment();
     device.end_disjoint_fills();
+  }
+  bool is_crumb(const Point3& from, const Point3& to) const {
+    return is_shorter_than_wide(Point2(from), Point2(to), device.pixels(), style.width);
   }
   void move(const Point3& p) { pen = p; }
   void line(const Point3& p) {

@@ -54,6 +54,10 @@ struct DrawnLine {
 class OutputDevice {
  public:
   virtual ~OutputDevice() = default;
+  /// The picture's size in pixels, or in whatever the widths of lines are: strokes that are shorter
+  /// than their lines are wide, and join no other, are left out (hidden/lines/strokes_once.md). 0:
+  /// all are drawn.
+  virtual Point2 pixels() const { return Point2(0.0); }
   /// The instructions that follow, up to end_segment, are the segment's.
   virtual void begin_segment(int /*name*/) {}
   virtual void end_segment() {}

@@ -55,6 +55,7 @@ inline constexpr double kClosestHatching = 0.05;
 /// order in which the pen travels little (interp/vector/pens/README.md).
 struct Pens {
   std::optional<Hatching> hatching{};  ///< none: fills are not drawn
+  bool crumbs = false;                 ///< as VectorOptions::crumbs
   bool operator==(const Pens&) const = default;
 };
 /// Throws Error for lengths or angles that are out of their range.

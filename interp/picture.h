@@ -58,6 +58,7 @@ struct RasterRequest {
   /// (hidden/lines/README.md); an order of polygons has those that it was made with.
   HiddenLines hidden_lines = HiddenLines::none;
   bool intersections = false;
+  bool crumbs = false;  ///< as DrawOptions::crumbs
   bool texts = true;  ///< drawn over the pixels: not where these are not kept
   int threads = 1;
   double line_scale = 1.0;  ///< of the widths and dashes of lines

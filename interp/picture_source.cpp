@@ -30,6 +30,7 @@ RasterRequest raster_request(const DrawOptions& options) {
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
   request.threads = options.threads;
+  request.crumbs = options.crumbs;
   return request;
 }
 

@@ -49,7 +49,10 @@ class DisplayFileSource : public PictureSource {
         device_(device_of(options.device)),
         pens_(options.pens),
         vectors_(options.vectors),
-        kept_(kept) {}
+        kept_(kept) {
+    vectors_.crumbs |= options.crumbs;
+    if (pens_) pens_->crumbs |= options.crumbs;
+  }
 
   Picture draw(const RasterRequest& request) const override {
     return device_.draw(file_, request, kept_);

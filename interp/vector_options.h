@@ -22,6 +22,7 @@ struct VectorOptions {
   Seams seams = Seams::trapped;
   /// The picture as large as fits, on a sheet of this size; none: in pixels, or points.
   std::optional<Paper> paper = std::nullopt;
+  bool crumbs = false;    ///< strokes are drawn that are shorter than they are wide, and join none
   bool pick_ids = false;  ///< each pick identifier is an element of its own, and named; of SVG
 
   static constexpr double kFinestPrecision = 0.001, kCoarsestPrecision = 1.0;

@@ -61,6 +61,10 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   meshes.add_to(command);
   hidden_surfaces.add_to(command);
   vectors.add_to(command);
+  command
+      .add_flag("--crumbs", options.crumbs,
+                "draw pieces of lines too that are shorter than they are wide and join no other")
+      ->group(kHiddenSurfaceOptions);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
       .add_option("--pick", pick,

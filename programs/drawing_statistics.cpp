@@ -46,6 +46,46 @@ std::string sort_counts(const DisplayFile& file, HiddenMethod method,
       counts.cuts, counts.comparisons, counts.depth);
 }
 
+/// Counts the strokes that a picture leaves out.
+class CrumbCounter {
+ public:
+  explicit CrumbCounter(const Point2& pixels) : pixels_(pixels) {}
+  std::size_t count() const { return count_; }
+
+  bool is_crumb(const Point3& from, const Point3& to) const {
+    const bool is_one =
+        is_shorter_than_wide(Point2(from), Point2(to), pixels_, style_.width);
+    count_ += is_one ? 1 : 0;
+    return is_one;
+  }
+  void fill(const FillStyle&) {}
+  void line_style(const LineStyle& style) { style_ = style; }
+  void pick(std::int32_t) {}
+  void move(const Point3&) {}
+  void line(const Point3&) {}
+  void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
+
+ private:
+  Point2 pixels_;
+  LineStyle style_;
+  mutable std::size_t count_ = 0;
+};
+
+/// Nothing where none are left out.
+std::string crumb_counts(const DisplayFile& file, const DrawOptions& options) {
+  if (options.crumbs) return "";
+  CrumbCounter counter(Point2(options.width, options.height));
+  if (file.sorted() != nullptr) {
+    file.sorted()->walk(counter);
+  } else {
+    for (const Segment& segment : file.segments()) {
+      if (segment.visible && segment.sorted() != nullptr) segment.walk_drawn(counter);
+    }
+  }
+  if (counter.count() == 0) return "";
+  return fmt::format("crumbs left out    {}\n", counter.count());
+}
+
 /// How many of the polygons lie in planes that they share, as they were entered.
 std::string touching_counts(const DisplayFile& file) {
   const ViewedScene scene(file);
@@ -105,7 +145,8 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
       polygons, lines, touching_counts(file), text_counts(file, method), file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
       options.width, options.height, name_of(method));
-  return text + sort_counts(file, method, drawn) + exact_stage_counts();
+  return text + sort_counts(file, method, drawn) + crumb_counts(file, options) +
+         exact_stage_counts();
 }
 
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,

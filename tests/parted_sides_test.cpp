@@ -80,6 +80,16 @@ TEST(PartedSides, HaveTheEndsThatLieAlongThemInOrder) {
   EXPECT_TRUE(along(5).empty());
 }
 
+/// Short sides are looked at together with long ones of other directions.
+TEST(PartedSides, HaveTheEndsThatAreBesideThem) {
+  const std::vector<Point3> points{{0, 0, 0}, {3, 0, 0},      {2, 0, 0},
+                                   {2, 1, 0}, {2.005, 0.5, 0}, {3, 0.5, 0}};
+  const std::vector<SideOfPoints> sides{{0, 1}, {2, 3}, {4, 5}};
+  const PartedSides parted(points, sides, 0.01);
+  ASSERT_EQ(parted.along(1).size(), 1u);
+  EXPECT_EQ(parted.along(1)[0], 4u);
+}
+
 // ---- Solids ------------------------------------------------------------------------------------
 
 /// A prism over an L, whose faces run counterclockwise seen from outside; the ends of the L are two

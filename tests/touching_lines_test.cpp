@@ -186,6 +186,8 @@ TEST(TouchingLines, NoIntersectionAlongASideInTheOthersPlane) {
       GraphicsSystem g;
       g.set_view_plane_normal({-1, -2, -2});
       g.set_parallel({1, 2, 2});
+      g.set_window(-3, 3, -3, 3);
+      g.set_view_depth(-5, 5);
       g.rotate_x_3(degrees);
       g.open_segment(1);
       g.polygon_abs_3({{-0.9, 0, -0.7},

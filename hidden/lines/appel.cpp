@@ -56,7 +56,11 @@ class Appel {
       return parts_.hidden();
     }
     const auto number = static_cast<std::size_t>(&line - scene_.lines.lines().data());
-    const auto& [found, from, to, start] = counts_.of_lines[number];
+    const auto& [found, from, to, start, is_near] = counts_.of_lines[number];
+    if (is_near) {
+      compare_with_all(line);
+      return parts_.hidden();
+    }
     add_hidden(counts_.start[start], std::span(counts_.changes[found]).subspan(from, to - from));
     compare(line);
     return parts_.hidden();
@@ -166,7 +170,7 @@ CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy,
     while (end < lines.size() && lines[end].name == lines[first].name) ++end;
     const auto of_depths = std::span(counts.of_lines).subspan(first, end - first);
     const auto found = static_cast<std::uint32_t>(k / kLinesAtATime);
-    for (ChangesOfLine& of : of_depths) of = {found, 0, 0, static_cast<std::uint32_t>(k)};
+    for (ChangesOfLine& of : of_depths) of = {found, 0, 0, static_cast<std::uint32_t>(k), false};
     counted[k] = follower.follow(first, carries, counts.changes[found], of_depths);
   });
   const auto make = [&] { return LineFollower(scene, policy); };

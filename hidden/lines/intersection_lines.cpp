@@ -141,6 +141,7 @@ class Intersections {
       const bool in_order = sign * p[axis] < sign * q[axis];
       const double low = sign * (in_order ? p : q)[axis], high = sign * (in_order ? q : p)[axis];
       const double crumb = std::max(kCrumb, 4.0 * std::min(items_.touching, kCrumbAtMost));
+      if (std::abs(to[axis] - from[axis]) <= crumb) continue;
       if (std::min(high, sign * to[axis]) - std::max(low, sign * from[axis]) <= crumb) {
         others_.push_back(part);
         continue;

@@ -29,10 +29,13 @@ class LineAgainstPolygon {
     other_ = LineScene::kNone;
     if (line.by_plane) own_plane_ = scene_.plane(own_);
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
+    near_ = {Point2(line_.a), Point2(line_.b), scene_.off_lines()};
     if (const IntersectionLine* intersection = scene_.intersection(line)) look_at(*intersection);
   }
 
   const DepthLine& line() const { return line_; }
+  /// The point is on the line looked at, for a corner of a polygon.
+  bool is_near(const Point2& p) const { return near_.has(p); }
   /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
@@ -70,6 +73,7 @@ class LineAgainstPolygon {
     const std::array planes{scene_.plane(own_), scene_.plane(other_)};
     common_.emplace(scene_.points(), planes, line.from, line.to);
     line_.common = &*common_;
+    near_ = {};
   }
 
   /// Finds the sides of the line that the polygon's vertices are on; false if it covers nothing
@@ -77,11 +81,16 @@ class LineAgainstPolygon {
   bool reaches_over(std::uint32_t polygon) {
     const std::uint32_t sides = scene_.sides(polygon);
     side_.resize(sides);
+    is_near_.assign(sides, 0);
     std::uint32_t left = 0, right = 0;
     a_is_corner_ = b_is_corner_ = false;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point3& corner = scene_.corner(polygon, k);
-      const int side = policy_.side(line_, corner);
+      int side = policy_.side(line_, corner);
+      if (side != 0 && near_.has(Point2(corner))) {
+        is_near_[k] = 1;
+        side = 0;
+      }
       side_[k] = static_cast<std::int8_t>(side);
       if (side == 0) note_end(polygon, k);
       left += side > 0;
@@ -134,14 +143,19 @@ class LineAgainstPolygon {
       const bool on_right = (side_[k] < 0) != (side_[next] < 0);
       if (!on_left && !on_right) continue;
       const Point2 p(scene_.corner(polygon, k)), q(scene_.corner(polygon, next));
-      const double t = side_[k] == 0      ? policy_.at_point(line_, p)
-                       : side_[next] == 0 ? policy_.at_point(line_, q)
+      const double t = side_[k] == 0      ? place(k, p)
+                       : side_[next] == 0 ? place(next, q)
                                           : policy_.crossing(line_, p, q);
       if (on_left) left_.push_back(t);
       if (on_right) right_.push_back(t);
     }
     if (left_.size() > 1) std::ranges::sort(left_);
     if (right_.size() > 1) std::ranges::sort(right_);
+  }
+
+  /// Of a corner that is on the line.
+  double place(std::uint32_t corner, const Point2& p) const {
+    return is_near_[corner] != 0 ? near_.place(p) : policy_.at_point(line_, p);
   }
 
   template <class Add>
@@ -166,7 +180,9 @@ class LineAgainstPolygon {
   std::optional<CommonLine> common_;
   std::uint32_t own_ = LineScene::kNone, other_ = LineScene::kNone;
   bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
-  std::vector<std::int8_t> side_;                   // of the line, each vertex of the polygon
+  NearLine near_;
+  std::vector<std::uint8_t> is_near_;  // corners that are not quite on the line
+  std::vector<std::int8_t> side_;      // of the line, each vertex of the polygon
   std::vector<double> left_, right_;
   WorkSteps steps_;
 };

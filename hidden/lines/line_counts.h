@@ -53,7 +53,10 @@ class LineCounts {
              const Policy& policy)
       : scene_(scene), contours_(contours), far_planes_(far_planes), policy_(policy) {}
 
-  void look_at(const Point3& a, const Point3& b) { line_ = {a, b, nullptr}; }
+  void look_at(const Point3& a, const Point3& b) {
+    line_ = {a, b, nullptr};
+    near_ = {Point2(a), Point2(b), scene_.off_lines()};
+  }
 
   /// The change where the line passes behind a side from p to q that has so many more polygons on
   /// its left than on its right: true if it does, between its ends.
@@ -63,6 +66,10 @@ class LineCounts {
     return find_crossing(p, turn(p), q, turn(q), at) && !is_before_start(at) && is_before_end(at) &&
            passes_behind(at, more_on_left, change);
   }
+
+  /// Whether the point is not on the line, and is taken for one that is where the line is compared
+  /// with polygons (hidden/lines/near_line.h).
+  bool is_taken_for_on_line(const Point3& p) const { return near_.has(Point2(p)) && turn(p) != 0; }
 
   /// Whether the line is a side of the polygon. Then the polygon is not counted along it.
   bool is_side_of(std::uint32_t polygon) const {
@@ -280,6 +287,7 @@ class LineCounts {
   const ContourEdges& contours_;
   const FarPlanes& far_planes_;
   const Policy& policy_;
+  NearLine near_;
   DepthLine line_{};
 };
 

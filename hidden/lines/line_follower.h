@@ -76,6 +76,7 @@ struct AppelScene {
 /// start's counts.
 struct ChangesOfLine {
   std::uint32_t found, from, to, start;
+  bool is_near = false;  ///< a contour's corner, but not on it: it is to be compared with all
 };
 
 /// Finds what changes the counts along lines, and what their vertices' stars add to them.
@@ -124,8 +125,9 @@ class LineFollower {
     counts_.look_at(a, b);
     if (carries[counted.from] != 0) counted.star_from = star(counted.from);
     Extent box = Extent::nothing();
-    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)));
-    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)));
+    const double off = lines_.off_lines();
+    box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)), off);
+    box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)), off);
     counted.change = pass_contours(box);
     bool has_other_depths = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
@@ -144,6 +146,7 @@ class LineFollower {
       if (!depth.by_plane) counted.change += wrong;
       at_own_depth |= !depth.by_plane;
       of_depths[i].to = static_cast<std::uint32_t>(changes.size());
+      of_depths[i].is_near = is_near_;
       std::ranges::sort(changes.begin() + of_depths[i].from, changes.end(),
                         [](const CountChange& p, const CountChange& q) { return p.at < q.at; });
     }
@@ -213,8 +216,11 @@ class LineFollower {
   /// Notes the changes where the line passes behind contour edges; returns all of them together.
   SideCounts pass_contours(const Extent& box) {
     passed_.clear();
+    is_near_ = false;
     SideCounts all;
     scene_.contours.any(box, [&](const ContourEdges::Edge& edge) {
+      is_near_ =
+          is_near_ || counts_.is_taken_for_on_line(edge.p) || counts_.is_taken_for_on_line(edge.q);
       CountChange change{};
       if (counts_.passes_behind(edge.p, edge.q, edge.more_on_left, change)) {
         passed_.push_back(change);
@@ -270,6 +276,7 @@ class LineFollower {
   const Policy& policy_;
   LineCounts<Policy> counts_;
   LineAgainstPolygon<Policy> depths_;
+  bool is_near_ = false;  // of the line that is followed
   std::vector<CountChange> passed_;
   std::vector<std::uint32_t> near_, doubtful_, sharers_;
 };

@@ -65,10 +65,21 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
     support_[i] = support_of(i);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
+    if (hides(i)) widen(extents_[i]);
   });
   find_uneven(threads);
   add_lines();
   add_intersections();
+}
+
+/// Lines are compared with polygons beside which they are so close.
+void LineScene::widen(Extent& box) const {
+  const double off = off_lines();
+  if (!(off > 0.0)) return;
+  box.x_min = rounded_down(box.x_min - off);
+  box.y_min = rounded_down(box.y_min - off);
+  box.x_max = -rounded_down(-(box.x_max + off));
+  box.y_max = -rounded_down(-(box.y_max + off));
 }
 
 void LineScene::require_names(const Primitives& items, std::span<const LineName> names) {

@@ -9,6 +9,7 @@
 #include "hidden/exact/plane.h"
 #include "hidden/extents.h"
 #include "hidden/lines/intersection_lines.h"
+#include "hidden/lines/near_line.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
 
@@ -84,6 +85,8 @@ class LineScene {
   bool has_rests(std::uint32_t item) const { return items_.plane_rest(item) != Point3(0.0); }
   /// As Primitives::touching; infinite where what is within reach may be anywhere.
   double touching() const { return touching_; }
+  /// How far a corner may be off a line that is on it (hidden/lines/near_line.h).
+  double off_lines() const { return displayfile::off_lines(touching_, items_.rounding); }
   /// No point of the scene has a larger sum of shares in three of them, times the double area of
   /// their triangle in the projection (hidden/lines/end_on_plane.h).
   double most_shares() const { return most_shares_; }
@@ -127,6 +130,7 @@ class LineScene {
   OffPlane off_plane(std::uint32_t item, std::uint32_t corner) const {
     return off_plane_.empty() ? OffPlane::none : off_plane_[first_corner_[item] + corner];
   }
+  void widen(Extent& box) const;
   Support support_of(std::uint32_t item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.

@@ -70,7 +70,7 @@ std::vector<StrokePart> strokes_once(std::span<const StrokeOfPicture> strokes, d
 bool is_shorter_than_wide(const Point2& from, const Point2& to, const Point2& pixels,
                           double width) {
   const Point2 way = (to - from) * pixels;
-  return std::hypot(way.x, way.y) < width;
+  return pixels.x > 0.0 && std::hypot(way.x, way.y) < width;
 }
 
 }  // namespace displayfile

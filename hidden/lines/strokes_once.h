@@ -26,6 +26,11 @@ struct StrokePart {
   /// shorter than the pen is wide.
   bool is_alone;
   bool is_whole() const { return from == 0.0 && to == 1.0; }
+  /// The point at a share of the stroke, which runs from the one to the other.
+  static Point3 at(const Point3& start, const Point3& end, double share) {
+    if (share == 0.0) return start;
+    return share == 1.0 ? end : start + share * (end - start);
+  }
 };
 
 /// Strokes as a draughtsman draws them (hidden/lines/strokes_once.md): where several of a group lie
@@ -35,7 +40,7 @@ std::vector<StrokePart> strokes_once(std::span<const StrokeOfPicture> strokes,
                                      double apart = kLinesApart);
 
 /// True if a stroke from one point to the other is shorter than a pen is wide. `pixels` is the
-/// picture's size in the units of that width.
+/// picture's size in the units of that width; 0: none is.
 bool is_shorter_than_wide(const Point2& from, const Point2& to, const Point2& pixels, double width);
 
 }  // namespace displayfile

@@ -123,6 +123,7 @@ class TriangleCollector final : public OutputDevice {
   TriangleCollector(TriangleList& list, int width, int height)
       : list_(list), width_(width), height_(height) {}
 
+  Point2 pixels() const override { return {width_, height_}; }
   void fill(const DrawnPolygon& polygon) override {
     require_in_range(polygon.vertices);
     const SupportVertices support = support_vertices(polygon.vertices);

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "displayfile/drawn_strokes.h"
 #include "displayfile/scene_lines.h"
 
 namespace displayfile {
@@ -33,9 +34,9 @@ LinesOverFills::Group lines_of(std::shared_ptr<const ViewedScene> scene,
   options.precision = wanted.precision;
   options.threads = threads;
   options.intersections = wanted.intersections;
-  FoundLines found = find_lines(*group.scene, HiddenMethod::franklin, options);
+  const FoundLines found = find_lines(*group.scene, HiddenMethod::franklin, options);
   if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, found);
-  group.pieces = std::move(found.seen.pieces);
+  group.pieces = pieces_of_picture(*group.scene, found, wanted.pixels);
   return group;
 }
 
@@ -45,8 +46,8 @@ bool is_sorted_in_order(const Segment& segment) {
 
 }  // namespace
 
-LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted) {
-  return {sorted.precision, sorted.hidden_lines, sorted.intersections};
+LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted, const Point2& pixels) {
+  return {sorted.precision, sorted.hidden_lines, sorted.intersections, pixels};
 }
 
 void LinesOverFills::clear() {
@@ -65,13 +66,14 @@ void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const
   all_ = lines_of(scene, wanted, threads);
 }
 
-void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, int threads) {
+void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const Point2& pixels,
+                                          int threads) {
   all_.reset();
   auto before = std::exchange(of_segments_, {});
   for (const Segment& segment : display_file.segments()) {
     if (!is_sorted_in_order(segment)) continue;
     const auto kept = before.find(segment.name());
-    const Wanted wanted = Wanted::by(*segment.sorted());
+    const Wanted wanted = Wanted::by(*segment.sorted(), pixels);
     const auto will_do = [&](const OfSegment& old) {
       return old.entered == segment.entered() && old.image == segment.image &&
              old.group.wanted == wanted;

@@ -23,9 +23,10 @@ class LinesOverFills {
     Precision precision = {};
     HiddenLines hidden = HiddenLines::none;  ///< drawn too
     bool intersections = false;              ///< where polygons pass through each other
+    Point2 pixels{0.0};  ///< OutputDevice::pixels, in the unit of widths as they are set
     bool operator==(const Wanted& o) const = default;
     /// What an order of polygons was made with, which has the same lines.
-    static Wanted by(const SortedScene& sorted);
+    static Wanted by(const SortedScene& sorted, const Point2& pixels);
   };
   /// A line that is drawn as a whole.
   struct Stroke {
@@ -56,7 +57,7 @@ class LinesOverFills {
   void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted, int threads);
   /// Those of each visible segment that has an order of polygons of its own: those that the order
   /// was made with.
-  void take_sorted_segments(const DisplayFile& display_file, int threads);
+  void take_sorted_segments(const DisplayFile& display_file, const Point2& pixels, int threads);
 
   /// Null if they are not found together.
   const Group* all() const { return all_ ? &*all_ : nullptr; }

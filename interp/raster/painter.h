@@ -21,6 +21,7 @@ class Painter : public OutputDevice {
   Painter(const RasterBand& band, const LinesOverFills& found, double line_scale)
       : band_(band), lines_(band.region, found, line_scale) {}
 
+  Point2 pixels() const override { return band_.pixels(); }
   void begin_segment(int name) override { lines_.begin_segment(name); }
   void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;

@@ -21,13 +21,14 @@ struct RowRange {
 struct RasterBand {
   RasterBand(Picture& picture_, const PictureSize& size, std::uint32_t background_,
              const RowRange& held, const RowRange& drawn, const Shadows* shadows_ = nullptr,
-             bool shows_fills_ = true)
+             bool shows_fills_ = true, bool crumbs_ = false)
       : picture(picture_),
         background(background_),
         region{size, drawn.begin, drawn.end},
         held_end(held.end),
         shadows(shows_fills_ ? shadows_ : nullptr),
-        shows_fills(shows_fills_) {}
+        shows_fills(shows_fills_),
+        crumbs(crumbs_) {}
 
   Picture& picture;
   std::uint32_t background;  ///< as in Picture::pixels
@@ -35,7 +36,10 @@ struct RasterBand {
   int held_end;
   const Shadows* shadows;  ///< null if none are seen
   bool shows_fills;        ///< or else all are the background, by the colour rule
+  bool crumbs;             ///< RasterRequest::crumbs
 
+  /// OutputDevice::pixels.
+  Point2 pixels() const { return crumbs ? Point2(0.0) : Point2(size().width, size().height); }
   /// The size of the whole picture.
   const PictureSize& size() const { return region.size; }
   /// The index of a pixel in the picture's arrays.

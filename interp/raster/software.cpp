@@ -159,8 +159,11 @@ RowRange rows_asked_for(const RasterRequest& request) {
 Precision precision_of(const RasterRequest& request) {
   return request.roundoff ? Precision{false, *request.roundoff} : Precision{};
 }
+Point2 pixels_of(const RasterRequest& request) {
+  return request.crumbs ? Point2(0.0) : Point2(request.width, request.height) / request.line_scale;
+}
 LinesOverFills::Wanted wanted_of(const RasterRequest& request) {
-  return {precision_of(request), request.hidden_lines, request.intersections};
+  return {precision_of(request), request.hidden_lines, request.intersections, pixels_of(request)};
 }
 
 }  // namespace
@@ -203,9 +206,10 @@ void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                             (finds_lines(together->method) || !has_lines(*together));
   if (is_colour_rule(request.method) || as_they_come) return lines_.clear();
   if (in_image_space) return lines_.take(scene_, wanted_of(request), request.threads);
-  if (together == nullptr) return lines_.take_sorted_segments(display_file, request.threads);
+  if (together == nullptr)
+    return lines_.take_sorted_segments(display_file, pixels_of(request), request.threads);
   take_up_scene_of(display_file);
-  lines_.take(scene_, LinesOverFills::Wanted::by(*together), request.threads);
+  lines_.take(scene_, LinesOverFills::Wanted::by(*together, pixels_of(request)), request.threads);
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
@@ -326,7 +330,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const RasterBand band(picture_, {request.width, request.height}, background, rows, of_band,
-                          shadows_.get(), !is_colour_rule(request.method));
+                          shadows_.get(), !is_colour_rule(request.method), request.crumbs);
     if (request.sorted) {
       SortedPainter painter(display_file, band, lines_, request.line_scale);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);

@@ -28,6 +28,7 @@ class SortedPainter : public OutputDevice {
   SortedPainter(const DisplayFile& display_file, const RasterBand& band,
                 const LinesOverFills& found, double line_scale);
 
+  Point2 pixels() const override { return band_.pixels(); }
   void begin_segment(int name) override;
   void end_segment() override { lines_.end_segment(plot()); }
   void fill(const DrawnPolygon& polygon) override;

@@ -58,10 +58,10 @@ class AppelSteps {
   /// For find_seen: what the counts along one of the line's depths hide.
   const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
     const auto number = static_cast<std::size_t>(&line - lines_.lines().lines().data());
-    const auto& [found, from, to, start] = of_lines_[number];
+    const auto& [found, from, to, start, is_near] = of_lines_[number];
     parts_.clear();
-    tell_changes(line, std::span(changes_[found]).subspan(from, to - from));
-    compare_with_others(line);
+    if (!is_near) tell_changes(line, std::span(changes_[found]).subspan(from, to - from));
+    compare_with_others(line, is_near);
     return parts_.hidden();
   }
 
@@ -224,14 +224,17 @@ class AppelSteps {
     }
   }
 
-  void compare_with_others(const LineScene::Line& line) {
+  void compare_with_others(const LineScene::Line& line, bool with_all) {
     for (std::uint32_t polygon = 0; polygon < lines_.lines().items(); ++polygon) {
-      if (!lines_.lines().hides(polygon) || appel_.contours.way(polygon) != 0) continue;
+      const bool is_counted = !with_all && appel_.contours.way(polygon) != 0;
+      if (!lines_.lines().hides(polygon) || is_counted) continue;
       const auto covered = lines_.covered_by(polygon, line);
       if (covered.empty()) continue;
       record_.step(at("other"),
-                   fmt::format("{} meets itself, and is not counted: it hides {} of the line.",
-                               record_.name(polygon), counted(covered.size(), "part")));
+                   fmt::format("{} {}: it hides {} of the line.", record_.name(polygon),
+                               with_all ? "is compared, as the line is close to corners"
+                                        : "meets itself, and is not counted",
+                               counted(covered.size(), "part")));
       record_.mark(StepRole::front, polygon);
       lines_.mark(StepRole::root, line);
       for (const auto& [part, sides] : covered) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hidden/lines/end_on_plane.h"
+#include "hidden/lines/near_line.h"
 #include "hidden/parallel.h"
 #include "interp/truth/true_picture.h"
 
@@ -233,17 +234,34 @@ ExactLine LineHiders::line(const LineItems::Sharers& sharers) const {
 }
 
 /// Nothing if the polygon covers no point that is close to the line, or has no plane.
+namespace {
+
+Fraction exactly(double value) {
+  constexpr int kPlaces = 1074;  // of every double
+  return quotient(scaled(value, kPlaces), Integer(1) << kPlaces);
+}
+
+}  // namespace
+
 std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item) const {
   const Integer along_x = line.x1 - line.x0, along_y = line.y1 - line.y0;
   struct Vertex {
     Integer x, y;
-    int side;  // 1 left of the line, -1 right of it, 0 on it
+    int side;                       // 1 left of the line, -1 right of it, 0 on it
+    std::optional<Fraction> place;  // of one that is not quite on the line
   };
+  const bool is_intersection = line.sharers.empty();
+  const NearLine near_line(Point2(line.start), Point2(line.end),
+                           is_intersection ? 0.0 : off_lines(items_.touching(), items_.rounding()));
   std::vector<Vertex> vertices;
   for (const Point3& p : items_.points(item)) {
-    Vertex v{scaled(p.x, places_) * line.scale, scaled(p.y, places_) * line.scale, 0};
+    Vertex v{scaled(p.x, places_) * line.scale, scaled(p.y, places_) * line.scale, 0, {}};
     const Integer aside = along_x * (v.y - line.y0) - along_y * (v.x - line.x0);
     v.side = sgn(aside);
+    if (v.side != 0 && near_line.has(Point2(p))) {
+      v.side = 0;
+      v.place = exactly(near_line.place(Point2(p)));
+    }
     vertices.push_back(std::move(v));
   }
   Hider hider;
@@ -255,7 +273,7 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
       const Integer x = b.x - a->x, y = b.y - a->y;
       const Integer start = x * (line.y0 - a->y) - y * (line.x0 - a->x);
       const Integer end = x * (line.y1 - a->y) - y * (line.x1 - a->x);
-      const Fraction at = quotient(start, start - end);
+      const Fraction at = a->place ? *a->place : b.place ? *b.place : quotient(start, start - end);
       if (crosses_left) hider.crossings[0].push_back(at);
       if (crosses_right) hider.crossings[1].push_back(at);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <glm/geometric.hpp>
 
 #include "clip/clip_to_rectangle.h"
@@ -230,9 +231,40 @@ void VectorDevice::line(const DrawnLine& line) {
     lines_.runs.back().cuts.at_start = line.cuts.at_start;
     lines_.points.push_back(a);
   }
-  lines_.points.push_back(b);
+  if (goes_on && goes_straight_on(b)) {
+    lines_.points.back() = b;
+  } else {
+    lines_.points.push_back(b);
+    bend_ = 0.0;
+  }
   end_line(line);
   if (b != whole_b) finish_path();
+}
+
+namespace {
+
+/// By how much the middle point is off the straight run from one point to the other, in pixels;
+/// infinite if it is not between them.
+double off_run(const Point2& from, const Point2& middle, const Point2& to) {
+  const Point2 way = to - from, part = middle - from;
+  const double along = glm::dot(part, way), squared = glm::dot(way, way);
+  if (!(along >= 0.0 && along <= squared)) return std::numeric_limits<double>::infinity();
+  return std::abs(way.x * part.y - way.y * part.x) / std::sqrt(squared);
+}
+
+/// In pixels: where a run bends by less in all, files would not show it.
+constexpr double kStraight = 5e-4;
+
+}  // namespace
+
+/// True if the path runs straight through its last point to this one: that point is not needed.
+bool VectorDevice::goes_straight_on(const Point2& to) {
+  const std::size_t n = lines_.points.size();
+  if (n < 2) return false;
+  const double bend = bend_ + off_run(lines_.points[n - 2], lines_.points[n - 1], to);
+  if (!(bend <= kStraight)) return false;
+  bend_ = bend;
+  return true;
 }
 
 /// The path of lines ends where this one does.
@@ -265,6 +297,11 @@ void VectorDevice::finish_path() {
   if (lines_.points.size() > 3 && lines_.points.front() == lines_.points.back()) {
     lines_.points.pop_back();  // the last line closes the run: its corner is joined too
     lines_.runs.front().closed = true;
+    std::vector<Point2>& points = lines_.points;
+    const bool is_solid = lines_style_.kind == LineStyle::Kind::solid;  // a dash begins there
+    if (is_solid && off_run(points.back(), points[0], points[1]) <= kStraight) {
+      points.erase(points.begin());
+    }
   }
   paint_with_caps(lines_, lines_style_, lines_kinds_);
   lines_.clear();

@@ -46,6 +46,9 @@ class VectorDevice : public OutputDevice {
   /// All that is filled from here on has the background's colour, by the colour rule.
   void fill_with_background() { fills_with_background_ = true; }
 
+  Point2 pixels() const final {
+    return options_.crumbs ? Point2(0.0) : Point2(width_, height_);
+  }
   void begin_segment(int name) final;
   void end_segment() final;
   void fill(const DrawnPolygon& polygon) final;
@@ -103,6 +106,7 @@ class VectorDevice : public OutputDevice {
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   void paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds);
   void add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds);
+  bool goes_straight_on(const Point2& to);
   void end_line(const DrawnLine& line);
   void finish_path();
   void finish_discs();
@@ -119,6 +123,7 @@ class VectorDevice : public OutputDevice {
   int segment_of_disjoint_ = 0;
   Path path_;
   Path lines_;  // that continue each other, not painted yet
+  double bend_ = 0.0;  // of the points left out since the last one of the path
   Point3 lines_end_{0.0};
   LineStyle lines_style_;
   LineKinds lines_kinds_ = kDrawn;

@@ -31,9 +31,11 @@ std::int32_t units_of_width(double millimetres) {
 
 }  // namespace
 
-PenDevice::PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
-                     const Colour& background)
-    : picture_(picture), darkness_(background, pen_on(background, hatching)) {
+PenDevice::PenDevice(const Picture& picture, const Pens& pens, const Colour& background)
+    : picture_(picture),
+      crumbs_(pens.crumbs),
+      darkness_(background, pen_on(background, pens.hatching)) {
+  const std::optional<Hatching>& hatching = pens.hatching;
   const PaperFit& fit = picture.fit;
   frame_ = {fit.left, fit.left + fit.pixel * picture.width, fit.top,
             fit.top + fit.pixel * picture.height};

@@ -31,8 +31,11 @@ class PenDevice : public OutputDevice {
     int width, height;
     PaperFit fit;
   };
-  PenDevice(const Picture& picture, const std::optional<Hatching>& hatching,
-            const Colour& background);
+  PenDevice(const Picture& picture, const Pens& pens, const Colour& background);
+
+  Point2 pixels() const override {
+    return crumbs_ ? Point2(0.0) : Point2(picture_.width, picture_.height);
+  }
 
   void begin_disjoint_fills() override { fills_are_disjoint_ = true; }
   void end_disjoint_fills() override { fills_are_disjoint_ = false; }
@@ -54,6 +57,7 @@ class PenDevice : public OutputDevice {
   void add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const;
 
   Picture picture_;
+  bool crumbs_;
   Rectangle frame_;
   Pen hatching_pen_{};
   Darkness darkness_;

@@ -14,7 +14,7 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
                                     const Background& background) {
   require_pens(pens);
   const bool transparent = background.kind == Background::Kind::none;
-  PenDevice device({width, height, fit_on_paper(paper, width, height)}, pens.hatching,
+  PenDevice device({width, height, fit_on_paper(paper, width, height)}, pens,
                    transparent ? Colour(1.0) : background.colour);
   interpret(display_file, device);
   return device.strokes();
@@ -39,7 +39,7 @@ bool has_pen_strokes(const DisplayFile& display_file, int width, int height, con
     return std::ranges::any_of(all,
                                [](const PenStrokes& of_pen) { return !of_pen.strokes.empty(); });
   };
-  return has({}) || (pens.hatching && has(pens));
+  return has({.crumbs = pens.crumbs}) || (pens.hatching && has(pens));
 }
 
 }  // namespace displayfile

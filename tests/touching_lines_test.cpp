@@ -21,17 +21,18 @@
 #include "interp/draw.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/from_environment.h"
+#include "tests/length_of_lines.h"
 #include "tests/slower.h"
 #include "tests/touching_scenes.h"
 
 namespace displayfile {
 namespace {
 
+using test::expect_length;
 using test::from_environment;
+using test::kMethodsOfLines;
+using test::length_of;
 using test::Source;
-
-constexpr HiddenMethod kMethodsOfLines[] = {HiddenMethod::franklin, HiddenMethod::roberts,
-                                            HiddenMethod::appel};
 
 std::vector<std::int32_t> ids_of(const GraphicsSystem& g) {
   DrawOptions options;
@@ -39,24 +40,6 @@ std::vector<std::int32_t> ids_of(const GraphicsSystem& g) {
   options.hidden = HiddenMethod::z_buffer;
   options.with_ids = true;
   return draw(g, options).ids;
-}
-
-/// The length of the visible lines, in units of the picture; of those of one colour alone, if it is
-/// given, and not those of polygon 0 unless they are.
-double length_of(const GraphicsSystem& g, HiddenMethod method,
-                 const std::optional<Colour>& colour = std::nullopt) {
-  SortedDisplayFile sorted;
-  HiddenSurfaceOptions options;
-  options.method = method;
-  const DrawnPieces pieces = drawn_pieces(sorted.update(g, method, options));
-  double length = 0.0;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (pieces.kinds[k] != DrawnPieces::Kind::line) continue;
-    if (colour ? pieces.line_colours[k] != *colour : pieces.picks[k] == 0) continue;
-    length += glm::distance(Point2(pieces.points[pieces.first[k]]),
-                            Point2(pieces.points[pieces.first[k] + 1]));
-  }
-  return length;
 }
 
 /// Its lower sides lie in the face that it stands on; the face below, which has them too, is turned
@@ -79,15 +62,6 @@ TEST(TouchingLines, ABoxOnABoxHasAllItsSides) {
       "test", g);
   for (const HiddenMethod method : kMethodsOfLines) {
     EXPECT_NEAR(400.0 * length_of(g, method, Colour{1, 0, 0}), 596.58, 0.01) << name_of(method);
-  }
-}
-
-/// The lines of a program, in the colour of all of them, by every method.
-void expect_length(const char* program, const Colour& colour, double length) {
-  GraphicsSystem g;
-  replay(program, "test", g);
-  for (const HiddenMethod method : kMethodsOfLines) {
-    EXPECT_NEAR(length_of(g, method, colour), length, 1e-9) << name_of(method);
   }
 }
 
@@ -175,44 +149,6 @@ TEST(TouchingLines, TheFeetOfATableInARoomAreClosed) {
       "polygon-abs-3 -0.5 -0.1 0.25 0.5 0.1 0.25 0.5 0.1 0.1 -0.5 -0.1 0.1\n"
       "close-segment\n",
       {0.1, 0.1, 0.1}, 7.442114892993217);
-}
-
-/// The notch of a plate around a post, whose corners are on both sides of each of the post's faces.
-/// One face of the post is wider than the notch: beyond it the plate is passed through.
-TEST(TouchingLines, NoIntersectionAlongASideInTheOthersPlane) {
-  for (int degrees = 0; degrees < 90; ++degrees) {
-    SCOPED_TRACE(degrees);
-    for (const double wider : {0.0, 0.1}) {
-      GraphicsSystem g;
-      g.set_view_plane_normal({-1, -2, -2});
-      g.set_parallel({1, 2, 2});
-      g.set_window(-3, 3, -3, 3);
-      g.set_view_depth(-5, 5);
-      g.rotate_x_3(degrees);
-      g.open_segment(1);
-      g.polygon_abs_3({{-0.9, 0, -0.7},
-                       {-0.3, 0, -0.7},
-                       {-0.3, 0, 0.1},
-                       {0.3, 0, 0.1},
-                       {0.3, 0, -0.7},
-                       {0.9, 0, -0.7},
-                       {0.9, 0, 0.7},
-                       {-0.9, 0, 0.7}});
-      const double x = 0.3 + wider;
-      g.polygon_abs_3({{-0.3, -0.2, 0.1}, {x, -0.2, 0.1}, {x, 0.4, 0.1}, {-0.3, 0.4, 0.1}});
-      g.close_segment();
-      const auto lines = intersection_lines(ViewedScene(g.display_file()).primitives(), 1);
-      ASSERT_EQ(lines.size(), wider > 0.0 ? 1u : 0u);
-      if (lines.empty()) continue;
-      // As long as the part beyond the notch.
-      const Primitives items = ViewedScene(g.display_file()).primitives();
-      const auto length = [](const Point3& a, const Point3& b) {
-        return glm::distance(Point2(a), Point2(b));
-      };
-      const double notch = length(items.points[2], items.points[3]);
-      EXPECT_NEAR(length(lines[0].start, lines[0].end), notch * wider / 0.6, 1e-12);
-    }
-  }
 }
 
 /// A wall that stands on a floor does not pass through it, whatever viewing makes of its foot.

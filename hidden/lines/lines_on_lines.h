@@ -17,9 +17,12 @@ struct LineOfPicture {
 /// Lines that are no farther apart than this share of the picture are drawn over each other.
 inline constexpr double kLinesApart = 1e-9;
 
-/// The same of a scene in which a coordinate may be off by `touching` (Primitives::touching): twice
-/// as much, if that is more, and at most 1e-3.
-inline double lines_apart(double touching) { return std::clamp(2.0 * touching, kLinesApart, 1e-3); }
+/// The same of a scene in which what is within reach may be apart by `touching` in each coordinate
+/// (Primitives::touching, which bounds it by about four times as much): a quarter of that, if it is
+/// more, and at most 1e-3.
+inline double lines_apart(double touching) {
+  return std::clamp(0.25 * touching, kLinesApart, 1e-3);
+}
 
 /// Finds lines that lie on each other (hidden/lines/hidden_pieces.md): for each line the number of
 /// its leader, a line that is not shorter. From the longest line to the shortest, equally long ones

@@ -38,11 +38,11 @@ class NearLine {
 };
 
 /// How far points may be off a line where coordinates may be off by `touching` and viewing alone
-/// has rounded them by `rounding` (Primitives). Touching bounds a reach of eight units of what is
+/// has rounded them by `rounding` (Primitives). Touching bounds a reach of eight units of what was
 /// entered, of which each coordinate is off by one at most.
 inline double off_lines(double touching, double rounding) {
-  constexpr double kLargest = 0x1p-10;  // of the picture
-  return std::max(4.0 * rounding, std::min(0.25 * touching, kLargest));
+  constexpr double kLargest = 0x1p-12;  // of the picture: no drawing shows less
+  return std::max(4.0 * rounding, std::min(0.125 * touching, kLargest));
 }
 
 }  // namespace displayfile

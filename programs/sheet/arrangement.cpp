@@ -60,7 +60,9 @@ void add_view(const PartView& view, const Point2& at, double mm, double hatch,
   const auto on_paper = [&](const Point2& p) { return at + mm * (p - view.low); };
   std::vector<PartView::Line> lines;
   for (const PartView::Line& line : view.lines) {
-    lines.push_back({on_paper(line.from), on_paper(line.to), line.hidden});
+    const Point2 from = on_paper(line.from), to = on_paper(line.to);
+    if (line.is_alone && glm::distance(from, to) < pen_of(SheetLayer::visible).width) continue;
+    lines.push_back({from, to, line.hidden});
   }
   std::vector<std::vector<Point2>> loops;
   for (const auto& loop : view.cut) {

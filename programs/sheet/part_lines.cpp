@@ -134,17 +134,23 @@ struct LineCollector {
   double side;
   std::vector<PartView::Line> lines{};
   bool hidden = false;
+  mutable bool next_is_alone = false;
   Point2 pen{0.0};
 
   Point2 on_paper(const Point3& p) const { return corner + side * Point2(p); }
   void fill(const FillStyle&) {}
   void line_style(const LineStyle& style) { hidden = style.kind == LineStyle::Kind::dashed; }
   void pick(int) {}
+  /// Which lines are shorter than their pen is wide is known where the scale is.
+  bool is_crumb(const Point3&, const Point3&) const {
+    next_is_alone = true;
+    return false;
+  }
   void move(const Point3& p) { pen = on_paper(p); }
   void line(const Point3& p) {
     const Point2 from = pen;
     move(p);
-    lines.push_back({from, pen, hidden});
+    lines.push_back({from, pen, hidden, std::exchange(next_is_alone, false)});
   }
   void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
 };

@@ -24,6 +24,7 @@ struct PartView {
   struct Line {
     Point2 from, to;
     bool hidden;
+    bool is_alone = false;  ///< no other ends where it does (hidden/lines/strokes_once.md)
   };
   ViewKind kind = ViewKind::front;
   Point2 low{0.0}, high{0.0};  ///< of the whole part

@@ -11,6 +11,14 @@
 
 namespace displayfile {
 
+namespace {
+
+bool is_line(const ViewedScene& scene, ViewedScene::Item item) {
+  return scene.kind(item) == Primitives::Kind::line;
+}
+
+}  // namespace
+
 std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPieces& pieces) {
   const std::size_t first = std::min(pieces.first_stroke, pieces.pieces.size());
   const std::vector<std::uint32_t> looks = looks_of_lines(scene);
@@ -23,7 +31,7 @@ std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPiec
     strokes.push_back({{Point2(pieces.points[piece.first]), Point2(pieces.points[piece.first + 1])},
                        static_cast<std::uint32_t>(std::countr_zero(kinds)),
                        2 * look + (pieces.is_hidden(k) ? 1 : 0),
-                       scene.kind(piece.item) == Primitives::Kind::line,
+                       is_line(scene, piece.item) && !pieces.stroke_cuts(piece).any(),
                        pieces.is_hidden(k)});
   }
   return strokes_once(strokes, lines_apart(scene.touching_of_ends()));
@@ -41,7 +49,7 @@ std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const Foun
     strokes.push_back({{Point2(ends.at(piece.from)), Point2(ends.at(piece.to))},
                        0,
                        looks.empty() ? 0 : looks[piece.item],
-                       scene.kind(piece.item) == Primitives::Kind::line});
+                       is_line(scene, piece.item) && piece.from == 0.0 && piece.to == 1.0});
   }
   // Lines that end where others do, and are not looked at themselves.
   const auto own = static_cast<std::uint32_t>(strokes.size());

@@ -29,13 +29,13 @@ class LineAgainstPolygon {
     other_ = LineScene::kNone;
     if (line.by_plane) own_plane_ = scene_.plane(own_);
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
-    near_ = {Point2(line_.a), Point2(line_.b), scene_.off_lines()};
+    near_ = {line_.a, line_.b, scene_.off_lines()};
     if (const IntersectionLine* intersection = scene_.intersection(line)) look_at(*intersection);
   }
 
   const DepthLine& line() const { return line_; }
   /// The point is on the line looked at, for a corner of a polygon.
-  bool is_near(const Point2& p) const { return near_.has(p); }
+  bool is_near(const Point3& p) const { return near_.has(p); }
   /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
@@ -87,7 +87,7 @@ class LineAgainstPolygon {
     for (std::uint32_t k = 0; k < sides; ++k) {
       const Point3& corner = scene_.corner(polygon, k);
       int side = policy_.side(line_, corner);
-      if (side != 0 && near_.has(Point2(corner))) {
+      if (side != 0 && near_.has(corner)) {
         is_near_[k] = 1;
         side = 0;
       }

@@ -55,7 +55,7 @@ class LineCounts {
 
   void look_at(const Point3& a, const Point3& b) {
     line_ = {a, b, nullptr};
-    near_ = {Point2(a), Point2(b), scene_.off_lines()};
+    near_ = {a, b, scene_.off_lines()};
   }
 
   /// The change where the line passes behind a side from p to q that has so many more polygons on
@@ -69,7 +69,7 @@ class LineCounts {
 
   /// Whether the point is not on the line, and is taken for one that is where the line is compared
   /// with polygons (hidden/lines/near_line.h).
-  bool is_taken_for_on_line(const Point3& p) const { return near_.has(Point2(p)) && turn(p) != 0; }
+  bool is_taken_for_on_line(const Point3& p) const { return near_.has(p) && turn(p) != 0; }
 
   /// Whether the line is a side of the polygon. Then the polygon is not counted along it.
   bool is_side_of(std::uint32_t polygon) const {

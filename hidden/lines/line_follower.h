@@ -125,7 +125,8 @@ class LineFollower {
     counts_.look_at(a, b);
     if (carries[counted.from] != 0) counted.star_from = star(counted.from);
     Extent box = Extent::nothing();
-    const double off = lines_.off_lines();
+    const OffLines off_lines = lines_.off_lines();
+    const double off = std::max(off_lines.in_picture, off_lines.touching);
     box.include(Point3(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)), off);
     box.include(Point3(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)), off);
     counted.change = pass_contours(box);

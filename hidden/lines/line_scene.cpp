@@ -74,7 +74,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
 
 /// Lines are compared with polygons beside which they are so close.
 void LineScene::widen(Extent& box) const {
-  const double off = off_lines();
+  const double off = std::max(off_lines().in_picture, off_lines().touching);
   if (!(off > 0.0)) return;
   box.x_min = rounded_down(box.x_min - off);
   box.y_min = rounded_down(box.y_min - off);

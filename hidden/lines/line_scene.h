@@ -86,7 +86,7 @@ class LineScene {
   /// As Primitives::touching; infinite where what is within reach may be anywhere.
   double touching() const { return touching_; }
   /// How far a corner may be off a line that is on it (hidden/lines/near_line.h).
-  double off_lines() const { return displayfile::off_lines(touching_, items_.rounding); }
+  OffLines off_lines() const { return displayfile::off_lines(touching_, items_.rounding); }
   /// No point of the scene has a larger sum of shares in three of them, times the double area of
   /// their triangle in the projection (hidden/lines/end_on_plane.h).
   double most_shares() const { return most_shares_; }

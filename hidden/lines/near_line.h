@@ -7,24 +7,45 @@
 
 namespace displayfile {
 
-/// Which points of the picture lie on a line but for rounding: what viewing rounds, and within
-/// reach of each other what files do. A corner that is so close to a line is on it: two polygons
-/// that meet along the line, one of which has a vertex where the other has none, leave no gap
-/// there, and neither covers more than its own side. In doubles, device coordinates.
+/// How far a point may be off a line that is on it, in device coordinates.
+struct OffLines {
+  double in_picture = 0.0;  ///< in the projection alone: what viewing rounds
+  double touching = 0.0;    ///< in the projection, and in depth: what files round
+};
+
+/// By how much `touching` and viewing alone, `rounding`, may have moved points (Primitives).
+/// Touching bounds a reach of eight units of what was entered, of which each coordinate is off by
+/// one at most.
+inline OffLines off_lines(double touching, double rounding) {
+  constexpr double kOfUnits = 0.125, kLikeRounding = 1e-12, kLargest = 0x1p-12;
+  const double off = kOfUnits * touching;
+  return {std::max(4.0 * rounding, std::min(off, kLikeRounding)), std::min(off, kLargest)};
+}
+
+/// Which points are on a line but for rounding. A corner that is so close to a line is on it: two
+/// polygons that meet along the line, one of which has a vertex where the other has none, leave no
+/// gap there, and neither covers more than its own side. In doubles, device coordinates.
 class NearLine {
  public:
   /// No point is near, unless it is on the line.
   NearLine() = default;
-  /// The line between two points, and how far a point may be off it; for a short line no farther
-  /// than 2^-10 of its length.
-  NearLine(const Point2& a, const Point2& b, double off) : a_(a), way_(b - a) {
+  /// The line between two points that differ in the projection. For a short line a point may be off
+  /// it by no more than 2^-10 of its length.
+  NearLine(const Point3& a, const Point3& b, const OffLines& off) : a_(a), way_(b - a) {
     squared_ = way_.x * way_.x + way_.y * way_.y;
-    const double length = std::sqrt(squared_);
-    off_ = off > 0.0 ? std::min(off, 0x1p-10 * length) * length : -1.0;
+    const double length = std::sqrt(squared_), most = 0x1p-10 * length;
+    in_picture_ = off.in_picture > 0.0 ? std::min(off.in_picture, most) * length : -1.0;
+    touching_ = off.touching > 0.0 ? std::min(off.touching, most) * length : -1.0;
+    farthest_ = std::max(in_picture_, touching_);
+    in_depth_ = 8.0 * off.touching * (1.0 + std::abs(way_.z) / length);
   }
 
-  bool has(const Point2& p) const {
-    return std::abs(way_.x * (p.y - a_.y) - way_.y * (p.x - a_.x)) <= off_;
+  bool has(const Point3& p) const {
+    const double off = std::abs(way_.x * (p.y - a_.y) - way_.y * (p.x - a_.x));
+    if (!(off <= farthest_)) [[likely]]
+      return false;
+    return off <= in_picture_ ||
+           (off <= touching_ && std::abs(p.z - a_.z - place(Point2(p)) * way_.z) <= in_depth_);
   }
   /// Where the point is, or the one of the line that is closest to it: 0 at its start, 1 at its
   /// end.
@@ -33,16 +54,9 @@ class NearLine {
   }
 
  private:
-  Point2 a_{0.0}, way_{0.0};
-  double squared_ = 0.0, off_ = -1.0;
+  Point3 a_{0.0}, way_{0.0};
+  double squared_ = 0.0, in_depth_ = 0.0;
+  double in_picture_ = -1.0, touching_ = -1.0, farthest_ = -1.0;  // times the length
 };
-
-/// How far points may be off a line where coordinates may be off by `touching` and viewing alone
-/// has rounded them by `rounding` (Primitives). Touching bounds a reach of eight units of what was
-/// entered, of which each coordinate is off by one at most.
-inline double off_lines(double touching, double rounding) {
-  constexpr double kLargest = 0x1p-12;  // of the picture: no drawing shows less
-  return std::max(4.0 * rounding, std::min(0.125 * touching, kLargest));
-}
 
 }  // namespace displayfile

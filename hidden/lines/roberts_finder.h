@@ -81,7 +81,7 @@ class Roberts {
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Point2 p(scene_.point(outline[k]));
       const Point2 q(scene_.point(outline[next_corner(k, outline.size())]));
-      if (line_.is_near(p)) return Hides::some;
+      if (line_.is_near(scene_.point(outline[k]))) return Hides::some;
       const int of_a = policy_.turn(p, q, a), of_b = policy_.turn(p, q, b);
       if (of_a <= 0 && of_b <= 0) return of_a < 0 || of_b < 0 ? Hides::nothing : Hides::some;
       within = within && of_a >= 0 && of_b >= 0;

@@ -14,7 +14,7 @@ struct StrokeOfPicture {
   LineOfPicture line;
   std::uint32_t rank = 0;   ///< where strokes lie on each other the lowest is drawn
   std::uint32_t group = 0;  ///< those that look alike; others are drawn over each other
-  bool is_entered = false;  ///< as it is, by the application: it is no crumb
+  bool is_entered = false;  ///< the whole of a line that the application entered: it is no crumb
   bool is_hidden = false;   ///< and drawn nevertheless: it is no crumb, and joins none
 };
 

@@ -65,7 +65,7 @@ struct DevicePolygons {
 
 /// What touches along the given axes, in device coordinates: along each the reach is that of the
 /// numbers given, and the largest counts.
-Touching in_device(const Touching& touching, std::span<const Point3> given,
+Touching in_device(const Touching& touching, double unit, std::span<const Point3> given,
                    const std::array<Axis, 3>& axes) {
   if (touching.kind == Touching::Kind::off) return touching;
   double reach = 0.0;
@@ -73,8 +73,8 @@ Touching in_device(const Touching& touching, std::span<const Point3> given,
     const auto [low, high] = std::ranges::minmax(given, {}, [a](const Point3& p) { return p[a]; });
     if (low[a] == high[a]) continue;  // nothing was rounded
     const double largest = std::max(std::abs(low[a]), std::abs(high[a]));
-    reach =
-        std::max(reach, entered_reach(touching, largest) * axes[static_cast<std::size_t>(a)].scale);
+    reach = std::max(
+        reach, entered_reach(touching, largest, unit) * axes[static_cast<std::size_t>(a)].scale);
   }
   reach = std::max(reach, entered_reach({Touching::Kind::automatic}, 1.0));
   return {Touching::Kind::length, std::min(reach, kCoordinateLimit)};
@@ -88,7 +88,7 @@ void require_coordinates(std::span<const Point3> points) {
 /// `given` has the polygons' points, and after them those of the segments, two each, whose pick
 /// identifiers follow those of the polygons.
 void enter(const Polygons& polygons, const std::vector<Point3>& given, bool sides_drawn,
-           const std::optional<LineSelection>& lines, const Touching& touching,
+           const std::optional<LineSelection>& lines, const Touching& touching, double unit,
            DevicePolygons& device) {
   const std::size_t corner_count = polygons.points.size();
   const std::size_t segment_count = (given.size() - corner_count) / 2;
@@ -109,7 +109,7 @@ void enter(const Polygons& polygons, const std::vector<Point3>& given, bool side
     device.first.push_back(device.first.back() + polygons.sides[k]);
   }
   GraphicsSystem& system = device.system;
-  system.set_touching(in_device(touching, given, device.axes));
+  system.set_touching(in_device(touching, unit, given, device.axes));
   if (lines) system.replace_lines(*lines);
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
@@ -189,6 +189,7 @@ struct Asked {
   bool lines_alone;  ///< no fills: the lines that are seen
   int threads;
   Touching touching;
+  double unit;  ///< of the numbers given, hidden/touching.h
   bool whole = false, hidden = false;
   std::optional<LineSelection> lines{};
 
@@ -212,6 +213,17 @@ Touching touching_in(py::handle value) {
   return length;
 }
 
+/// An array of single precision, or a sequence that begins with one.
+bool is_of_singles(py::handle value) {
+  if (py::isinstance<py::array>(value)) {
+    const py::dtype type = py::reinterpret_borrow<py::array>(value).dtype();
+    return type.kind() == 'f' && type.itemsize() <= 4;
+  }
+  if (!PyList_Check(value.ptr()) && !PyTuple_Check(value.ptr())) return false;
+  const auto items = py::reinterpret_borrow<py::sequence>(value);
+  return !items.empty() && py::isinstance<py::array>(items[0]) && is_of_singles(items[0]);
+}
+
 Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::handle method,
                py::handle threads, py::handle touching, bool lines_alone) {
   Polygons given = polygons_in(polygons, sides, "polygons");
@@ -221,8 +233,13 @@ Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::h
     points.insert(points.end(), ends.begin(), ends.end());
   }
   require_coordinates(points);
-  return {std::move(given), std::move(points),   method_in(method, lines_alone),
-          lines_alone,      threads_in(threads), touching_in(touching)};
+  return {std::move(given),
+          std::move(points),
+          method_in(method, lines_alone),
+          lines_alone,
+          threads_in(threads),
+          touching_in(touching),
+          is_of_singles(polygons) ? kUnitOfSingles : kUnitOfDoubles};
 }
 
 DrawnPieces found(const Asked& asked) {
@@ -230,7 +247,7 @@ DrawnPieces found(const Asked& asked) {
   const bool segments_alone = asked.lines_alone && asked.has_segments();
   DevicePolygons device;
   enter(asked.polygons, asked.points, asked.method != HiddenMethod::map && !segments_alone,
-        asked.lines, asked.touching, device);
+        asked.lines, asked.touching, asked.unit, device);
   HiddenSurfaceOptions options;
   options.method = asked.method;
   options.threads = asked.threads;

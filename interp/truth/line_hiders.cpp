@@ -251,14 +251,15 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
     std::optional<Fraction> place;  // of one that is not quite on the line
   };
   const bool is_intersection = line.sharers.empty();
-  const NearLine near_line(Point2(line.start), Point2(line.end),
-                           is_intersection ? 0.0 : off_lines(items_.touching(), items_.rounding()));
+  const NearLine near_line(
+      line.start, line.end,
+      is_intersection ? OffLines() : off_lines(items_.touching(), items_.rounding()));
   std::vector<Vertex> vertices;
   for (const Point3& p : items_.points(item)) {
     Vertex v{scaled(p.x, places_) * line.scale, scaled(p.y, places_) * line.scale, 0, {}};
     const Integer aside = along_x * (v.y - line.y0) - along_y * (v.x - line.x0);
     v.side = sgn(aside);
-    if (v.side != 0 && near_line.has(Point2(p))) {
+    if (v.side != 0 && near_line.has(p)) {
       v.side = 0;
       v.place = exactly(near_line.place(Point2(p)));
     }

@@ -218,6 +218,14 @@ def test_what_touches_lies_in_one_plane(shift):
         assert painted_last(sort(scene, method=method), shift + 0.35, shift + 0.35) == 2
 
 
+@pytest.mark.parametrize("given", [lambda scene: scene, list])
+def test_what_touches_in_single_precision_lies_in_one_plane(given):
+    scene = rug_on_floor(1e3 / 3).astype(np.float32)
+    expected = pytest.approx({0: 0.84, 1: 0.15, 2: 0.01}, rel=1e-2)
+    assert areas(visible_pieces(given(scene))) == expected
+    assert areas(visible_pieces(given(scene.astype(float)))) != expected
+
+
 def test_touching_is_set():
     scene = rug_on_floor(0.0, -1e-3)
     for find in (visible_pieces, sort, visible_lines):

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
@@ -32,6 +34,22 @@ inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
   }
   const bool is_on = std::abs(glm::dot(normal, v - p)) <= off * (1.0 + shares) * plane.reach;
   return is_on ? OnPlane::yes : OnPlane::no;
+}
+
+/// Whether a side ends at its polygon's plane but for what viewing rounds, so that it has its own
+/// ends' depth there. Where the plane is steep, also what is within reach of it: the plane's depth
+/// there would be anything, with a rest (Primitives::plane_rests) or without.
+inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, double rounding) {
+  constexpr double kSteep = 16.0;
+  if (!(rounding > 0.0)) return false;
+  const Point3 normal = glm::abs(plane.normal);
+  const bool is_steep = std::max(normal.x, normal.y) > kSteep * normal.z;
+  const bool is_known = touching > 0.0 && touching < std::numeric_limits<double>::infinity();
+  if (!is_steep || !is_known) {
+    return plane.is_plain() && on_plane(v, plane, rounding) == OnPlane::yes;
+  }
+  const Plane plain(plane.p, plane.q, plane.r);
+  return on_plane(v, plain, std::max(touching, rounding)) == OnPlane::yes;
 }
 
 /// The sign of a plane's depth less that of a line's end, by where the end is as entered; nothing

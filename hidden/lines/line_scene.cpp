@@ -172,8 +172,7 @@ void LineScene::find_uneven(int threads) {
     for (std::uint32_t k = 0; k < sides(i); ++k) {
       const Point3& v = corner(i, k);
       if (own.goes_through(v) || side_of_plane(v, own) == 0) continue;
-      const bool by_rounding = own.is_plain() && items_.rounding > 0.0 &&
-                               on_plane(v, own, items_.rounding) == OnPlane::yes;
+      const bool by_rounding = has_own_depth(v, own, touching_, items_.rounding);
       off_plane_[first_corner_[i] + k] = by_rounding ? OffPlane::by_rounding : OffPlane::as_entered;
       is_any = true;
     }

@@ -191,11 +191,12 @@ bool LineHiders::has_own_depth(LineId sharer) const {
   if (items_.kind(sharer.item) == LineItems::Kind::line || !is_moved) return true;
   const auto plane = plane_points(sharer.item);
   if (!plane || items_.rounding() == 0.0) return !plane;
-  if (items_.plane_rest(sharer.item) != Point3(0.0)) return false;
   const auto& [p, q, r] = *plane;
-  const Plane own(p, q, r);
-  return on_plane(items_.from(sharer), own, items_.rounding()) == OnPlane::yes &&
-         on_plane(items_.to(sharer), own, items_.rounding()) == OnPlane::yes;
+  const Plane own(p, q, r, items_.plane_rest(sharer.item));
+  const auto is_on = [&](const Point3& end) {
+    return displayfile::has_own_depth(end, own, items_.touching(), items_.rounding());
+  };
+  return is_on(items_.from(sharer)) && is_on(items_.to(sharer));
 }
 
 /// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends.

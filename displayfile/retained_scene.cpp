@@ -184,7 +184,7 @@ bool RetainedScene::removes_back_faces(const Segment& segment) const {
   return false;
 }
 
-/// Of a back face that is removed a side may stay, by which alone a line is drawn: the polygon is
+/// A back face that is removed may leave a side, by which alone a line is drawn: the polygon is
 /// hollow then.
 void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,

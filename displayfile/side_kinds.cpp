@@ -367,7 +367,8 @@ class SideKinds::Finder {
     return kHalfTurn - between_normals > least_crease_;
   }
 
-  /// Normals of polygons that share a side are all across it: directions around a circle.
+  /// Normals of polygons that share a side are all across it: directions around a circle. Polygons
+  /// that lie on each other, as where two bodies touch, count once.
   double smallest_angle_around() {
     const Point3 right = around_[0];
     Point3 axis(0.0);
@@ -381,6 +382,13 @@ class SideKinds::Finder {
     for (const Point3& v : around_)
       angles_.push_back(std::atan2(glm::dot(v, up), glm::dot(v, right)));
     std::ranges::sort(angles_);
+    constexpr double kOnEachOther = 0.01;  // radians: bodies are rounded each for itself
+    const auto are_on_each_other = [](double a, double b) { return b - a <= kOnEachOther; };
+    angles_.erase(std::unique(angles_.begin(), angles_.end(), are_on_each_other), angles_.end());
+    if (angles_.size() > 1 && angles_.front() + 2.0 * kHalfTurn - angles_.back() <= kOnEachOther) {
+      angles_.pop_back();
+    }
+    if (angles_.size() < 2) return 0.0;  // folded back
     double least = angles_.front() + 2.0 * kHalfTurn - angles_.back();
     for (std::size_t k = 1; k < angles_.size(); ++k) {
       least = std::min(least, angles_[k] - angles_[k - 1]);

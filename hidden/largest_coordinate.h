@@ -11,7 +11,7 @@ inline double largest_coordinate(const Point3& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// Of points in any container; 0 if there are none.
+/// The largest of points in any container; 0 if there are none.
 template <class Points>
 double largest_coordinate(const Points& points) {
   double largest = 0.0;

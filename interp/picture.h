@@ -59,7 +59,7 @@ struct RasterRequest {
   HiddenLines hidden_lines = HiddenLines::none;
   bool intersections = false;
   bool crumbs = false;  ///< as DrawOptions::crumbs
-  bool texts = true;  ///< drawn over the pixels: not where these are not kept
+  bool texts = true;    ///< drawn over the pixels: not where these are not kept
   int threads = 1;
   double line_scale = 1.0;  ///< of the widths and dashes of lines
   /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.

@@ -53,8 +53,7 @@ class CrumbCounter {
   std::size_t count() const { return count_; }
 
   bool is_crumb(const Point3& from, const Point3& to) const {
-    const bool is_one =
-        is_shorter_than_wide(Point2(from), Point2(to), pixels_, style_.width);
+    const bool is_one = is_shorter_than_wide(Point2(from), Point2(to), pixels_, style_.width);
     count_ += is_one ? 1 : 0;
     return is_one;
   }

@@ -194,6 +194,7 @@ TEST(DrawnPieces, DrawnAnewMakeThePicture) {
       options.width = options.height = 128;
       options.background = Background{Background::Kind::solid, Colour(1.0)};
       options.hidden = method;
+      options.crumbs = true;  // pieces are all that is seen
       const Picture picture = draw(retained.system, options);
       options.hidden = HiddenMethod::none;
       const Picture anew = draw(drawn_anew(pieces_by(retained.system, method)), options);

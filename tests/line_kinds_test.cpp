@@ -417,5 +417,31 @@ TEST(LineKinds, NewViewsSelectTheirOwn) {
   }
 }
 
+/// Two cubes on each other, whose common face is cut along the same diagonal in both: four
+/// triangles share it, two by two on each other, and none of them bends.
+TEST(LineKinds, TheDiagonalOfFacesThatTouchIsNoCrease) {
+  const GraphicsSystem g = test::drawn_with("crease", [](GraphicsSystem& system) {
+    for (const bool upper : {false, true}) {
+      const auto corner = [&](double x, double y) { return Point3(x, y, 0.0); };
+      const std::array<Point3, 4> p{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+      if (upper) {
+        system.polygon_abs_3({p[0], p[1], p[2]});
+        system.polygon_abs_3({p[0], p[2], p[3]});
+      } else {
+        system.polygon_abs_3({p[0], p[2], p[1]});
+        system.polygon_abs_3({p[0], p[3], p[2]});
+      }
+      const double z = upper ? -1.0 : 1.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Point3 &from = p[k], &to = p[(k + 1) % 4];
+        system.polygon_abs_3({from, to, to + Point3(0, 0, z), from + Point3(0, 0, z)});
+      }
+    }
+  });
+  const Sides sides = test::sides_in_view(*g.retained(), Eye::at({4, 3, 5}));
+  EXPECT_EQ(sides.count({{-1, -1, 0}, {1, 1, 0}}), 0u);
+  EXPECT_EQ(sides.count({{-1, -1, 0}, {1, -1, 0}}), 1u);
+}
+
 }  // namespace
 }  // namespace displayfile

@@ -119,6 +119,7 @@ Picture drawn(const DisplayFile& file, HiddenMethod method, const Size& size, in
   request.height = size.height;
   request.method = method;
   request.threads = threads;
+  request.crumbs = true;  // all that is seen
   if (!precision.exact) request.roundoff = precision.roundoff;
   if (!is_object_space(method)) return draw_with_software(file, request);
   SortOptions options;
@@ -307,6 +308,7 @@ TEST(LinesInPixels, AreTheSameInStrips) {
   RasterRequest request;
   request.width = 900;
   request.height = 2500;
+  request.crumbs = true;
   SoftwareRenderer renderer;
   for (const HiddenMethod method : {HiddenMethod::z_buffer, HiddenMethod::bsp}) {
     const Picture whole = drawn(file, method, {request.width, request.height}, 1);

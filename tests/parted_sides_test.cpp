@@ -82,7 +82,7 @@ TEST(PartedSides, HaveTheEndsThatLieAlongThemInOrder) {
 
 /// Short sides are looked at together with long ones of other directions.
 TEST(PartedSides, HaveTheEndsThatAreBesideThem) {
-  const std::vector<Point3> points{{0, 0, 0}, {3, 0, 0},      {2, 0, 0},
+  const std::vector<Point3> points{{0, 0, 0}, {3, 0, 0},       {2, 0, 0},
                                    {2, 1, 0}, {2.005, 0.5, 0}, {3, 0.5, 0}};
   const std::vector<SideOfPoints> sides{{0, 1}, {2, 3}, {4, 5}};
   const PartedSides parted(points, sides, 0.01);

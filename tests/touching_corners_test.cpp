@@ -89,6 +89,42 @@ TEST(TouchingCorners, ASmallFaceBesideASideDoesNotHideAStretchOfIt) {
   }
 }
 
+/// Two triangles of a wall and three of a rib far behind it, which are seen edge-on but for
+/// rounding: their plane has any depth there, and the sides of the rib have not.
+TEST(TouchingCorners, SidesOfFacesSeenNearlyEdgeOnAreHiddenByAWall) {
+  GraphicsSystem g;
+  replay(
+      "set-view-reference-point 4108.341552734375 -1847.4799194335938 342\n"
+      "set-view-plane-normal 0.39073112848927377 -0.9205048534524404 -0\n"
+      "set-view-distance 0\n"
+      "set-view-up 0 0 1\n"
+      "set-parallel -0.39073112848927377 0.9205048534524404 0\n"
+      "set-view-depth -14.777276780418386 57.9376127570934\n"
+      "set-window -72.50625814743573 60.826921543798036 -66.66658984561691 "
+      "66.66658984561685\n"
+      "set-hidden-line-removal on\n"
+      "set-back-face-removal off\n"
+      "set-line-style solid 0 0 0\n"
+      "set-lines outline crease\n"
+      "set-touching 0.001985376002267003\n"
+      "open-segment 1\n"
+      "polygon-abs-3 4163.50830078125 -1808.9410400390625 289 4053.0478515625 "
+      "-1855.8287353515625 289 4053.0478515625 -1855.8287353515625 395\n"
+      "polygon-abs-3 4163.50830078125 -1808.9410400390625 289 4053.0478515625 "
+      "-1855.8287353515625 395 4163.50830078125 -1808.9410400390625 395\n"
+      "polygon-abs-3 4134.8935546875 -1843.90087890625 345 4163.63525390625 "
+      "-1886.018798828125 295 4144.0986328125 -1839.9935302734375 345\n"
+      "polygon-abs-3 4163.63525390625 -1886.018798828125 295 4163.63525390625 "
+      "-1886.018798828125 289 4142.14501953125 -1835.3909912109375 345\n"
+      "polygon-abs-3 4142.14501953125 -1835.3909912109375 345 4144.0986328125 "
+      "-1839.9935302734375 345 4163.63525390625 -1886.018798828125 295\n"
+      "close-segment\n",
+      "test", g);
+  for (const HiddenMethod method : kMethodsOfLines) {
+    EXPECT_EQ(length_of(g, method, Colour{0, 0, 0}), 0.0) << name_of(method);
+  }
+}
+
 // ---- Where polygons pass through each other -----------------------------------------------------
 
 /// The notch of a plate around a post, whose corners are on both sides of each of the post's faces.

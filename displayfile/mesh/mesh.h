@@ -48,9 +48,9 @@ struct Mesh {
   /// By how much a coordinate may be off as the numbers of the file are rounded (entered_reach);
   /// 0: no more than doubles are.
   double rounding = 0.0;
-  std::vector<Point3> normals;             ///< of any length; zero if not known
-  std::vector<std::uint32_t> corners;      ///< indices into vertices, face after face
-  std::vector<std::size_t> first_corner;   ///< of each face; one more at the end
+  std::vector<Point3> normals;            ///< of any length; zero if not known
+  std::vector<std::uint32_t> corners;     ///< indices into vertices, face after face
+  std::vector<std::size_t> first_corner;  ///< of each face; one more at the end
   /// Indices into normals or kNoNormal, as many as corners; or none at all.
   std::vector<std::uint32_t> corner_normals;
   std::vector<Material> materials;

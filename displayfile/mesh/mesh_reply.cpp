@@ -218,8 +218,7 @@ Mesh receive_mesh(const ByteSource& source, std::size_t most_bytes) {
   skipped.degenerate_faces = static_cast<std::size_t>(counts.degenerate_faces);
   skipped.textured_faces = static_cast<std::size_t>(counts.textured_faces);
   skipped.transparent_faces = static_cast<std::size_t>(counts.transparent_faces);
-  require(counts.rounding >= 0.0 && counts.rounding <= kCoordinateLimit,
-          "a rounding that is none");
+  require(counts.rounding >= 0.0 && counts.rounding <= kCoordinateLimit, "a rounding that is none");
   mesh.rounding = counts.rounding;
   if (counts.has_upright != 0) {
     const Point3 up(counts.up[0], counts.up[1], counts.up[2]);

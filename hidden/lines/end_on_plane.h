@@ -37,19 +37,20 @@ inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
 }
 
 /// Whether a side ends at its polygon's plane but for what viewing rounds, so that it has its own
-/// ends' depth there. Where the plane is steep, also what is within reach of it: the plane's depth
-/// there would be anything, with a rest (Primitives::plane_rests) or without.
+/// ends' depth there. Where the plane is nearly edge-on, and far in depth from an end that is
+/// within reach of it, so too: the plane's depth there would be anything.
 inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, double rounding) {
-  constexpr double kSteep = 16.0;
+  constexpr double kSteep = 1024.0, kFar = 1e-9;
   if (!(rounding > 0.0)) return false;
-  const Point3 normal = glm::abs(plane.normal);
+  if (plane.is_plain() && on_plane(v, plane, rounding) == OnPlane::yes) return true;
+  if (!(touching > 0.0) || touching == std::numeric_limits<double>::infinity()) return false;
+  const Plane with_rest(plane.p + Point3(0, 0, plane.rest.x), plane.q + Point3(0, 0, plane.rest.y),
+                        plane.r + Point3(0, 0, plane.rest.z));
+  const Point3 normal = glm::abs(with_rest.normal);
+  const double off = std::abs(glm::dot(with_rest.normal, v - with_rest.p));
   const bool is_steep = std::max(normal.x, normal.y) > kSteep * normal.z;
-  const bool is_known = touching > 0.0 && touching < std::numeric_limits<double>::infinity();
-  if (!is_steep || !is_known) {
-    return plane.is_plain() && on_plane(v, plane, rounding) == OnPlane::yes;
-  }
-  const Plane plain(plane.p, plane.q, plane.r);
-  return on_plane(v, plain, std::max(touching, rounding)) == OnPlane::yes;
+  if (!is_steep || off <= kFar * normal.z) return false;
+  return on_plane(v, Plane(plane.p, plane.q, plane.r), touching) == OnPlane::yes;
 }
 
 /// The sign of a plane's depth less that of a line's end, by where the end is as entered; nothing

@@ -153,7 +153,7 @@ class LineAgainstPolygon {
     if (right_.size() > 1) std::ranges::sort(right_);
   }
 
-  /// Of a corner that is on the line.
+  /// Where a corner is that is on the line.
   double place(std::uint32_t corner, const Point2& p) const {
     return is_near_[corner] != 0 ? near_.place(p) : policy_.at_point(line_, p);
   }

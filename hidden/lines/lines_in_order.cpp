@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-/// Of the picture: less is not seen, and no reason to count a line's end as cut off.
+/// A part of the picture: less is not seen, and no reason to count a line's end as cut off.
 constexpr double kNoLength = 1e-9;
 
 /// Items, and after them an item for each intersection line, so that these have names too.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"

@@ -46,9 +46,7 @@ class VectorDevice : public OutputDevice {
   /// All that is filled from here on has the background's colour, by the colour rule.
   void fill_with_background() { fills_with_background_ = true; }
 
-  Point2 pixels() const final {
-    return options_.crumbs ? Point2(0.0) : Point2(width_, height_);
-  }
+  Point2 pixels() const final { return options_.crumbs ? Point2(0.0) : Point2(width_, height_); }
   void begin_segment(int name) final;
   void end_segment() final;
   void fill(const DrawnPolygon& polygon) final;
@@ -122,7 +120,7 @@ class VectorDevice : public OutputDevice {
   DisjointFills disjoint_;
   int segment_of_disjoint_ = 0;
   Path path_;
-  Path lines_;  // that continue each other, not painted yet
+  Path lines_;         // that continue each other, not painted yet
   double bend_ = 0.0;  // of the points left out since the last one of the path
   Point3 lines_end_{0.0};
   LineStyle lines_style_;

@@ -40,7 +40,7 @@ inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
 /// ends' depth there. Where the plane is nearly edge-on, and far in depth from an end that is
 /// within reach of it, so too: the plane's depth there would be anything.
 inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, double rounding) {
-  constexpr double kSteep = 1024.0, kFar = 1e-9;
+  constexpr double kNearlyEdgeOn = 1024.0, kFarInDepth = 1e-9;
   if (!(rounding > 0.0)) return false;
   if (plane.is_plain() && on_plane(v, plane, rounding) == OnPlane::yes) return true;
   if (!(touching > 0.0) || touching == std::numeric_limits<double>::infinity()) return false;
@@ -48,8 +48,8 @@ inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, 
                         plane.r + Point3(0, 0, plane.rest.z));
   const Point3 normal = glm::abs(with_rest.normal);
   const double off = std::abs(glm::dot(with_rest.normal, v - with_rest.p));
-  const bool is_steep = std::max(normal.x, normal.y) > kSteep * normal.z;
-  if (!is_steep || off <= kFar * normal.z) return false;
+  const bool is_steep = std::max(normal.x, normal.y) > kNearlyEdgeOn * normal.z;
+  if (!is_steep || off <= kFarInDepth * normal.z) return false;
   return on_plane(v, Plane(plane.p, plane.q, plane.r), touching) == OnPlane::yes;
 }
 

@@ -17,9 +17,9 @@ struct OffLines {
 /// Touching bounds a reach of eight units of what was entered, of which each coordinate is off by
 /// one at most.
 inline OffLines off_lines(double touching, double rounding) {
-  constexpr double kOfUnits = 0.125, kLikeRounding = 1e-12, kLargest = 0x1p-12;
-  const double off = kOfUnits * touching;
-  return {std::max(4.0 * rounding, std::min(off, kLikeRounding)), std::min(off, kLargest)};
+  constexpr double kUnitsOfTouching = 0.125, kLikeViewing = 1e-12, kMostOff = 0x1p-12;
+  const double off = kUnitsOfTouching * touching;
+  return {std::max(4.0 * rounding, std::min(off, kLikeViewing)), std::min(off, kMostOff)};
 }
 
 /// Which points are on a line but for rounding. A corner that is so close to a line is on it: two

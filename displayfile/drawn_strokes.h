@@ -17,7 +17,7 @@ class ViewedScene;
 /// and those known that join no other (hidden/lines/strokes_once.md).
 std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPieces& pieces);
 
-/// What is drawn in a picture of what is seen of a scene's lines: each place once, without crumbs.
+/// The visible lines of a scene as a picture draws them: each place once, without crumbs.
 /// `pixels` is the picture's size in the unit of widths; 0: crumbs are drawn too.
 std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const FoundLines& found,
                                             const Point2& pixels);

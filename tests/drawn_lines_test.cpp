@@ -16,13 +16,12 @@
 namespace displayfile {
 namespace {
 
-/// What a picture of a scene gets, in device coordinates.
-struct LinesOfPicture {
+/// The strokes that a walk passes on: how many, and their length in device coordinates.
+struct Lines {
   double length = 0.0;
-  std::size_t strokes = 0, crumbs = 0;
+  std::size_t strokes = 0;
   Point3 pen{0.0};
 
-  bool is_crumb(const Point3&, const Point3&) const { return false; }
   void fill(const FillStyle&) {}
   void line_style(const LineStyle&) {}
   void pick(std::int32_t) {}
@@ -35,34 +34,28 @@ struct LinesOfPicture {
   void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
 };
 
-LinesOfPicture lines_of(const GraphicsSystem& g, HiddenMethod method) {
+/// The same of a picture, whose walk leaves out what does not change it: every line once, none a
+/// crumb.
+struct LinesOfPicture : Lines {
+  bool is_crumb(const Point3&, const Point3&) const { return false; }
+};
+
+template <class Visitor>
+Visitor walked(const GraphicsSystem& g, HiddenMethod method) {
   SortedDisplayFile sorted;
   HiddenSurfaceOptions options;
   options.method = method;
-  LinesOfPicture lines;
+  Visitor lines;
   sorted.update(g, method, options).sorted()->walk(lines);
   return lines;
 }
 
+LinesOfPicture lines_of(const GraphicsSystem& g, HiddenMethod method) {
+  return walked<LinesOfPicture>(g, method);
+}
+
 double length_of_dump(const GraphicsSystem& g, HiddenMethod method) {
-  SortedDisplayFile sorted;
-  HiddenSurfaceOptions options;
-  options.method = method;
-  struct All {
-    double length = 0.0;
-    Point3 pen{0.0};
-    void fill(const FillStyle&) {}
-    void line_style(const LineStyle&) {}
-    void pick(std::int32_t) {}
-    void move(const Point3& p) { pen = p; }
-    void line(const Point3& p) {
-      length += std::hypot(p.x - pen.x, p.y - pen.y);
-      pen = p;
-    }
-    void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
-  } all;
-  sorted.update(g, method, options).sorted()->walk(all);
-  return all.length;
+  return walked<Lines>(g, method).length;
 }
 
 constexpr std::array kLineMethods{HiddenMethod::franklin, HiddenMethod::roberts,

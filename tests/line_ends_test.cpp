@@ -97,7 +97,7 @@ TEST(LineCuts, AtBothEndsAndAtVerticesOfWhatHides) {
             (Cuts{{0.0, 0.1, 0, 1}, {0.25, 0.75, 1, 1}, {0.9, 1.0, 1, 0}}));
 }
 
-/// What a sort cuts in two, of a line and of a polygon's sides.
+/// Lines, and sides of polygons, that a sort cuts in two.
 TEST(LineCuts, OfASortAreWhereItsPiecesMeet) {
   const GraphicsSystem g = replayed(R"(
     set-window 0 1 0 1

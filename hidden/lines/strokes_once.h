@@ -18,7 +18,7 @@ struct StrokeOfPicture {
   bool is_hidden = false;   ///< and drawn nevertheless: it is no crumb, and joins none
 };
 
-/// What is drawn of a stroke: from and to are shares of it.
+/// The drawn part of a stroke: from and to are shares of it.
 struct StrokePart {
   std::uint32_t stroke;
   double from, to;

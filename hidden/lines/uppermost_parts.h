@@ -17,7 +17,7 @@ struct RankedPiece {
   bool is_wanted;       ///< only these are returned; others cover
 };
 
-/// What is drawn of a piece, in shares of its line.
+/// The drawn part of a piece, in shares of its line.
 struct DrawnPart {
   std::uint32_t piece;
   double from, to;

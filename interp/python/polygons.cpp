@@ -181,8 +181,8 @@ void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
   }
 }
 
-/// What is asked of polygons, and of segments, whose ends stand after the polygons' points.
-struct Asked {
+/// The arguments of a call, checked: the ends of segments stand after the polygons' points.
+struct PiecesRequest {
   Polygons polygons;
   std::vector<Point3> points;
   HiddenMethod method;
@@ -224,8 +224,9 @@ bool is_of_singles(py::handle value) {
   return !items.empty() && py::isinstance<py::array>(items[0]) && is_of_singles(items[0]);
 }
 
-Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::handle method,
-               py::handle threads, py::handle touching, bool lines_alone) {
+PiecesRequest request_of(py::handle polygons, py::handle sides, py::handle segments,
+                         py::handle method, py::handle threads, py::handle touching,
+                         bool lines_alone) {
   Polygons given = polygons_in(polygons, sides, "polygons");
   std::vector<Point3> points = given.points;
   if (!segments.is_none()) {
@@ -242,22 +243,22 @@ Asked asked_of(py::handle polygons, py::handle sides, py::handle segments, py::h
           is_of_singles(polygons) ? kUnitOfSingles : kUnitOfDoubles};
 }
 
-DrawnPieces found(const Asked& asked) {
-  if (asked.points.empty()) return {};
-  const bool segments_alone = asked.lines_alone && asked.has_segments();
+DrawnPieces found(const PiecesRequest& request) {
+  if (request.points.empty()) return {};
+  const bool segments_alone = request.lines_alone && request.has_segments();
   DevicePolygons device;
-  enter(asked.polygons, asked.points, asked.method != HiddenMethod::map && !segments_alone,
-        asked.lines, asked.touching, asked.unit, device);
+  enter(request.polygons, request.points, request.method != HiddenMethod::map && !segments_alone,
+        request.lines, request.touching, request.unit, device);
   HiddenSurfaceOptions options;
-  options.method = asked.method;
-  options.threads = asked.threads;
-  if (asked.hidden) options.hidden_lines = HiddenLines::dashed;
+  options.method = request.method;
+  options.threads = request.threads;
+  if (request.hidden) options.hidden_lines = HiddenLines::dashed;
   SortedDisplayFile sorted;
-  DrawnPieces pieces = drawn_pieces(sorted.update(device.system, asked.method, options));
-  if (asked.whole) join_pieces(asked.polygons.sides, device.points, pieces);
-  place_back(asked.points, device, pieces);
+  DrawnPieces pieces = drawn_pieces(sorted.update(device.system, request.method, options));
+  if (request.whole) join_pieces(request.polygons.sides, device.points, pieces);
+  place_back(request.points, device, pieces);
   if (segments_alone) {  // they are counted by themselves
-    const auto before = static_cast<std::int32_t>(asked.polygons.sides.size());
+    const auto before = static_cast<std::int32_t>(request.polygons.sides.size());
     for (std::int32_t& pick : pieces.picks) pick -= before;
   }
   return pieces;
@@ -265,8 +266,8 @@ DrawnPieces found(const Asked& asked) {
 
 /// Points, the first of each piece, what it is of, its sides, which lines are hidden, and which
 /// points are cuts.
-py::tuple arrays_found(const Asked& asked) {
-  DrawnPieces pieces = without_interpreter([&] { return found(asked); });
+py::tuple arrays_found(const PiecesRequest& request) {
+  DrawnPieces pieces = without_interpreter([&] { return found(request); });
   std::vector<std::uint8_t> is_hidden(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     is_hidden[k] = pieces.line_kinds[k] == DrawnPieces::Line::dashed;
@@ -279,23 +280,23 @@ py::tuple arrays_found(const Asked& asked) {
 }  // namespace
 
 void add_polygons(py::module_& module) {
-  module.def("_pieces_of",
-             [](py::handle polygons, py::handle sides, py::handle method, py::handle threads,
-                py::handle segments, py::handle whole, py::handle touching) {
-               Asked asked = asked_of(polygons, sides, segments, method, threads, touching, false);
-               asked.whole = switch_in(whole, "whole");
-               return arrays_found(asked);
-             });
-  module.def("_lines_of",
-             [](py::handle polygons, py::handle sides, py::handle method, py::handle lines,
-                py::handle hidden, py::handle threads, py::handle segments, py::handle touching) {
-               Asked asked = asked_of(polygons, sides, segments, method, threads, touching, true);
-               asked.hidden = switch_in(hidden, "hidden");
-               asked.lines = if_said(lines, "lines", [](py::handle value, std::string_view what) {
-                 return line_selection(word_in(value, what));
-               });
-               return arrays_found(asked);
-             });
+  module.def("_pieces_of", [](py::handle polygons, py::handle sides, py::handle method,
+                              py::handle threads, py::handle segments, py::handle whole,
+                              py::handle touching) {
+    PiecesRequest request = request_of(polygons, sides, segments, method, threads, touching, false);
+    request.whole = switch_in(whole, "whole");
+    return arrays_found(request);
+  });
+  module.def("_lines_of", [](py::handle polygons, py::handle sides, py::handle method,
+                             py::handle lines, py::handle hidden, py::handle threads,
+                             py::handle segments, py::handle touching) {
+    PiecesRequest request = request_of(polygons, sides, segments, method, threads, touching, true);
+    request.hidden = switch_in(hidden, "hidden");
+    request.lines = if_said(lines, "lines", [](py::handle value, std::string_view what) {
+      return line_selection(word_in(value, what));
+    });
+    return arrays_found(request);
+  });
 }
 
 }  // namespace displayfile::python

@@ -1,6 +1,6 @@
 """An assembly and its camera in whole numbers, and both turned and moved: files of meshes.
 
-What is moved is turned at random about the origin, then moved in a random direction, by 0.01 to
+A moved assembly is turned at random about the origin, then moved in a random direction, by 0.01 to
 1,000 sizes (logarithmically; one in ten not at all), a size being the longest side of the box
 around it; in doubles, which the formats round: STL, PLY and glTF to single precision, OBJ to six
 significant digits.
@@ -313,7 +313,7 @@ class Posed:
         return max(0.0, min(most, MOST_SIZES * self.size))
 
     def motion(self, form):
-        """What a format's file is moved by; nothing of a drawing program."""
+        """The motion of a format's file; a drawing program is not moved."""
         if form == "draw":
             return Motion()
         least, most = LEAST_OFFSET * self.size, self.most_offset(form)
@@ -344,7 +344,7 @@ class Posed:
         return bool((sides[0] != sides[1]).any())
 
     def faces_for(self, form, faces):
-        """What is entered for a format, and of each polygon the ordinal of its face."""
+        """The polygons entered for a format, and for each the ordinal of its face."""
         if form in OF_TRIANGLES:
             return solids.triangulated(faces)
         return faces, list(range(len(faces)))

@@ -129,7 +129,7 @@ def plate_with_hole(left, right, bottom, top, hole, low, high, axis=2):
     return prism_with_hole(outer, hole, ((2, 0), (5, half)), low, high, axis)
 
 
-# ---- What is so of a closed solid
+# ---- Properties of a closed solid
 
 
 def sides(face):
@@ -246,7 +246,7 @@ def halves(face, i, j, p, q):
 
 
 def cut_at_random(source, faces, cuts, least):
-    """The faces, after so many tries to cut one in two from side to side. Ends of cuts are
+    """The faces, after `cuts` tries to cut one in two from side to side. Ends of cuts are
     sixteenths of a side; they part the sides of no other face, so that they are T-vertices. What is
     narrower than `least` is not made. Concave faces are made triangles first."""
     faces = [

@@ -40,7 +40,7 @@ def ended(
     if True, butt ones.
 
     It is shorter by half a width where it is cut, so that the cap ends at the cut, as a projecting one
-    does exactly. What a round one leaves open is drawn once more with a butt one, if the line is plain:
+    does exactly. A gap that a round cap leaves is drawn once more with a butt cap, if the line is plain:
     neither dashed nor translucent.
     """
     if not cuts.any() or cap in (None, "butt"):  # None is drawn as butt

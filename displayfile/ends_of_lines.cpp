@@ -104,17 +104,50 @@ class SidesInPicture {
 };
 
 /// The side of the plane, which goes through that point of the world, from which it is seen: 1
-/// where its normal points, -1, or 0 where it is too nearly edge-on to say.
-int side_of_viewer(const ViewVolume& volume, const EnteredPlane& plane, const Point3& at) {
+/// where its normal points, -1, or 0 where it is too nearly edge-on to say. The normal is off by no
+/// more than that error.
+int side_of_viewer(const ViewVolume& volume, const Point3& normal, double normal_error,
+                   const Point3& at) {
   constexpr double kSure = 0x1p-36;  // far more than is rounded here
-  if (!(plane.normal_error() < kSure)) return 0;
+  if (!(normal_error < kSure)) return 0;
   const Eye eye = Eye::of(volume.view());
   const Point3 to_eye = eye.at_infinity ? eye.place : eye.place - at;
   double size = glm::length(to_eye);
   if (!eye.at_infinity) size += glm::length(eye.place) + glm::length(at);
-  const double off = glm::dot(plane.normal(), to_eye);
+  const double off = glm::dot(normal, to_eye);
   return std::abs(off) > kSure * size ? (off > 0.0 ? 1 : -1) : 0;
 }
+
+/// A plane through three points in doubles, which decides most ends before EnteredPlane is made.
+class RoughPlane {
+ public:
+  explicit RoughPlane(const EnteredPlane::Corners& corners) : through_(corners[0]) {
+    const Point3 u = corners[1] - corners[0], v = corners[2] - corners[0];
+    const Point3 across = glm::cross(u, v);
+    const double length = glm::length(across);
+    if (!(length > 0x1p-450 && length < 0x1p450)) return;
+    normal_ = across / length;
+    error_ = kRounded * (1.0 + glm::length(u) * glm::length(v) / length);
+  }
+  const Point3& normal() const { return normal_; }  ///< of length 1
+  /// Infinite if nothing is known.
+  double normal_error() const { return error_; }
+  /// 1 where the normal points or -1, farther off than the reach; kOnPlane within it; nothing where
+  /// doubles do not tell.
+  std::optional<int> side(const Point3& point, const Reach& reach) const {
+    const Point3 off = point - through_;
+    const double distance = glm::dot(normal_, off), error = error_ * glm::length(off);
+    if (std::abs(distance) - error > reach.high) return distance > 0.0 ? 1 : -1;
+    if (std::abs(distance) + error < reach.low) return kOnPlane;
+    return std::nullopt;
+  }
+  static constexpr int kOnPlane = 2;
+
+ private:
+  static constexpr double kRounded = 0x1p-48;  // 32 roundings: a cross product's, a sum's
+  Point3 through_, normal_{0.0};
+  double error_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
@@ -166,23 +199,40 @@ EndsAsEntered::Places ViewedScene::places(Item item, std::uint32_t corner, Item 
   const auto support = support_of_entered({points.data(), points.size()});
   if (!support) return kUnknown;
   const auto& [p, q, r] = *support;
-  const Modelling modelling(of_plane.polygon.modelling, planes_->entered_reach);
-  if (modelling.is_singular() && modelling.puts_in_line(points[p], points[q], points[r])) {
-    return kUnknown;
-  }
-  const EnteredPlane plane({points[p], points[q], points[r]}, modelling);
   // Where its polygon's plane is not that of its ends, that plane tells which are before the other.
   const bool is_moved = plane_of_bent(item) != nullptr || is_off_its_plane(item);
-  const int of_eye =
-      is_moved ? 0 : side_of_viewer(*of_plane.volume, plane, modelling.apply(points[p]));
-  const auto place = [&](const Point3& end, bool is_seen, const Modelling& of_end) {
+  const auto place = [&](int side, int of_eye, bool is_seen) {
+    if (of_eye == 0 || is_moved || !is_seen) return Place::off_plane;
+    return side == of_eye ? Place::before : Place::behind;
+  };
+  const Modelling modelling(of_plane.polygon.modelling, planes_->entered_reach);
+  const EnteredPlane::Corners corners{points[p], points[q], points[r]};
+  if (modelling.is_identity() && modelling.is_of(line->modelling)) {
+    const RoughPlane rough(corners);
+    const auto start = rough.side(line->start, modelling.reach()),
+               end = rough.side(line->end, modelling.reach());
+    if (start && end) {
+      const int of_eye =
+          side_of_viewer(*of_plane.volume, rough.normal(), rough.normal_error(), corners[0]);
+      const auto place_of = [&](int side, bool is_seen) {
+        return side == RoughPlane::kOnPlane ? Place::on_plane : place(side, of_eye, is_seen);
+      };
+      return {place_of(*start, line->start_is_seen), place_of(*end, line->end_is_seen)};
+    }
+  }
+  if (modelling.is_singular() && modelling.puts_in_line(corners[0], corners[1], corners[2])) {
+    return kUnknown;
+  }
+  const EnteredPlane plane(corners, modelling);
+  const int of_eye = side_of_viewer(*of_plane.volume, plane.normal(), plane.normal_error(),
+                                    modelling.apply(corners[0]));
+  const auto exact_place = [&](const Point3& end, bool is_seen, const Modelling& of_end) {
     if (plane.reaches(end, of_end)) return Place::on_plane;
-    if (of_eye == 0 || !is_seen) return Place::off_plane;
-    return plane.side(end, of_end) == of_eye ? Place::before : Place::behind;
+    return place(plane.side(end, of_end), of_eye, is_seen);
   };
   const auto places = [&](const Modelling& of_line) {
-    return Places{place(line->start, line->start_is_seen, of_line),
-                  place(line->end, line->end_is_seen, of_line)};
+    return Places{exact_place(line->start, line->start_is_seen, of_line),
+                  exact_place(line->end, line->end_is_seen, of_line)};
   };
   if (modelling.is_of(line->modelling)) return places(modelling);
   return places({line->modelling, planes_->entered_reach});

@@ -11,6 +11,7 @@
 #include "clip/back_face.h"
 #include "clip/corners.h"
 #include "clip/point.h"
+#include "displayfile/side_tiling.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
@@ -55,6 +56,26 @@ double angle_between(const Point3& u, const Point3& v) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
+/// True if no corner is farther than reach from the line through two that are far apart.
+bool is_within_reach_of_line(const PointRow& polygon, double reach) {
+  const auto farthest_from = [&](const Point3& p) {
+    Point3 farthest = p;
+    double most = 0.0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const double distance = glm::distance(p, polygon[k]);
+      if (distance > most) most = distance, farthest = polygon[k];
+    }
+    return farthest;
+  };
+  const Point3 from = farthest_from(polygon[0]), to = farthest_from(from);
+  const Point3 unit = direction_of(to - from);
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point3 off = polygon[k] - from;
+    if (glm::distance(off, glm::dot(off, unit) * unit) > reach) return false;
+  }
+  return true;
+}
+
 /// The segment's own primitives, corners and points, as the sorts have them.
 struct OwnPrimitives {
   OwnPrimitives(const RetainedScene& scene, const RetainedScene::Segment& segment) {
@@ -97,8 +118,9 @@ class SideKinds::Finder {
     if (wants(LineKind::crease)) find_normals();
     const double reach = scene_.reach_in_world(segment_);
     vertices_ = first_within(own_.primitives.points, reach);
+    find_needles(reach);
     SideTable(own_.primitives, vertices_).for_each_set([&](std::span<const SideTable::Side> set) {
-      if (set.size() > 1 && have_the_same_ends(set)) return look_at(set);
+      if (set.size() > 1 && have_the_same_ends(set) && !has_needle(set)) return look_at(set);
       some_share_ends_ = some_share_ends_ || set.size() > 1;
       for (const SideTable::Side& side : set) lone_.push_back(side.name);
     });
@@ -133,6 +155,21 @@ class SideKinds::Finder {
       const auto [from, to] = ends_of(side.name);
       return point(from) == point(vertices_[from]) && point(to) == point(vertices_[to]);
     });
+  }
+
+  void find_needles(double reach) {
+    is_needle_.assign(own_.items.size(), 0);
+    if (!(reach > 0.0)) return;
+    for (std::uint32_t i = 0; i < own_.items.size(); ++i) {
+      const RetainedScene::Primitive& primitive = scene_[segment_.first + i];
+      if (primitive.is_line()) continue;
+      is_needle_[i] = is_within_reach_of_line(scene_.points(segment_.first + i), reach) ? 1 : 0;
+    }
+  }
+  bool is_needle(const LineName& side) const { return is_needle_[side.item] != 0; }
+  bool has_needle(std::span<const SideTable::Side> set) const {
+    return std::ranges::any_of(set,
+                               [&](const SideTable::Side& side) { return is_needle(side.name); });
   }
 
   /// A polygon's side, or a stretch of it, and which way it runs there: up, from the vertex of the
@@ -224,7 +261,7 @@ class SideKinds::Finder {
         from = to;
       };
       for (const std::uint32_t vertex : parted.along(k)) {
-        if (!has_vertex(lone_[k].item, vertex)) add(vertex);
+        if (is_needle(lone_[k]) || !has_vertex(lone_[k].item, vertex)) add(vertex);
       }
       add(sides[k].to);
     }
@@ -259,10 +296,8 @@ class SideKinds::Finder {
     });
     std::vector<PartedSide> of_lone(lone_.size(), {0, 0, kNoStretch, 0, 0});
     for (std::uint32_t k = 0; k < shared.size(); ++k) {
-      around_side_.clear();
+      add_around(shared[k].sides);
       for (const StretchOfSide& s : shared[k].sides) {
-        around_side_.push_back({lone_[s.side], s.runs_up});
-        found_.faces_.push_back(lone_[s.side].item);
         PartedSide& side = of_lone[s.side];
         side.first = std::min(side.first, k);
         side.end = k + 1;
@@ -284,6 +319,17 @@ class SideKinds::Finder {
     std::ranges::sort(found_.parted_, [](const PartedSide& a, const PartedSide& b) {
       return std::tie(a.first, b.end, a.corner) < std::tie(b.first, a.end, b.corner);
     });
+  }
+
+  /// The polygons around a stretch. Needles are drawn, but turn no way; where there is nothing else
+  /// one stands for all.
+  void add_around(std::span<const StretchOfSide> sides) {
+    around_side_.clear();
+    for (const StretchOfSide& s : sides) {
+      if (!is_needle(lone_[s.side])) around_side_.push_back({lone_[s.side], s.runs_up});
+    }
+    if (around_side_.empty()) around_side_.push_back({lone_[sides[0].side], sides[0].runs_up});
+    for (const RunningSide& side : around_side_) found_.faces_.push_back(side.name.item);
   }
 
   void place_on_lines(std::vector<SharedStretch>& shared) const {
@@ -404,6 +450,7 @@ class SideKinds::Finder {
   SideKinds& found_;
   OwnPrimitives own_;
   std::vector<std::uint32_t> vertices_;  // of the points
+  std::vector<std::uint8_t> is_needle_;  // of the primitives: within reach of a line
   std::vector<LineName> lone_;           // sides whose ends no other has, to the bit
   bool some_share_ends_ = false;         // of these, within reach
   std::vector<RunningSide> around_side_;
@@ -432,119 +479,6 @@ LineKinds SideKinds::kinds_of_stretch(std::uint32_t stretch,
   const LineKinds fixed = stretches_[stretch].fixed;
   return is_outline ? static_cast<LineKinds>(fixed | kinds_of(LineKind::outline)) : fixed;
 }
-
-/// Draws each stretch that is a line once, as far as it can be: by sides of polygons that face the
-/// viewer where there are such, since others may be removed.
-class SideKinds::Tiling {
- public:
-  Tiling(const SideKinds& sides, std::span<const LineKinds> of_stretches,
-         std::span<const std::uint8_t> is_facing, TurnedAway turned_away,
-         std::span<LineKinds> of_corners)
-      : all_(sides),
-        sides_(sides.parted_),
-        kinds_(of_stretches),
-        is_facing_(is_facing),
-        turned_away_(turned_away),
-        of_corners_(of_corners),
-        is_drawn_(of_stretches.size(), 0),
-        reached_by_(of_stretches.size() + 1, kNobody) {
-    for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
-      has_facing_.push_back(std::ranges::any_of(
-          sides.faces_of(k), [&](std::uint32_t face) { return is_facing[face] != 0; }));
-    }
-    const auto end = static_cast<std::uint32_t>(kinds_.size());
-    for (std::uint32_t first = 0, last = 0; first < end; first = last) {
-      last = end_of_run(first, end, [&](std::uint32_t k) { return kinds_[k] == kinds_[first]; });
-      if (kinds_[first] != 0) tile_run(first, last);
-    }
-    for (const bool facing : {true, false}) {
-      for (const PartedSide& side : sides_) {
-        if (is_facing_[side.face] == (facing ? 1 : 0) && has_some_left(side)) draw(side);
-      }
-    }
-  }
-
- private:
-  static constexpr std::uint32_t kNobody = 0xffffffffu;
-
-  template <class GoesOn>
-  std::uint32_t end_of_run(std::uint32_t first, std::uint32_t end, const GoesOn& goes_on) const {
-    std::uint32_t last = first + 1;
-    while (last < end && !all_.stretches_[last].begins_line && goes_on(last)) ++last;
-    return last;
-  }
-
-  /// Stretches of the same kinds: those that a polygon has which faces the viewer, and others, by
-  /// themselves if they can be, or else together.
-  void tile_run(std::uint32_t first, std::uint32_t last) {
-    bool are_all = true;
-    for (const bool draws : {false, true}) {
-      for (std::uint32_t from = first, to = first; from < last; from = to) {
-        const bool facing = has_facing_[from];
-        to = end_of_run(from, last, [&](std::uint32_t k) { return has_facing_[k] == facing; });
-        const bool is_tiled = (facing && tile(from, to, true, draws)) ||
-                              (may_be_any(facing) && tile(from, to, false, draws));
-        are_all &= is_tiled;
-      }
-      if (!draws && !are_all && may_be_any(true) && tile(first, last, false, true)) return;
-    }
-  }
-  bool may_be_any(bool has_facing) const {
-    return !has_facing || turned_away_ != TurnedAway::removed;
-  }
-
-  /// Draws stretches by sides that follow each other from the first stretch to
-  /// the last, if there are such sides: where a face was cut into others its sides are.
-  bool tile(std::uint32_t first, std::uint32_t last, bool by_facing, bool draws) {
-    const auto from = std::ranges::lower_bound(sides_, first, {}, &PartedSide::first);
-    for (auto side = from; side != sides_.end() && side->first < last; ++side) {
-      const bool begins = side->first == first || reached_by_[side->first] != kNobody;
-      if (!begins || side->end > last || reached_by_[side->end] != kNobody) continue;
-      if ((kinds_[first] & side->drawn) == 0) continue;
-      if (by_facing && is_facing_[side->face] == 0) continue;
-      reached_by_[side->end] = static_cast<std::uint32_t>(side - sides_.begin());
-    }
-    const bool is_reached = reached_by_[last] != kNobody;
-    for (std::uint32_t at = last; draws && is_reached && at != first;) {
-      const PartedSide& side = sides_[reached_by_[at]];
-      draw(side);
-      if (turned_away_ == TurnedAway::stays && is_facing_[side.face] == 0) mark(side);
-      at = side.first;
-    }
-    std::fill(reached_by_.begin() + first, reached_by_.begin() + last + 1, kNobody);
-    return is_reached;
-  }
-  /// Where some polygon that has a part of it faces the viewer.
-  void mark(const PartedSide& side) {
-    const auto begin = has_facing_.begin();
-    if (std::find(begin + side.first, begin + side.end, true) == begin + side.end) return;
-    LineKinds& of_side = of_corners_[side.corner];
-    of_side = static_cast<LineKinds>(of_side | kByBackFace);
-  }
-  bool has_some_left(const PartedSide& side) const {
-    for (std::uint32_t k = side.first; k < side.end; ++k) {
-      if (is_drawn_[k] == 0 && (kinds_[k] & side.drawn) != 0) return true;
-    }
-    return false;
-  }
-  void draw(const PartedSide& side) {
-    LineKinds& of_side = of_corners_[side.corner];
-    for (std::uint32_t k = side.first; k < side.end; ++k) {
-      of_side = static_cast<LineKinds>(of_side | (kinds_[k] & side.drawn));
-      is_drawn_[k] = 1;
-    }
-  }
-
-  const SideKinds& all_;
-  std::span<const PartedSide> sides_;
-  std::span<const LineKinds> kinds_;
-  std::span<const std::uint8_t> is_facing_;
-  TurnedAway turned_away_;
-  std::span<LineKinds> of_corners_;
-  std::vector<bool> has_facing_;  // of the stretches
-  std::vector<std::uint8_t> is_drawn_;
-  std::vector<std::uint32_t> reached_by_;  // of each stretch's start: a side that ends there
-};
 
 void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment& segment,
                         const Eye& eye, std::span<LineKinds> of_corners,

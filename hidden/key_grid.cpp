@@ -8,11 +8,12 @@ namespace displayfile {
 
 namespace {
 
-/// The exponent of the power of two above it, which is the side of cubes.
+/// The exponent of the side of cubes: two to four tolerances, so that most searches look into one
+/// or two along each key.
 int logarithm_for(double tolerance) {
   int exponent = 0;
   std::frexp(tolerance, &exponent);
-  return exponent;
+  return exponent + 1;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace displayfile {
 
 /// Finds numbered things by three keys each that are nearly the same: a grid of cubes, in a hash
-/// table, of a few sizes. A search looks into the cubes that its tolerance reaches: two or three
+/// table, of a few sizes. A search looks into the cubes that its tolerance reaches: one or two
 /// along each key.
 class KeyGrid {
  public:

@@ -71,7 +71,6 @@ class TouchingPlanes::Search {
   std::uint32_t modelling_of(const EnteredPolygon& polygon);
   void find_frame();
   void find_keys();
-  void find_linked();
   Estimate estimate(const OwnPlane& plane) const;
   Estimate estimate_closely(const EnteredPlane& plane, const OwnPlane& own) const;
   Plane in_frame(const Point3& normal, const Point3& through) const;
@@ -81,6 +80,8 @@ class TouchingPlanes::Search {
   void take_corners(std::uint32_t own);
   void find_plane(std::uint32_t own);
   bool look_in_grid(std::uint32_t own);
+  std::uint64_t most_compared() const;
+  bool look_at_all(std::uint32_t own);
   void look_in_tree(std::uint32_t own);
   void build_tree();
   void found(std::uint32_t own);
@@ -110,8 +111,8 @@ class TouchingPlanes::Search {
   std::vector<KeyGrid::Keys> keys_;
   std::vector<double> wide_;  // by how much more or less the keys of what it touches may be
   std::optional<KeyGrid> grid_;
-  std::vector<std::uint32_t> linked_;
-  std::vector<std::uint8_t> is_founded_;  // polygons lie in its plane
+  std::vector<std::uint32_t> order_;    // of the definition
+  std::vector<std::uint32_t> founded_;  // planes that polygons lie in, in the same order
   std::vector<Known> known_;
   std::optional<PlaneTree> tree_;
   WorkSteps steps_;
@@ -175,12 +176,12 @@ void TouchingPlanes::Search::find_planes() {
   if (own_.empty()) return;
   find_frame();
   find_keys();
-  find_linked();
-  if (linked_.empty()) return;
-  std::ranges::sort(linked_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
+  grid_.emplace(wide_);
+  order_ = taken_;
+  std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
   constexpr std::size_t kMostReady = 1024;
   ready_.resize(std::min(kMostReady, own_.size()));
-  for (const std::uint32_t own : linked_) find_plane(own);
+  for (const std::uint32_t own : order_) find_plane(own);
 }
 
 void TouchingPlanes::Search::find_frame() {
@@ -232,7 +233,8 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane
   const double radius =
       ((2.0 * relative + 8.0 * rounding_) * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) *
       kWider;
-  const double tilt = 2.0 * reach_ * (a + b + 4.0 * error) / (length * (1.0 - relative)) * kWider;
+  const double longest = std::max({a, b, glm::length(u - v)});
+  const double tilt = 2.0 * reach_ * (longest + 8.0 * error) / (length * (1.0 - relative)) * kWider;
   return {in_frame(normal / length, p), radius, tilt};
 }
 
@@ -263,7 +265,7 @@ void TouchingPlanes::Search::find_keys() {
     }
     keys_.push_back(keys_of(of.plane));
     known_.push_back({of.plane, of.radius, of.radius <= close_radius_});
-    const double wide = tilt <= 0.5 ? 1.5 * tilt * diameter_ + reach_ : kNoBound;
+    const double wide = tilt <= 0.5 ? (tilt + tilt * tilt) * diameter_ + reach_ : kNoBound;
     wide_.push_back((wide + of.radius) * kWider);
     largest_radius = std::max(largest_radius, of.radius);
   }
@@ -278,37 +280,6 @@ bool TouchingPlanes::Search::keys_are_near(std::uint32_t own, std::uint32_t othe
          !(std::abs(a[2] - b[2]) > wide);
 }
 
-/// Where no other plane with keys within a polygon's tolerance passes near it, it lies in its own;
-/// the others remain to be looked at.
-void TouchingPlanes::Search::find_linked() {
-  grid_.emplace(wide_);
-  for (std::uint32_t k = 0; k < own_.size(); ++k) grid_->insert(k, keys_[k]);
-  is_founded_.assign(own_.size(), 0);
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    bool is_linked = !grid_->has_size_for(wide_[k]);
-    if (!is_linked) {
-      std::size_t visited = 1;
-      take_corners(k);
-      grid_->visit_near(keys_[k], wide_[k], [&](std::uint32_t other) {
-        ++visited;
-        is_linked = other != k && keys_are_near(k, other) && passes_near(known_[other]);
-        return !is_linked;
-      });
-      steps_.step(visited);
-    }
-    if (is_linked) {
-      linked_.push_back(k);
-    } else {
-      is_founded_[k] = 1;
-    }
-  }
-  if (linked_.empty()) return;
-  grid_->clear();
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    if (is_founded_[k] != 0) grid_->insert(k, keys_[k]);
-  }
-}
-
 void TouchingPlanes::Search::take_corners(std::uint32_t own) {
   const Modelling& modelling = result_.modellings_[own_[own].modelling];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -318,16 +289,33 @@ void TouchingPlanes::Search::take_corners(std::uint32_t own) {
 
 /// The first plane that the polygon lies in, or else its own is a new one.
 void TouchingPlanes::Search::find_plane(std::uint32_t own) {
-  constexpr std::uint64_t kPatience = 32;  // comparisons a polygon, about what a tree costs
   take_corners(own);
   first_plane_ = kNone;
-  if (!look_in_grid(own)) look_in_tree(own);
+  if (!look_in_grid(own) && !look_at_all(own)) look_in_tree(own);
   if (first_plane_ == kNone) {
     found(own);
   } else {
     taken_[own] = first_plane_;
   }
-  if (!tree_ && result_.counts_.compared > kPatience * own_.size()) build_tree();
+  if (!tree_ && result_.counts_.compared > most_compared()) build_tree();
+}
+
+/// About what a tree costs.
+std::uint64_t TouchingPlanes::Search::most_compared() const {
+  constexpr std::uint64_t kPatience = 32;  // comparisons a polygon
+  return kPatience * own_.size();
+}
+
+/// Compares the polygon with founded planes in order. False if that may take longer than a tree.
+bool TouchingPlanes::Search::look_at_all(std::uint32_t own) {
+  if (tree_ || result_.counts_.compared + founded_.size() > most_compared()) return false;
+  for (const std::uint32_t plane : founded_) {
+    ++result_.counts_.compared;
+    steps_.step();
+    consider(plane, own);
+    if (first_plane_ != kNone) break;
+  }
+  return true;
 }
 
 /// Compares the polygon with founded planes whose keys are within its tolerance. False if these are
@@ -353,8 +341,7 @@ void TouchingPlanes::Search::build_tree() {
   planes.reserve(own_.size());
   for (std::uint32_t k = 0; k < own_.size(); ++k) planes.push_back(known_[k].plane);
   tree_.emplace(planes);
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    if (is_founded_[k] == 0) continue;
+  for (const std::uint32_t k : founded_) {
     const Known& plane = known_closely(k);
     tree_->insert(k, plane.plane, plane.radius, area_[k]);
   }
@@ -375,7 +362,7 @@ void TouchingPlanes::Search::look_in_tree(std::uint32_t own) {
 
 /// The polygon's own plane is one that polygons lie in.
 void TouchingPlanes::Search::found(std::uint32_t own) {
-  is_founded_[own] = 1;
+  founded_.push_back(own);
   grid_->insert(own, keys_[own]);
   if (!tree_) return;
   const Known& plane = known_closely(own);
@@ -432,7 +419,7 @@ const EnteredPlane& TouchingPlanes::Search::ready(std::uint32_t plane) {
 /// Keeps the planes that polygons lie in, and which polygons share one.
 void TouchingPlanes::Search::keep(std::uint32_t polygons) {
   std::vector<std::uint32_t> sharing(own_.size(), 0);
-  for (const std::uint32_t k : linked_) {
+  for (const std::uint32_t k : order_) {
     if (taken_[k] == k) continue;
     ++sharing[taken_[k]];
     ++result_.touching_;
@@ -473,7 +460,7 @@ void TouchingPlanes::Search::keep_members(const std::vector<std::uint32_t>& shar
     first += sharing[plane] + 1;
   }
   result_.first_member_.push_back(first);
-  for (const std::uint32_t k : linked_) {
+  for (const std::uint32_t k : order_) {
     if (taken_[k] != k) result_.members_[next[taken_[k]]++] = own_[k].polygon;
   }
 }

@@ -306,6 +306,53 @@ TEST(LeadingLines, AreFoundAsAmongAllPairs) {
   EXPECT_TRUE(leading_lines({}).empty());
 }
 
+/// By the definition, of lines that are as far apart as files round them.
+TEST(LeadingLines, WithinReachAreThoseOfTheDefinition) {
+  std::size_t followers = 0;
+  for (std::uint64_t seed = 0; seed < 60 / kSlower; ++seed) {
+    Source s(seed);
+    const double apart = std::pow(10.0, -3.0 - 3.0 * s.unit());
+    const double most_turned = std::max(0x1p-16, 64.0 * apart);
+    std::vector<LineOfPicture> lines;
+    for (int k = 0; k < 100; ++k) {
+      const double angle = std::numbers::pi * (s.below(3) == 0 ? 0.25 * s.below(9) : s.unit());
+      const Point2 along(std::cos(angle), std::sin(angle)), at(s.unit(), s.unit());
+      for (int copies = s.between(1, 4); copies > 0; --copies) {
+        const auto near = [&](double share) {
+          return at + share * along + 2.0 * apart * Point2(s.unit() - 0.5, s.unit() - 0.5);
+        };
+        const double from = s.unit() - 0.5, to = from + std::pow(10.0, -3.0 * s.unit());
+        lines.push_back({near(from), near(to)});
+      }
+    }
+    std::vector<std::uint32_t> order(lines.size()), leaders;
+    std::iota(order.begin(), order.end(), 0U);
+    const auto length = [&](std::uint32_t k) {
+      return std::hypot(lines[k].to.x - lines[k].from.x, lines[k].to.y - lines[k].from.y);
+    };
+    std::ranges::stable_sort(order, std::greater(), length);
+    const auto found = leading_lines(lines, apart);
+    for (const std::uint32_t line : order) {
+      const double allowed = std::min(apart, 0.5 * most_turned * length(line));
+      const auto follows = [&](std::uint32_t leader) {
+        const Point2 way = (lines[leader].to - lines[leader].from) / length(leader);
+        const auto is_near = [&](const Point2& p) {
+          const Point2 off = p - lines[leader].from;
+          const double place = (way.x * off.x + way.y * off.y) / length(leader);
+          const double beyond = std::clamp(std::max(-place, place - 1.0), 0.0, 1.0);
+          return std::abs(way.x * off.y - way.y * off.x) <= allowed * (1.0 + 2.0 * beyond);
+        };
+        return is_near(lines[line].from) && is_near(lines[line].to);
+      };
+      const auto first = std::ranges::find_if(leaders, follows);
+      ASSERT_EQ(found[line], first == leaders.end() ? line : *first) << seed << " " << line;
+      followers += first == leaders.end() ? 0 : 1;
+      if (first == leaders.end()) leaders.push_back(line);
+    }
+  }
+  EXPECT_GT(followers, 1000U);
+}
+
 // ---- What is covered, against all pairs ---------------------------------------------------------
 
 /// Twice the area, over the length of the first two, of a line and a point.

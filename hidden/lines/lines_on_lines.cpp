@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "clip/secret_hash.h"
@@ -31,18 +32,15 @@ constexpr double kRounding = 0x1p-46;
 /// What a supporting line is about. Lines of nearly the same direction and distance can lie on each
 /// other.
 struct Support {
-  double direction;  ///< as angles grow: the slope, from 0 to 1, and so on up to 4 at half a turn
-  double distance;   ///< from the middle of all lines, times the larger part of the direction
+  double direction;  ///< radians, 0 to half a turn
+  double distance;   ///< from the middle of all lines, on its left
 };
 
 Support support_of(const LineOfPicture& line, const Point2& middle) {
   Point2 way = line.to - line.from;
   if (way.y < 0.0 || (way.y == 0.0 && way.x < 0.0)) way = -way;
-  const double larger = std::max(std::abs(way.x), way.y);
   const Point2 from = line.from - middle;
-  return {
-      way.y >= std::abs(way.x) ? 2.0 - way.x / way.y : way.y / way.x + (way.x < 0.0 ? 4.0 : 0.0),
-      from.y * (way.x / larger) - from.x * (way.y / larger)};
+  return {std::atan2(way.y, way.x), (from.y * way.x - from.x * way.y) / std::hypot(way.x, way.y)};
 }
 
 double length_of(const LineOfPicture& line) {
@@ -62,26 +60,32 @@ class LeaderTable {
   void add(const Support& support, std::uint32_t leader) {
     std::uint32_t& first = first_[place_of_cell(cell(support.direction, directions_),
                                                 cell(support.distance, distances_))];
-    leaders_.push_back({leader, first});
+    leaders_.push_back({support.direction, support.distance, leader, first});
     first = static_cast<std::uint32_t>(leaders_.size() - 1);
   }
 
-  /// Calls visit with the leaders that are near, and some that are not, or with some twice.
+  /// Calls visit with the leaders whose directions and distances differ by no more than these,
+  /// which are at most the table's; with some twice.
   template <class Visit>
-  void near(const Support& support, const Visit& visit) const {
-    visit_around(support, visit);
+  void near(const Support& support, double directions, double distances, const Visit& visit) const {
+    const auto around = [&](double direction, double distance) {
+      visit_around({direction, distance}, directions, distances, visit);
+    };
+    around(support.direction, support.distance);
     // Where half a turn begins and ends lines have two names.
-    if (support.direction <= directions_) {
-      visit_around({support.direction + 4.0, -support.distance}, visit);
-    } else if (support.direction >= 4.0 - directions_) {
-      visit_around({support.direction - 4.0, -support.distance}, visit);
+    if (support.direction <= directions) {
+      around(support.direction + kHalfTurn, -support.distance);
+    } else if (support.direction >= kHalfTurn - directions) {
+      around(support.direction - kHalfTurn, -support.distance);
     }
   }
 
  private:
-  static constexpr double kOfCell = 8.0;
+  static constexpr double kOfCell = 2.0;
+  static constexpr double kHalfTurn = std::numbers::pi;
 
   struct Leader {
+    double direction, distance;
     std::uint32_t line, next;  // of those in one place
   };
 
@@ -92,15 +96,19 @@ class LeaderTable {
   }
 
   template <class Visit>
-  void visit_around(const Support& support, const Visit& visit) const {
+  void visit_around(const Support& support, double directions, double distances,
+                    const Visit& visit) const {
     const auto [direction, distance] = support;
     if (!std::isfinite(direction) || !std::isfinite(distance)) return;
-    const double last_i = cell(direction + directions_, directions_),
-                 last_k = cell(distance + distances_, distances_);
-    for (double i = cell(direction - directions_, directions_); i <= last_i; ++i) {
-      for (double k = cell(distance - distances_, distances_); k <= last_k; ++k) {
+    const double last_i = cell(direction + directions, directions_),
+                 last_k = cell(distance + distances, distances_);
+    for (double i = cell(direction - directions, directions_); i <= last_i; ++i) {
+      for (double k = cell(distance - distances, distances_); k <= last_k; ++k) {
         for (std::uint32_t n = first_[place_of_cell(i, k)]; n != kNone; n = leaders_[n].next) {
-          visit(leaders_[n].line);
+          const Leader& leader = leaders_[n];
+          const bool is_near = std::abs(leader.direction - direction) <= directions &&
+                               std::abs(leader.distance - distance) <= distances;
+          if (is_near) visit(leader.line);
         }
       }
     }
@@ -157,15 +165,12 @@ class LeadingLines {
   /// where the next level begins.
   std::size_t find_leaders_of_level(std::size_t from) {
     constexpr double kOfLevel = 1.0 / 16.0;
-    const double apart = kBeyond * apart_;
-    const double least_turned = 2.0 * apart / most_turned_;
+    const double least_turned = 2.0 * kBeyond * apart_ / most_turned_;
     const double longest = length_[order_[from]];
     const bool is_last = longest * kOfLevel <= least_turned;
     const double shortest = is_last ? 0.0 : longest * kOfLevel;
-    // Slopes change at most twice as fast as angles.
-    const double turned =
-        2.0 * (is_last ? kBeyond * most_turned_ : 2.0 * apart / shortest) + kRounding;
-    LeaderTable table(turned, turned * reach_ + 2.0 * apart, lines_.size());
+    const double turned = turned_of(shortest);
+    LeaderTable table(turned, distances_of(turned, reach_), lines_.size());
     for (const std::uint32_t leader : leaders_) table.add(supports_[leader], leader);
     std::size_t n = from;
     for (; n < order_.size() && (is_last || length_[order_[n]] > shortest); ++n) {
@@ -174,10 +179,24 @@ class LeadingLines {
     return n;
   }
 
+  /// By how much directions of a line of that length and its leader may differ: the sine is at most
+  /// what both of its ends may be off, over its length.
+  double turned_of(double length) const {
+    constexpr double kOfSine = 1.02;  // so much more the angle is, which is below a fifth
+    return kOfSine * std::min(kBeyond * most_turned_, 2.0 * kBeyond * apart_ / length) + kRounding;
+  }
+  /// The same of distances, of a line that has a point so far from the middle.
+  double distances_of(double turned, double from_middle) const {
+    return turned * from_middle + 2.0 * kBeyond * apart_;
+  }
+
   void find_leader(std::uint32_t line, LeaderTable& table) {
     const Support& own = supports_[line];
+    const double turned = turned_of(length_[line]);
+    const Point2 from = lines_[line].from - middle_;
+    const double distances = distances_of(turned, std::hypot(from.x, from.y));
     std::uint32_t first = kNone;
-    table.near(own, [&](std::uint32_t leader) {
+    table.near(own, turned, distances, [&](std::uint32_t leader) {
       if (first != kNone && rank_[first] < rank_[leader]) return;
       if (lies_on(line, leader)) first = leader;
     });

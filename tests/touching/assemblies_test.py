@@ -117,6 +117,12 @@ class Kinds(unittest.TestCase):
                     figures += 1
             self.assertGreater(figures, 3, kind)
 
+    def test_faces_that_rounding_takes_out_of_a_plane_are_found(self):
+        faces = assemblies.assembly("plates", "11", 17).faces()
+        posed = posed_meshes.Posed("11/plates", 17, faces, faces)
+        self.assertTrue(posed.is_beyond("obj"))
+        self.assertFalse(posed.is_beyond("ply"))
+
     @staticmethod
     def lies_in(figure, face):
         n = solids.normal(face)

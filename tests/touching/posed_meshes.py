@@ -16,6 +16,7 @@ rounds at 1,000 sizes: more would turn sides that are seen nearly edge-on, and s
 which lines are seen. For assemblies of 300 units that is 3 sizes, of 500 and more 10 to 20.
 """
 import base64
+import itertools
 import json
 import math
 
@@ -211,6 +212,34 @@ class Camera:
         ]
 
 
+# ---- Planes
+
+
+def support(points):
+    """The unit normal of the support plane, and a point of it (design, section 4)."""
+    p = points[0]
+    q = points[np.abs(points - p).max(axis=1).argmax()]
+    r = points[np.abs(np.cross(q - p, points - p)).max(axis=1).argmax()]
+    normal = np.cross(q - p, r - p)
+    return normal / np.linalg.norm(normal), p
+
+
+def planes(polygons, reach):
+    """For each polygon the first, in order of falling area, from whose plane it is no farther than
+    the reach, or else itself."""
+    area = [np.linalg.norm(sum(np.cross(*side) for side in solids.sides(list(p)))) for p in polygons]
+    founders, plane = [], [0] * len(polygons)
+    for k in sorted(range(len(polygons)), key=lambda k: -area[k]):
+        for founder, (normal, through) in founders:
+            if np.abs((polygons[k] - through) @ normal).max() <= reach:
+                plane[k] = founder
+                break
+        else:
+            plane[k] = k
+            founders.append((k, support(polygons[k])))
+    return plane
+
+
 # ---- Files
 
 
@@ -342,6 +371,22 @@ class Posed:
             self.camera.sides(motion, moved, indexed),
         )
         return bool((sides[0] != sides[1]).any())
+
+    def is_beyond(self, form):
+        """Whether polygons that meet in one plane in whole numbers are, rounded, in two: farther
+        apart than the reach."""
+        points, indexed = unique_points(self.faces_for(form, self.moved)[0])
+        motion = self.motion(form)
+        moved = rounded(form, np.array([motion.point(p) for p in points]))
+        whole = [points[face] for face in indexed]
+        together = planes(whole, SAME)
+        found = planes([moved[face] for face in indexed], self.reach(form))
+        low, high = (np.array([bound(p, axis=0) for p in whole]) for bound in (np.min, np.max))
+        return any(
+            together[a] == together[b] and (low[a] <= high[b]).all() and (low[b] <= high[a]).all()
+            for a, b in itertools.combinations(range(len(whole)), 2)
+            if found[a] != found[b]
+        )
 
     def faces_for(self, form, faces):
         """The polygons entered for a format, and for each the ordinal of its face."""

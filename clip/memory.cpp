@@ -36,18 +36,23 @@ std::size_t available_to_all() {
 
 std::atomic<std::size_t> lent{0};  // changed while `lending` is held
 
-/// The least that the system limits this process to, of data or of addresses; with what of it is
-/// lent to others meanwhile, or without.
-std::uint64_t limit_of_process(std::uint64_t lent_of_data) {
+/// The least that the system limits this process to, of data or of addresses.
+std::uint64_t limit_of_process() {
   std::uint64_t least = WorkLimits::kNone;
   for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
     rlimit limit{};
     if (::getrlimit(kind, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-      const std::uint64_t of_kind = kind == RLIMIT_DATA ? lent_of_data : 0;
-      least = std::min<std::uint64_t>(least, limit.rlim_cur + of_kind);
+      least = std::min<std::uint64_t>(least, limit.rlim_cur);
     }
   }
   return least;
+}
+
+/// The limit of data; nothing if there is none.
+std::optional<rlimit> limit_of_data() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
+  return limit;
 }
 
 /// A word of the file as a number of bytes; 0 if it is none.
@@ -88,7 +93,7 @@ std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_
 }  // namespace
 
 std::size_t offered_memory() {
-  return static_cast<std::size_t>(std::min<std::uint64_t>(available_to_all(), limit_of_process(0)));
+  return static_cast<std::size_t>(std::min<std::uint64_t>(available_to_all(), limit_of_process()));
 }
 
 /// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
@@ -98,7 +103,7 @@ void out_of_memory(std::size_t bytes, const std::string& what) {
   const WorkDone left = NamedWork::left_by_exception();
   const std::string instead =
       left.instead == nullptr ? "" : std::string(", or ").append(left.instead);
-  if (limit_of_process(lent) != WorkLimits::kNone && bytes <= allowed) {
+  if (limit_of_process() != WorkLimits::kNone && bytes <= allowed) {
     throw LimitReached(
         fmt::format("out of memory: {}: {} bytes are not enough: expected a higher limit of "
                     "memory{}",
@@ -113,6 +118,10 @@ void out_of_memory(std::size_t bytes, const std::string& what) {
 /// allocated and released at once, and an application may count what it allocates.
 bool has_memory(std::size_t bytes) {
   if (bytes < kWorthAsking) return true;
+  if (const auto limit = limit_of_data(); lent > 0 && limit) {
+    const std::size_t taken = memory_of_process() + lent;
+    if (taken > limit->rlim_cur || bytes > limit->rlim_cur - taken) return false;
+  }
   void* const pages =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (pages == MAP_FAILED) return false;
@@ -131,34 +140,14 @@ std::size_t memory_of_machine() {
   return static_cast<std::size_t>(std::min<std::uint64_t>(all, limit_of_groups()));
 }
 
-/// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
-/// address space, it has no room that is only kept free, and unlike what is resident, it cannot be
-/// passed.
-void limit_memory_of_process(std::uint64_t bytes) {
-  if (const std::size_t now = memory_of_process(); now >= bytes) {
-    throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
-  }
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
-  ::setrlimit(RLIMIT_DATA, &limit);
-}
-
 namespace {
 
 std::mutex lending;
 std::condition_variable given_back;
 
-/// That of data; nothing if there is none.
-std::optional<rlimit> limit_of_data() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
-  return limit;
-}
-
 /// Three quarters of what is left of it.
 std::size_t offer_of(const rlimit& limit) {
-  const std::size_t taken = memory_of_process();
+  const std::size_t taken = memory_of_process() + lent;
   return limit.rlim_cur > taken ? static_cast<std::size_t>(limit.rlim_cur - taken) / 4 * 3 : 0;
 }
 
@@ -178,8 +167,6 @@ LentMemory::LentMemory(std::size_t wanted) : bytes_(wanted) {
   bytes_ = std::min(wanted, offer_of(*limit));
   is_lent_ = true;
   lent += bytes_;
-  limit->rlim_cur -= bytes_;
-  ::setrlimit(RLIMIT_DATA, &*limit);
 }
 
 LentMemory::~LentMemory() {
@@ -187,10 +174,6 @@ LentMemory::~LentMemory() {
   {
     const std::lock_guard lock(lending);
     lent -= bytes_;
-    if (auto limit = limit_of_data()) {
-      limit->rlim_cur += bytes_;
-      ::setrlimit(RLIMIT_DATA, &*limit);
-    }
   }
   given_back.notify_all();
 }
@@ -198,7 +181,7 @@ LentMemory::~LentMemory() {
 std::uint64_t bytes_allowed() {
   const WorkBudget* const budget = work_in_force().budget;
   const std::uint64_t in_budget = budget == nullptr ? WorkLimits::kNone : budget->limits().bytes;
-  return std::min(in_budget, limit_of_process(lent));
+  return std::min(in_budget, limit_of_process());
 }
 
 std::string out_of_memory_message() {

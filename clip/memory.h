@@ -18,14 +18,11 @@ bool has_memory(std::size_t bytes);
 /// so without writing to a disk, and no more than the process's own limit. What nothing limits is
 /// the greatest number.
 std::size_t offered_memory();
-/// This process is given no memory for data beyond so many bytes, by the system: what needs more is
-/// out of memory. A limit that is lower already stays. Throws Error if it has more than that.
-void limit_memory_of_process(std::uint64_t bytes);
-/// Part of what this process may have, lent to another process for as long as this lives: this one
-/// is allowed so much less meanwhile, so that both together stay within the limit. It is three
-/// quarters of what is left at most; whoever would get less than is wanted waits until others have
-/// given back theirs, as long as the budget in force allows it. Without a limit all that is wanted
-/// is lent.
+/// Part of what this process may have, lent to another process for as long as this lives:
+/// has_memory allows so much less meanwhile, so that both together stay within the limit. It is
+/// three quarters of what is left at most; a loan that would be smaller than wanted waits until
+/// others have been given back, as long as the budget in force allows it. Without a limit all that
+/// is wanted is lent. The system's limit is not changed: it is the host's.
 class LentMemory {
  public:
   explicit LentMemory(std::size_t wanted);

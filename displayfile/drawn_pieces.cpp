@@ -5,9 +5,9 @@
 #include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "displayfile/intensity_plane.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
+#include "displayfile/looks/vertex_shading.h"
 #include "displayfile/segment.h"
-#include "displayfile/vertex_shading.h"
 #include "hidden/line_cuts.h"
 
 namespace displayfile {

@@ -6,7 +6,7 @@
 
 #include "clip/point.h"
 #include "displayfile/display_file.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -9,7 +9,7 @@
 #include "clip/point_row.h"
 #include "clip/view_volume.h"
 #include "displayfile/retained_polygons.h"
-#include "hidden/entered_polygon.h"
+#include "hidden/exact/entered_polygon.h"
 #include "hidden/touching.h"
 
 namespace displayfile {
@@ -57,7 +57,7 @@ class EnteredPolygons {
   /// No coordinate of what is kept, nor any of the products that it is a sum of, is larger in world
   /// coordinates.
   double largest_in_world() const;
-  /// By how many times 2^-53 of that they are off (hidden/entered_polygon.h).
+  /// By how many times 2^-53 of that they are off (hidden/exact/entered_polygon.h).
   double roundings_in_world() const { return has_cuts_ ? kRoundingsWhereCut : kRoundingsInWorld; }
   /// The length of the longest column of the modelling matrices, at least 1.
   double longest() const;

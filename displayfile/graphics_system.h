@@ -15,19 +15,19 @@
 #include "clip/view.h"
 #include "clip/window_fit.h"
 #include "clip/work_budget.h"
-#include "displayfile/attributes.h"
-#include "displayfile/background.h"
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
+#include "displayfile/looks/attributes.h"
+#include "displayfile/looks/background.h"
+#include "displayfile/looks/shading.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/picture_windows.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/said_settings.h"
-#include "displayfile/shading.h"
 #include "displayfile/solids/cut_faces.h"
 #include "displayfile/solids/open_solids.h"
 #include "displayfile/solids/solid_operation.h"
-#include "displayfile/style.h"
 #include "displayfile/surface_grid.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/precision.h"
@@ -215,11 +215,11 @@ class GraphicsSystem {
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
   /// between the light and the side of it that is seen).
   void set_light(const Point3& toward, double ambient = 0.2);
-  /// Gouraud shading (displayfile/gouraud.md): where there is light, a polygon whose vertices have
-  /// normals is lit at each of them, and the intensities are interpolated over its picture. Phong
-  /// shading (displayfile/phong.md): the normals are interpolated, and each pixel is lit; in
-  /// vectors and by the OSMesa device as with Gouraud shading. One of more than three sides is
-  /// entered as triangles whose diagonals are invisible. Any other polygon is shaded flat.
+  /// Gouraud shading (displayfile/looks/gouraud.md): where there is light, a polygon whose vertices
+  /// have normals is lit at each of them, and the intensities are interpolated over its picture.
+  /// Phong shading (displayfile/looks/phong.md): the normals are interpolated, and each pixel is
+  /// lit; in vectors and by the OSMesa device as with Gouraud shading. One of more than three sides
+  /// is entered as triangles whose diagonals are invisible. Any other polygon is shaded flat.
   void set_shading(Shading shading);
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
   /// drawn in the ambient light alone where a solid polygon hides the light from them, whether that
@@ -313,9 +313,9 @@ class GraphicsSystem {
   const ModellingTransformation& modelling_transformation() const { return modelling_; }
   /// Where a point of the model is, in the modelling transformation and the view in force: in
   /// normalised device coordinates, before a segment's image transformation, as set_image_centre
-  /// takes it and the pixel_at of a picture (interp/picture.h). What is outside of the view volume
-  /// is told too; nothing if it is not before the eye, or too far out to be told. Errors: those of
-  /// a coordinate, and of a view that open_segment refuses.
+  /// takes it and the pixel_at of a picture (interp/device/picture.h). What is outside of the view
+  /// volume is told too; nothing if it is not before the eye, or too far out to be told. Errors:
+  /// those of a coordinate, and of a view that open_segment refuses.
   std::optional<Point3> to_device(const Point3& p) const;
   const Attributes& attributes() const { return attributes_; }
   const Background& background() const { return background_; }

@@ -12,8 +12,8 @@
 
 #include "clip/transformation.h"
 #include "displayfile/entered_polygons.h"
-#include "displayfile/style.h"
-#include "displayfile/vertex_shading.h"
+#include "displayfile/looks/style.h"
+#include "displayfile/looks/vertex_shading.h"
 #include "hidden/line_cuts.h"
 #include "hidden/line_kinds.h"
 #include "hidden/surface_mark.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hidden/close_planes.h"
-#include "hidden/entered_polygon.h"
+#include "hidden/exact/entered_polygon.h"
 #include "hidden/touching.h"
 #include "hidden/touching_planes.h"
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/attributes.h"
 #include "displayfile/growing_array.h"
+#include "displayfile/looks/attributes.h"
 #include "displayfile/retained_polygons.h"
 #include "displayfile/view_stage.h"
 #include "displayfile/watched.h"
-#include "hidden/entered_polygon.h"
+#include "hidden/exact/entered_polygon.h"
 #include "hidden/exact/eye.h"
 #include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
@@ -101,7 +101,7 @@ class RetainedScene : public Watched<RetainedScene> {
   double reach_in_world(const Segment& segment) const;
   /// No world coordinate, nor any of the products that it is a sum of, is larger.
   double largest_in_world() const;
-  /// By how many times 2^-53 of that world coordinates are off (hidden/entered_polygon.h).
+  /// By how many times 2^-53 of that world coordinates are off (hidden/exact/entered_polygon.h).
   double roundings_in_world() const { return has_cuts_ ? kRoundingsWhereCut : kRoundingsInWorld; }
   /// No modelling transformation was in force.
   bool is_entered_in_world() const { return modellings_.empty(); }

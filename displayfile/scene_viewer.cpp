@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "clip/back_face.h"
+#include "clip/equal_points.h"
 #include "clip/view_points.h"
-#include "displayfile/equal_points.h"
 #include "displayfile/view_stage.h"
 #include "hidden/exact/few_centres.h"
 #include "hidden/exact/orientation.h"

@@ -9,8 +9,8 @@
 
 #include "clip/transformation.h"
 #include "displayfile/instructions.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/sorted_scene.h"
-#include "displayfile/style.h"
 
 namespace displayfile {
 

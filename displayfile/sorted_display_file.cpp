@@ -25,13 +25,15 @@ bool draw_the_same(const Segment& a, const Segment& b) {
   return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
 }
 
-SortOptions sort_options(const HiddenSurfaceOptions& options, const Precision& precision) {
+SortOptions sort_options(const SurfacePlan& plan) {
   SortOptions sort;
-  sort.precision = precision;
-  sort.threads = options.threads;
-  sort.most_pieces = options.most_pieces;
-  sort.progress = options.progress;
-  sort.shadows = options.shadows;
+  sort.precision = plan.precision;
+  sort.threads = plan.options.threads;
+  sort.most_pieces = plan.options.most_pieces;
+  sort.progress = plan.options.progress;
+  sort.shadows = plan.options.shadows;
+  sort.hidden_lines = plan.hidden_lines;
+  sort.intersections = plan.intersections;
   return sort;
 }
 
@@ -64,21 +66,6 @@ std::shared_ptr<const SortedScene> joined(
 
 }  // namespace
 
-HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
-  if (options.method) return *options.method;
-  if (system.z_buffer()) return HiddenMethod::z_buffer;
-  return system.hidden_line_removal() ? system.hidden_method() : HiddenMethod::none;
-}
-
-Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
-  return options.precision.value_or(system.precision());
-}
-
-HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
-                                  const HiddenSurfaceOptions& options) {
-  return options.hidden_lines.value_or(system.hidden_lines());
-}
-
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
   if (hidden_lines == HiddenLines::none || is_object_space(method) || !is_colour_rule(method)) {
     return;
@@ -90,22 +77,20 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
       "lines, or hidden lines none");
 }
 
-const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, HiddenMethod by,
-                                             const HiddenSurfaceOptions& options) {
+const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, const SurfacePlan& plan,
+                                             HiddenMethod by) {
+  const HiddenSurfaceOptions& options = plan.options;
   const BudgetInForce in_force(options.budget);
-  const HiddenMethod named = surfaces_of(by);
+  const HiddenMethod named = surfaces_of(by), set_method = surfaces_of(plan.method);
   const HiddenMethod method = named == HiddenMethod::automatic ? HiddenMethod::map : named;
-  const bool applications =
-      !options.method && surfaces_of(method_in_force(system, options)) == method;
+  const bool applications = plan.is_applications() && set_method == method;
   const bool finds_shadows =
       options.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
-  const HiddenScope set = system.hidden_scope().value_or(usual);
-  const bool picked = surfaces_of(method_in_force(system, options)) == HiddenMethod::automatic;
+  const HiddenScope set = plan.scope_of_application.value_or(usual);
+  const bool picked = set_method == HiddenMethod::automatic;
   const HiddenScope scope = picked ? HiddenScope::all : options.scope.value_or(set);
-  SortOptions sort = sort_options(options, precision_in_force(system, options));
-  sort.hidden_lines = hidden_lines_in_force(system, options);
-  sort.intersections = contains(system.lines().kinds, LineKind::intersection);
+  const SortOptions sort = sort_options(plan);
   return sort_anew(system.display_file(), [&] {
     if (is_object_space(method) && scope == HiddenScope::all) {
       sort_together(method, sort);
@@ -114,7 +99,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
     } else if (options.method && !is_object_space(method)) {
       unsort();
     } else {
-      sort_as_closed(options);
+      sort_as_closed(plan);
     }
   });
 }
@@ -122,9 +107,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, Hidde
 const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenMethod method,
                                              const HiddenSurfaceOptions& options) {
   const BudgetInForce in_force(options.budget);
-  SortOptions sort = sort_options(options, options.precision.value_or(Precision{}));
-  sort.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
-  sort.intersections = options.intersections;
+  const SortOptions sort = sort_options(resolve_surfaces(options));
   return sort_anew(entered, [&] {
     if (options.scope == HiddenScope::segment) {
       sort_segments(method, sort);
@@ -147,12 +130,13 @@ const DisplayFile& SortedDisplayFile::sort_anew(const DisplayFile& entered, cons
   return file_;
 }
 
-void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& asked) {
+void SortedDisplayFile::sort_as_closed(const SurfacePlan& plan) {
   for (const Segment& segment : file_.segments()) {
     const auto by = as_closed(segment);
     if (!segment.visible || !by) continue;
-    SortOptions options = sort_options(asked, asked.precision.value_or(by->precision));
-    options.hidden_lines = asked.hidden_lines.value_or(by->hidden_lines);
+    SortOptions options = sort_options(plan);
+    options.precision = plan.options.precision.value_or(by->precision);
+    options.hidden_lines = plan.options.hidden_lines.value_or(by->hidden_lines);
     options.intersections = by->intersections;
     sort_segment(segment, by->method, options);
   }

@@ -8,37 +8,11 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/segment_groups.h"
+#include "displayfile/surface_plan.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
 
-/// What may be asked for in place of what the application set.
-struct HiddenSurfaceOptions {
-  std::optional<HiddenMethod> method = std::nullopt;
-  std::optional<HiddenScope> scope = std::nullopt;
-  std::optional<Precision> precision = std::nullopt;
-  int threads = 1;                        ///< the result is the same for any number
-  std::size_t most_pieces = kMostPieces;  ///< of a sort; Error for more
-  /// Told by a method that finds lines of those looked at, anew for each segment, or group of
-  /// segments, that is looked at by itself.
-  WorkProgress progress = {};
-  /// What bringing up to date may use at most, if not null: LimitReached for more.
-  WorkBudget* budget = nullptr;
-  std::optional<HiddenLines> hidden_lines = std::nullopt;
-  /// Lines along which polygons pass through each other are wanted too, where no application says.
-  bool intersections = false;
-  /// The map is to tell which pieces the light reaches, where shadows are shown
-  /// (displayfile/lit_parts.md). Segments are then looked at together, unless the application or
-  /// scope says otherwise, since each may darken any other.
-  bool shadows = false;
-};
-
-/// The method in force: that of the options, or else what the application set with
-/// set_z_buffer, set_hidden_line_removal and set_hidden_method.
-HiddenMethod method_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
-Precision precision_in_force(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
-HiddenLines hidden_lines_in_force(const GraphicsSystem& system,
-                                  const HiddenSurfaceOptions& options);
 /// Throws Error if lines are to be drawn where they are hidden, and the method is the colour rule
 /// over surfaces that are in no order: it finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
@@ -60,8 +34,12 @@ class SortedDisplayFile {
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.
+  const DisplayFile& update(const GraphicsSystem& system, const SurfacePlan& plan, HiddenMethod by);
+  /// The same, of a plan that is not at hand.
   const DisplayFile& update(const GraphicsSystem& system, HiddenMethod by,
-                            const HiddenSurfaceOptions& options = {});
+                            const HiddenSurfaceOptions& options = {}) {
+    return update(system, resolve_surfaces(system, options), by);
+  }
 
   /// Brings it up to date with a display file of its own, such as that of a new view: its visible
   /// segments sorted by `method`, a sort or one that finds lines, together unless the options'
@@ -89,7 +67,7 @@ class SortedDisplayFile {
                            const SortOptions& options);
   template <class Sort>
   const DisplayFile& sort_anew(const DisplayFile& entered, const Sort& sort);
-  void sort_as_closed(const HiddenSurfaceOptions& asked);
+  void sort_as_closed(const SurfacePlan& plan);
   void sort_segments(HiddenMethod method, const SortOptions& options);
   void sort_together(HiddenMethod method, const SortOptions& options);
   void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& asked);

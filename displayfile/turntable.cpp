@@ -10,7 +10,7 @@
 #include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
-#include "displayfile/mesh/fitted_window.h"
+#include "displayfile/fitted_window.h"
 #include "displayfile/outermost_points.h"
 #include "displayfile/scene_in_one_view.h"
 

@@ -9,27 +9,14 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "displayfile/attributes.h"
-#include "displayfile/gouraud.h"
-#include "displayfile/phong.h"
+#include "displayfile/looks/attributes.h"
+#include "displayfile/looks/gouraud.h"
+#include "displayfile/looks/phong.h"
+#include "displayfile/looks/vertex_shading.h"
+#include "displayfile/looks/world_polygon.h"
 #include "displayfile/segment.h"
-#include "displayfile/vertex_shading.h"
 
 namespace displayfile {
-
-/// A polygon in world coordinates.
-struct WorldPolygon {
-  PointRow vertices;
-  std::span<const std::uint8_t> edge_visible;  ///< of the side that ends at the vertex; empty: all
-  Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
-  std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
-  std::int32_t pick;
-  /// The vertices as the application entered them, before the modelling transformation of that
-  /// matrix. Null: the vertices are what was entered.
-  PointRow entered = std::span<const Point3>();
-  const glm::dmat4x3* modelling = nullptr;
-  bool is_cut = false;  ///< cutting planes have cut it
-};
 
 /// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the
 /// attributes that it was viewed with.

@@ -15,36 +15,34 @@ namespace {
 
 using enum HiddenMethod;
 constexpr std::array kMethods{
-    HiddenMethodEntry{automatic, "auto", true},
-    HiddenMethodEntry{none, "none", true},
-    HiddenMethodEntry{back_face, "back-face", true},
-    HiddenMethodEntry{z_buffer, "z-buffer", true},
-    HiddenMethodEntry{bsp, "bsp", true},
-    HiddenMethodEntry{depth_sort, "depth-sort", true},
-    HiddenMethodEntry{map, "map", true},
-    HiddenMethodEntry{scan_line, "scan-line", true},
-    HiddenMethodEntry{scan_line_z, "scan-line-z", true},
-    HiddenMethodEntry{ray_cast, "ray-cast", true},
-    HiddenMethodEntry{world_ray_cast, "world-ray-cast", true},
-    HiddenMethodEntry{warnock, "warnock", true},
-    HiddenMethodEntry{plain_z_buffer, "plain-z-buffer", true},
-    HiddenMethodEntry{plain_z_buffer, "plain-z-buffer=float", true},
-    HiddenMethodEntry{plain_z_buffer_16, "plain-z-buffer=16", true},
-    HiddenMethodEntry{plain_z_buffer_24, "plain-z-buffer=24", true},
-    HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32", true},
-    HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double", true},
-    HiddenMethodEntry{roberts, "roberts", true},
-    HiddenMethodEntry{appel, "appel", true},
-    HiddenMethodEntry{franklin, "franklin", true},
-    HiddenMethodEntry{perimeter, "perimeter", true},
-    HiddenMethodEntry{colour_rule, "colour-rule", true},
+    HiddenMethodEntry{automatic, "auto"},
+    HiddenMethodEntry{none, "none"},
+    HiddenMethodEntry{back_face, "back-face"},
+    HiddenMethodEntry{z_buffer, "z-buffer"},
+    HiddenMethodEntry{bsp, "bsp"},
+    HiddenMethodEntry{depth_sort, "depth-sort"},
+    HiddenMethodEntry{map, "map"},
+    HiddenMethodEntry{scan_line, "scan-line"},
+    HiddenMethodEntry{scan_line_z, "scan-line-z"},
+    HiddenMethodEntry{ray_cast, "ray-cast"},
+    HiddenMethodEntry{world_ray_cast, "world-ray-cast"},
+    HiddenMethodEntry{warnock, "warnock"},
+    HiddenMethodEntry{plain_z_buffer, "plain-z-buffer"},
+    HiddenMethodEntry{plain_z_buffer, "plain-z-buffer=float"},
+    HiddenMethodEntry{plain_z_buffer_16, "plain-z-buffer=16"},
+    HiddenMethodEntry{plain_z_buffer_24, "plain-z-buffer=24"},
+    HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32"},
+    HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double"},
+    HiddenMethodEntry{roberts, "roberts"},
+    HiddenMethodEntry{appel, "appel"},
+    HiddenMethodEntry{franklin, "franklin"},
+    HiddenMethodEntry{perimeter, "perimeter"},
+    HiddenMethodEntry{colour_rule, "colour-rule"},
 };
 constexpr std::string_view kColourRuleBy = "colour-rule=";
 
-bool is_any(const HiddenMethodEntry& entry) { return entry.available; }
-bool is_of_surfaces(const HiddenMethodEntry& entry) {
-  return entry.available && !shows_lines_only(entry.method);
-}
+bool is_any(const HiddenMethodEntry&) { return true; }
+bool is_of_surfaces(const HiddenMethodEntry& entry) { return !shows_lines_only(entry.method); }
 
 /// The method of that name among those that may be named in its place; `whose` is said before.
 HiddenMethod method_among(bool (*may_be)(const HiddenMethodEntry&), std::string_view name,
@@ -63,9 +61,7 @@ HiddenMethod method_among(bool (*may_be)(const HiddenMethodEntry&), std::string_
     throw Error("unknown hidden-surface method " + quoted + ":" + did_you_mean(name, known) +
                 " expected one of " + names);
   }
-  throw Error("hidden-surface method " + quoted +
-              (entry->available ? " finds no surfaces" : " is not in this version") +
-              ": expected one of " + names);
+  throw Error("hidden-surface method " + quoted + " finds no surfaces: expected one of " + names);
 }
 
 /// The names of the colour rules, by the methods of surfaces.

@@ -64,13 +64,11 @@ constexpr bool shows_lines_only(HiddenMethod method) {
   return finds_lines(method) || is_colour_rule(method);
 }
 
-/// One line a name: that of a method in drawing programs and on the command line, and whether
-/// this build can run it. A method's first name is the one it is written with. Of the colour rules
-/// only the first is in the list.
+/// One line a name: that of a method in drawing programs and on the command line. A method's first
+/// name is the one it is written with. Of the colour rules only the first is in the list.
 struct HiddenMethodEntry {
   HiddenMethod method;
   std::string_view name;
-  bool available;
 };
 std::span<const HiddenMethodEntry> hidden_methods();
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "hidden/entered_polygon.h"
 #include "hidden/exact/entered_plane.h"
+#include "hidden/exact/entered_polygon.h"
 
 namespace displayfile {
 

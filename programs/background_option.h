@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "displayfile/background.h"
+#include "displayfile/looks/background.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

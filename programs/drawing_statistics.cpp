@@ -9,7 +9,7 @@
 #include "displayfile/characters.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/predicate_counts.h"
-#include "interp/drawing_choice.h"
+#include "interp/draw/drawing_choice.h"
 #include "interp/text/seen_texts.h"
 #include "interp/visibility/image_space.h"
 
@@ -152,7 +152,7 @@ std::string explanation_of_method(const GraphicsSystem& system, const DrawOption
                                   PictureKind kind) {
   const MethodChoice choice = drawing_choice(system, options, kind);
   const bool is_asked_for =
-      method_in_force(system, hidden_surface_options(options)) != HiddenMethod::automatic;
+      resolve_surfaces(system, hidden_surface_options(options)).method != HiddenMethod::automatic;
   return fmt::format("{}{}: {}\n", is_asked_for ? "" : "auto: ", name_of(choice.method),
                      choice.reason);
 }

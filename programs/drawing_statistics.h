@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

@@ -9,8 +9,9 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/input_file.h"
-#include "interp/nothing_seen.h"
-#include "interp/view_renderer.h"
+#include "interp/draw/nothing_seen.h"
+#include "interp/draw/picture_plan.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
 #include "programs/warnings.h"
@@ -63,11 +64,10 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
     displayfile::draw(system_, file, options, kept);
     return warned;
   }
-  options.scope.reset();
-  if (!options.background) options.background = system_.background();
-  if (!options.precision) options.precision = system_.precision();
+  const Destination to(file);
   ViewRenderer renderer(scene_, system_.display_file());
-  renderer.draw(scene_.segments().front().view, file, options);
+  renderer.draw(scene_.segments().front().view, file,
+                resolve(system_, options, &to).without_system());
   return warned;
 }
 

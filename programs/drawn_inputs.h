@@ -8,7 +8,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/mesh_words.h"
 
 namespace displayfile {

@@ -9,7 +9,7 @@ namespace displayfile {
 void HiddenSurfaceWords::add_to(CLI::App& command) {
   std::string methods;
   for (const auto& entry : hidden_methods()) {
-    if (entry.available) methods.append(" ").append(entry.name);
+    methods.append(" ").append(entry.name);
   }
   methods.append(" colour-rule=METHOD");
   command

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/background.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/input_file.h"
+#include "displayfile/looks/background.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/text/drawing_program.h"
-#include "interp/drawing_choice.h"
+#include "interp/draw/drawing_choice.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
 #include "programs/warnings.h"
@@ -271,13 +271,13 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   GraphicsSystem system;
   system.set_threads(options.threads);
   enter_inputs(inputs, system, meshes, aspect, options);
-  const HiddenMethod method = method_in_force(system, options);
-  require_hidden_lines_found(hidden_lines_in_force(system, options), method);
+  SurfacePlan plan = resolve_surfaces(system, options);
+  const HiddenMethod method = plan.method;
+  require_hidden_lines_found(plan.hidden_lines, method);
   Progress progress(
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
-  HiddenSurfaceOptions shown = options;
-  shown.progress = progress.told();
-  DrawnFile drawn{SortedDisplayFile{}.update(system, unsorted_if_automatic(method), shown),
+  plan.options.progress = progress.told();
+  DrawnFile drawn{SortedDisplayFile{}.update(system, plan, unsorted_if_automatic(method)),
                   std::nullopt};
   require_hidden_lines_dumped(drawn.file, method, options);
   if (!is_colour_rule(method)) return drawn;

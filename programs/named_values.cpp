@@ -7,7 +7,7 @@
 #include "displayfile/mesh/mesh_extensions.h"
 #include "hidden/hidden_method.h"
 #include "hidden/line_kinds.h"
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 #include "interp/steps/steps.h"
 
 namespace displayfile {
@@ -18,11 +18,11 @@ namespace {
 std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (entry.available) words.emplace_back(entry.name);
+    words.emplace_back(entry.name);
   }
   for (const HiddenMethodEntry& entry : hidden_methods()) {
     const bool is_first_name = name_of(entry.method) == entry.name;
-    if (!entry.available || !is_first_name || shows_lines_only(entry.method)) continue;
+    if (!is_first_name || shows_lines_only(entry.method)) continue;
     const auto rule = name_of(colour_rule_by(entry.method));
     if (rule != name_of(HiddenMethod::colour_rule)) words.emplace_back(rule);
   }
@@ -32,7 +32,7 @@ std::vector<std::string> method_words() {
 std::vector<std::string> line_method_words() {
   std::vector<std::string> words;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (entry.available && finds_lines(entry.method)) words.emplace_back(entry.name);
+    if (finds_lines(entry.method)) words.emplace_back(entry.name);
   }
   return words;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "displayfile/display_file.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

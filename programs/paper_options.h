@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "clip/error.h"
-#include "interp/renderer.h"
+#include "interp/draw/renderer.h"
 #include "programs/number_list.h"
 
 namespace displayfile {

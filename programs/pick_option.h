@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

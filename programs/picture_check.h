@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/golden_check.h"
 #include "programs/picture_size.h"
 #include "programs/picture_tolerance.h"

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "clip/error.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {

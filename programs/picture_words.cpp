@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

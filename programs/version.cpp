@@ -4,7 +4,7 @@
 
 #include "displayfile/mesh/import_library.h"
 #include "interp/opengl/osmesa.h"
-#include "programs/licence.h"
+#include "programs/manual/licence.h"
 
 namespace displayfile {
 

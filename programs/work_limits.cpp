@@ -1,6 +1,7 @@
 #include "programs/work_limits.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -77,6 +78,20 @@ WorkLimits limits_of(const WorkLimitWords& words) {
     limits.bytes = usual;
   }
   return limits;
+}
+
+/// The command is given no memory for data beyond so many bytes, by the system: what needs more is
+/// out of memory. A limit that is lower already stays. RLIMIT_DATA counts what the process may
+/// write to and nobody shares, as it is mapped: unlike the address space, it has no room that is
+/// only kept free, and unlike what is resident, it cannot be passed.
+void limit_memory_of_process(std::uint64_t bytes) {
+  if (const std::size_t now = memory_of_process(); now >= bytes) {
+    throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
+  }
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
+  ::setrlimit(RLIMIT_DATA, &limit);
 }
 
 /// A usual limit that the process has passed already, as one with a sanitizer has, is none.

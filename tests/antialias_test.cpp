@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "clip/error.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/unit_square.h"
 
 namespace displayfile {

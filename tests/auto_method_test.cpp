@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/truth_scenes.h"

@@ -13,9 +13,9 @@
 
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/truth/entered_truth.h"
-#include "interp/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "tests/from_environment.h"
 #include "tests/ids_by_method.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 // The definition of truth (interp/truth/truth.md) in rationals, in the most naive way that can
 // be read against it: every row, every polygon, every edge, every centre. It shares no line with

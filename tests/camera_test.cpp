@@ -17,7 +17,7 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {

@@ -21,7 +21,7 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/scan/pixel_depth.h"
 #include "programs/scenes/generated_scenes.h"
@@ -40,7 +40,7 @@ TEST(ColourRule, IsNamedWithTheMethodOfItsSurfaces) {
   EXPECT_EQ(hidden_method("colour-rule"), colour_rule);
   EXPECT_EQ(hidden_method("colour-rule=auto"), colour_rule);
   for (const auto& entry : hidden_methods()) {
-    if (!entry.available || shows_lines_only(entry.method)) continue;
+    if (shows_lines_only(entry.method)) continue;
     const HiddenMethod rule = hidden_method("colour-rule=" + std::string(entry.name));
     EXPECT_TRUE(is_colour_rule(rule));
     EXPECT_EQ(surfaces_of(rule), entry.method);

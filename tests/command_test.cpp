@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/command_fixture.h"
 
 namespace {

@@ -21,7 +21,7 @@
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/random_views.h"
 #include "tests/solid_scenes.h"

@@ -18,7 +18,7 @@
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
 #include "tests/error_of.h"

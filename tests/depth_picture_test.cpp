@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "interp/renderer.h"
+#include "interp/draw/renderer.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "programs/scenes/hard_cases.h"

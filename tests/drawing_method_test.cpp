@@ -8,8 +8,10 @@
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "interp/draw.h"
-#include "interp/drawing_choice.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_plan.h"
+#include "interp/draw/renderer.h"
 
 namespace displayfile {
 namespace {
@@ -77,16 +79,73 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
 /// The program's precision is that of the sorts and of the z-buffer; the options' wins.
 TEST(DrawingMethod, PrecisionInForce) {
   GraphicsSystem g;
-  EXPECT_TRUE(precision_in_force(g, {}).exact);
+  EXPECT_TRUE(resolve_surfaces(g, {}).precision.exact);
   g.set_precision({.exact = false, .roundoff = 0.25});
-  EXPECT_EQ(precision_in_force(g, {}).roundoff, 0.25);
+  EXPECT_EQ(resolve_surfaces(g, {}).precision.roundoff, 0.25);
   HiddenSurfaceOptions options;
   options.precision = Precision{};
-  EXPECT_TRUE(precision_in_force(g, options).exact);
+  EXPECT_TRUE(resolve_surfaces(g, options).precision.exact);
   for (double wrong : {-0.5, 1.0, std::nan("")}) {
     EXPECT_THROW(g.set_precision({.exact = false, .roundoff = wrong}), Error);
   }
   EXPECT_EQ(g.precision().roundoff, 0.25);
+}
+
+/// Once, of a call's options and the application's settings.
+TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
+  GraphicsSystem g;
+  g.set_background({.colour = {0.25, 0.5, 0.75}});
+  g.set_hidden_lines(HiddenLines::dashed);
+  g.set_hidden_line_removal(true);
+  g.set_hidden_method(HiddenMethod::bsp);
+  g.set_hidden_scope(HiddenScope::all);
+  const PicturePlan plan = resolve(g, {});
+  EXPECT_EQ(plan.kind(), PictureKind::raster);
+  EXPECT_TRUE(plan.is_on_first_device());
+  EXPECT_EQ(plan.options.background->colour, Colour(0.25, 0.5, 0.75));
+  EXPECT_EQ(plan.method, HiddenMethod::bsp);
+  EXPECT_TRUE(plan.surfaces.is_applications());
+  EXPECT_EQ(plan.surfaces.hidden_lines, HiddenLines::dashed);
+  EXPECT_EQ(plan.surfaces.scope_of_application, HiddenScope::all);
+  const DrawOptions settled = plan.without_system();
+  EXPECT_EQ(settled.hidden, HiddenMethod::bsp);
+  EXPECT_EQ(settled.hidden_lines, HiddenLines::dashed);
+  EXPECT_EQ(settled.scope, std::nullopt);
+
+  const Destination file("a.svg");
+  const PicturePlan other = resolve(g,
+                                    {.hidden = HiddenMethod::automatic,
+                                     .hidden_lines = HiddenLines::none,
+                                     .background = Background{.colour = {1, 1, 1}}},
+                                    &file);
+  EXPECT_EQ(other.kind(), PictureKind::vector);
+  EXPECT_EQ(other.surfaces.method, HiddenMethod::automatic);
+  EXPECT_NE(other.method, HiddenMethod::automatic);
+  EXPECT_FALSE(other.surfaces.is_applications());
+  EXPECT_EQ(other.surfaces.hidden_lines, HiddenLines::none);
+  EXPECT_EQ(other.options.background->colour, Colour(1, 1, 1));
+}
+
+TEST(PicturePlan, RefusesWhatCannotBe) {
+  const Destination vectors("a.svg"), pixels("a.png"), unknown("a.gif");
+  EXPECT_NO_THROW(resolve(DrawOptions{}, &vectors));
+  EXPECT_THROW(resolve(DrawOptions{}, &unknown), Error);
+  EXPECT_THROW(resolve(DrawOptions{.rows = PictureRows{0, 2}}, &vectors), Error);
+  EXPECT_NO_THROW(resolve(DrawOptions{.rows = PictureRows{0, 2}}));
+  EXPECT_THROW(resolve(DrawOptions{.width = 0}), Error);
+  EXPECT_THROW(resolve(DrawOptions{.threads = 0}), Error);
+  EXPECT_THROW(resolve(DrawOptions{.device = "plotter"}), Error);
+  EXPECT_THROW(resolve(DrawOptions{.format = "gif"}), Error);
+  EXPECT_THROW(resolve(DrawOptions{.pens = Pens{}}, &pixels), Error);
+}
+
+/// A picture that stays is not lost to a call that is refused.
+TEST(PicturePlan, LeavesTheRenderersPictureWhereItRefuses) {
+  GraphicsSystem g;
+  Renderer renderer;
+  renderer.draw(g, {.width = 3, .height = 2});
+  EXPECT_THROW(renderer.draw(g, {.width = 0}), Error);
+  EXPECT_EQ(renderer.take_picture().width, 3);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 namespace {

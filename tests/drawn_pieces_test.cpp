@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "displayfile/sorted_display_file.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/gallery.h"
 #include "tests/polygon_area.h"
 

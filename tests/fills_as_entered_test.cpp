@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "interp/draw/view_renderer.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
-#include "interp/view_renderer.h"
 #include "interp/visibility/picker.h"
 #include "tests/from_environment.h"
 #include "tests/ids_by_method.h"

@@ -22,9 +22,9 @@
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
-#include "interp/turntable_renderer.h"
-#include "interp/view_renderer.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/turntable_renderer.h"
+#include "interp/draw/view_renderer.h"
 #include "tests/random_application.h"
 #include "tests/slower.h"
 

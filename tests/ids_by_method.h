@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/world_views.h"
 #include "interp/truth/truth.h"
-#include "interp/world_views.h"
 
 // Item buffers by every method that decides surfaces exactly.
 

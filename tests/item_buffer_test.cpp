@@ -24,7 +24,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/viewed_scene.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "tests/mesa_leaks.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "displayfile/turntable.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/raster/software.h"
-#include "interp/view_renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"

@@ -21,8 +21,8 @@
 #include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
 #include "hidden/lines/line_ends.h"
-#include "interp/draw.h"
-#include "interp/view_renderer.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/view_renderer.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
 

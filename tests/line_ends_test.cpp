@@ -13,7 +13,7 @@
 
 #include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/vector/svg_device.h"
 #include "tests/rasterised.h"
 #include "tests/replayed.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/quad_meshes.h"
 #include "tests/temporary_folder.h"
 #include "tests/without_keys.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "displayfile/hidden_surface_check.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"

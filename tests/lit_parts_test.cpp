@@ -13,7 +13,7 @@
 
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"
 #include "tests/replayed.h"

@@ -18,7 +18,7 @@
 #include "displayfile/scene_viewer.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/nothing_seen.h"
+#include "interp/draw/nothing_seen.h"
 #include "tests/error_of.h"
 
 namespace displayfile {

@@ -17,7 +17,7 @@
 #include "clip/error.h"
 #include "clip/large_pages.h"
 #include "displayfile/text/dump.h"
-#include "interp/renderer.h"
+#include "interp/draw/renderer.h"
 #include "interp/truth/truth.h"
 #include "tests/error_of.h"
 

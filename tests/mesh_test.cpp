@@ -20,7 +20,7 @@
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/import_library_leaks.h"
 #include "tests/mesh_files.h"
 

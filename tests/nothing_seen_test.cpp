@@ -1,6 +1,6 @@
 // Why a picture is empty.
 
-#include "interp/nothing_seen.h"
+#include "interp/draw/nothing_seen.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/drawing_program.h"
-#include "interp/renderer.h"
-#include "interp/turntable_renderer.h"
-#include "interp/view_renderer.h"
-#include "interp/world_views.h"
+#include "interp/draw/renderer.h"
+#include "interp/draw/turntable_renderer.h"
+#include "interp/draw/view_renderer.h"
+#include "interp/draw/world_views.h"
 
 namespace displayfile {
 namespace {

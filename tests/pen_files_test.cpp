@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "tests/error_of.h"
 #include "tests/temporary_folder.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/renderer.h"
+#include "interp/draw/renderer.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/line_picker.h"

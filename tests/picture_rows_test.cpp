@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/renderer.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/renderer.h"
-#include "interp/view_renderer.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
 #include "tests/temporary_folder.h"

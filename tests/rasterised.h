@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string>
 
+#include "interp/device/picture.h"
 #include "interp/files/png_file.h"
-#include "interp/picture.h"
 
 // Vector files as somebody else draws them.
 

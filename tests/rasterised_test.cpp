@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"

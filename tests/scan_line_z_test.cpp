@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "hidden/exact/predicate_counts.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"
 #include "tests/unit_square.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/visibility/image_space.h"
 #include "tests/truth_scenes.h"

@@ -17,7 +17,7 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"

@@ -18,7 +18,7 @@
 #include "displayfile/shapes/swept.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/files/png_file.h"
 #include "interp/vector/file_key.h"
 #include "tests/replayed.h"

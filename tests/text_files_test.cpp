@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 #include "tests/text_scenes.h"

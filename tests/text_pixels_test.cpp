@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "interp/text/seen_texts.h"

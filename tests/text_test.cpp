@@ -16,8 +16,8 @@
 #include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "displayfile/turntable.h"
+#include "interp/draw/world_views.h"
 #include "interp/text/seen_texts.h"
-#include "interp/world_views.h"
 #include "tests/replayed.h"
 
 namespace displayfile {

@@ -18,7 +18,7 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/from_environment.h"
 #include "tests/length_of_lines.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 // Small random scenes in which everything touches everything, entered straight into a display
 // file, so that nothing is clipped and no coordinate is rounded on the way.

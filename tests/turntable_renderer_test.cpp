@@ -1,7 +1,7 @@
 // A turntable's views: each is what its view of the scene is, by whichever method, and the same
 // whichever others are drawn.
 
-#include "interp/turntable_renderer.h"
+#include "interp/draw/turntable_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/draw.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
+#include "interp/draw/draw.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
 #include "tests/error_of.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/polygon_paints.h"
 #include "interp/vector/svg_device.h"

@@ -1,7 +1,7 @@
 // New views of a retained scene without a sort: the picture of a view is that of the display file
 // which entering it would have made, whatever the scene, the method and the number of threads.
 
-#include "interp/view_renderer.h"
+#include "interp/draw/view_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/scenes/random_scenes.h"
 #include "tests/from_environment.h"
 #include "tests/map_truth.h"

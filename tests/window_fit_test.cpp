@@ -10,7 +10,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 namespace {

@@ -20,9 +20,9 @@
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
 #include "hidden/parallel.h"
-#include "interp/renderer.h"
+#include "interp/draw/renderer.h"
+#include "interp/draw/turntable_renderer.h"
 #include "interp/truth/truth.h"
-#include "interp/turntable_renderer.h"
 #include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // Ray casting in object space as its users meet it: pictures of what is retained, and picking.
 
-#include "interp/world_views.h"
+#include "interp/draw/world_views.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "clip/view_volume.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/turntable.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"

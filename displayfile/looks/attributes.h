@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "displayfile/lighting.h"
-#include "displayfile/shading.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/lighting.h"
+#include "displayfile/looks/shading.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "displayfile/background.h"
+#include "displayfile/looks/background.h"
 
 #include "clip/error.h"
 

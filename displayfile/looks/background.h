@@ -1,6 +1,6 @@
 #pragma once
 
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 #include "hidden/hidden_method.h"
 
 namespace displayfile {

@@ -1,4 +1,4 @@
-#include "displayfile/gouraud.h"
+#include "displayfile/looks/gouraud.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 
 namespace displayfile {
 
-// Gouraud shading on the way into the display file (displayfile/gouraud.md). World coordinates.
+// Gouraud shading on the way into the display file (displayfile/looks/gouraud.md). World
+// coordinates.
 
 /// True if the normals are not all the same: then the polygon is entered as triangles.
 bool differ(std::span<const Point3> normals);

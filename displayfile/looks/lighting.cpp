@@ -1,4 +1,4 @@
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 
 #include <glm/geometric.hpp>
 

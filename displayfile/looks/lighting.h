@@ -5,7 +5,7 @@
 
 #include "clip/point.h"
 #include "clip/view_volume.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -1,10 +1,10 @@
-#include "displayfile/phong.h"
+#include "displayfile/looks/phong.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"
-#include "displayfile/gouraud.h"
+#include "displayfile/looks/gouraud.h"
 
 namespace displayfile {
 

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "displayfile/lighting.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/lighting.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 
-// Phong shading on the way into the display file (displayfile/phong.md). World coordinates.
+// Phong shading on the way into the display file (displayfile/looks/phong.md). World coordinates.
 
 /// Clips polygons whose vertices have normals, which go with them.
 class PhongNormals {

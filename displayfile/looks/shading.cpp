@@ -1,4 +1,4 @@
-#include "displayfile/shading.h"
+#include "displayfile/looks/shading.h"
 
 #include "clip/words.h"
 

@@ -7,8 +7,8 @@ namespace displayfile {
 /// How light is spread over a polygon.
 enum class Shading {
   flat,     ///< one intensity a polygon
-  gouraud,  ///< one a vertex, linear over the picture of a triangle (displayfile/gouraud.md)
-  phong,    ///< a normal a vertex, linear likewise, lit at each pixel (displayfile/phong.md)
+  gouraud,  ///< one a vertex, linear over the picture of a triangle (displayfile/looks/gouraud.md)
+  phong,    ///< a normal a vertex, linear likewise, lit at each pixel (displayfile/looks/phong.md)
 };
 
 /// Reads `flat`, `gouraud` or `phong`; throws Error for anything else.

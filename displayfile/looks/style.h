@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "clip/point.h"
-#include "displayfile/text_style.h"
+#include "displayfile/looks/text_style.h"
 
 namespace displayfile {
 

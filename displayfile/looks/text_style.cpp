@@ -1,4 +1,4 @@
-#include "displayfile/text_style.h"
+#include "displayfile/looks/text_style.h"
 
 #include "clip/words.h"
 

@@ -1,4 +1,4 @@
-#include "displayfile/vertex_shading.h"
+#include "displayfile/looks/vertex_shading.h"
 
 namespace displayfile {
 

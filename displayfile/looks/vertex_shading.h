@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 
 namespace displayfile {
 
 /// What the vertices of a polygon have that is shaded smoothly, one each: intensities with Gouraud
-/// shading (displayfile/gouraud.md), normals with Phong shading (displayfile/phong.md). Both run
-/// linearly over its picture, which was cut from one triangle; the fill colour is multiplied by the
-/// intensity, or by that of the normal. Empty if the polygon is flat. What it points to must live
-/// on.
+/// shading (displayfile/looks/gouraud.md), normals with Phong shading (displayfile/looks/phong.md).
+/// Both run linearly over its picture, which was cut from one triangle; the fill colour is
+/// multiplied by the intensity, or by that of the normal. Empty if the polygon is flat. What it
+/// points to must live on.
 struct VertexShading {
   std::span<const double> intensities = {};
   /// World coordinates; out of the side that is seen. Of length 1 where no edge was cut.

@@ -12,7 +12,7 @@
 #include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
-#include "displayfile/mesh/fitted_window.h"
+#include "displayfile/fitted_window.h"
 #include "displayfile/set_view.h"
 
 namespace displayfile {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "displayfile/looks/style.h"
 #include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/import_limits.h"
-#include "displayfile/style.h"
 
 namespace displayfile {
 

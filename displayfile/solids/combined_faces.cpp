@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "displayfile/equal_points.h"
+#include "clip/equal_points.h"
 #include "hidden/triangulation.h"
 
 namespace displayfile {

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/looks/attributes.h"
+#include "displayfile/looks/world_polygon.h"
 #include "displayfile/solids/exact_solid.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/solids/solid_operation.h"
-#include "displayfile/view_stage.h"
 
 namespace displayfile {
 

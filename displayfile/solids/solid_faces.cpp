@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "displayfile/equal_points.h"
+#include "clip/equal_points.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "displayfile/display_file.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "clip/round_to_nearest.h"
-#include "displayfile/gouraud.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/gouraud.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "clip/point.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hidden/entered_polygon.h"
+#include "hidden/exact/entered_polygon.h"
 
 namespace displayfile {
 

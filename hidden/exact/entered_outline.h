@@ -9,7 +9,7 @@
 #include "clip/point.h"
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
-#include "hidden/entered_polygon.h"
+#include "hidden/exact/entered_polygon.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/exact_vector.h"
 #include "hidden/exact/pixel_centre.h"

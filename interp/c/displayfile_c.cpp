@@ -23,7 +23,7 @@
 #include "displayfile/text/dump.h"
 #include "displayfile/text/user_routine.h"
 #include "interp/c/system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/steps/steps.h"
 #include "interp/truth/truth.h"
 

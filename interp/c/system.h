@@ -20,8 +20,8 @@
 #include "displayfile/recorder.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/c/displayfile_c.h"
-#include "interp/other_eye.h"
-#include "interp/renderer.h"
+#include "interp/draw/other_eye.h"
+#include "interp/draw/renderer.h"
 
 /// What the C API's functions have in common: the system behind the handle, how a call is carried
 /// out, and structures that say their own size.

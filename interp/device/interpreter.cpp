@@ -1,9 +1,9 @@
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 
 #include <vector>
 
 #include "clip/work_budget.h"
-#include "displayfile/vertex_shading.h"
+#include "displayfile/looks/vertex_shading.h"
 #include "hidden/lines/strokes_once.h"
 
 namespace displayfile {

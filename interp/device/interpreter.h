@@ -3,9 +3,9 @@
 #include <cstddef>
 
 #include "displayfile/display_file.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/viewed_scene.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 
 #include "clip/point.h"
 #include "displayfile/intensity_plane.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 #include "displayfile/segment.h"
 #include "hidden/line_cuts.h"
 
@@ -26,8 +26,8 @@ struct DrawnPolygon {
   std::span<const double> intensities = {};
   /// The kinds of line that the sides are, 0 of those that are not drawn. Empty if nobody asked.
   std::span<const LineKinds> kinds = {};
-  /// With Phong shading (displayfile/phong.md) the normals of the vertices too, and the light that
-  /// they are seen in, for a device that lights each pixel: to others it is Gouraud shading.
+  /// With Phong shading (displayfile/looks/phong.md) the normals of the vertices too, and the light
+  /// that they are seen in, for a device that lights each pixel: to others it is Gouraud shading.
   std::span<const Point3> normals = {};
   const Light* light = nullptr;
   /// 1 for each vertex at which a drawn side was cut, by what may hide the rest of it. Empty if

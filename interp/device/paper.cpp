@@ -1,4 +1,4 @@
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 /// Pictures on paper: what an application asks for (DrawOptions). All lengths are millimetres.
 namespace displayfile {

@@ -8,8 +8,8 @@
 namespace displayfile {
 
 /// What is seen at a place of a picture: the nearest solid polygon, of equally near ones the one
-/// entered later, or a line. Renderer (interp/renderer.h) finds it in a display file, WorldViews
-/// (interp/world_views.h) in a scene before viewing.
+/// entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
+/// WorldViews (interp/draw/world_views.h) in a scene before viewing.
 struct Pick {
   enum class Kind {
     polygon,  ///< the fill of one

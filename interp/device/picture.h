@@ -9,8 +9,8 @@
 
 #include "clip/error.h"
 #include "clip/point.h"
-#include "displayfile/background.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "hidden/hidden_lines.h"
 #include "hidden/hidden_method.h"
 

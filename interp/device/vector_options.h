@@ -4,7 +4,7 @@
 #include <string>
 
 #include "clip/error.h"
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 
 namespace displayfile {
 

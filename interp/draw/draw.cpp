@@ -1,4 +1,4 @@
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,11 +12,12 @@
 #include "displayfile/collected_text.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/hidden_surface_check.h"
-#include "interp/drawing_choice.h"
-#include "interp/picture_checks.h"
-#include "interp/picture_source.h"
+#include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_source.h"
+#include "interp/draw/renderer.h"
+#include "interp/draw/world_views.h"
 #include "interp/raster/software.h"
-#include "interp/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/picker.h"
 #include "interp/visibility/world_rays.h"
@@ -29,41 +30,34 @@ constexpr WorkDone kDrawing{
     "the drawing",
     "for pixels a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
 
-/// The request for what is drawn in the order that the display file has.
-RasterRequest raster_request(const DisplayFile& file, const DrawOptions& options) {
-  RasterRequest request = raster_request(options);
+RasterRequest raster_request(const DisplayFile& file, const PicturePlan& plan) {
+  RasterRequest request = raster_request(plan);
   request.sorted = has_exact_order(file);
-  if (options.hidden && is_colour_rule(*options.hidden)) {
-    request.method = colour_rule_by(HiddenMethod::none);
-  }
   return request;
 }
 
-/// The display file has been brought up to date for the picture.
-RasterRequest raster_request(const GraphicsSystem& system, const DisplayFile& file,
-                             const DrawOptions& options) {
-  RasterRequest request = raster_request(file, options);
-  request.method = method_in_force(system, hidden_surface_options(options));
-  const Precision precision = precision_in_force(system, hidden_surface_options(options));
-  if (!precision.exact) request.roundoff = precision.roundoff;
-  request.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
-  request.intersections = contains(system.lines().kinds, LineKind::intersection);
-  return request;
+/// What is drawn in the order that the display file has.
+PicturePlan in_its_order(PicturePlan plan) {
+  const bool colour_rule = is_colour_rule(plan.surfaces.method);
+  plan.method = colour_rule ? colour_rule_by(HiddenMethod::none) : HiddenMethod::none;
+  plan.surfaces.precision = {};
+  plan.surfaces.hidden_lines = HiddenLines::none;
+  return plan;
 }
 
-RasterRequest raster_request(const ViewedWorld& world, const DrawOptions& options) {
-  RasterRequest request = raster_request(world.display_file, options);
-  const bool colour_rule = is_colour_rule(request.method);
-  request.method =
+PicturePlan by_rays(const ViewedWorld& world, PicturePlan plan) {
+  require_drawn_by_rays(plan);
+  const bool colour_rule = is_colour_rule(plan.surfaces.method);
+  plan.method =
       colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
+  require_hidden_lines_drawn(plan.surfaces.hidden_lines, plan.method, plan);
+  plan.surfaces.intersections = world.rays->scene().has_intersections();
+  return plan;
+}
+
+RasterRequest raster_request(const ViewedWorld& world, const PicturePlan& plan) {
+  RasterRequest request = raster_request(world.display_file, plan);
   request.world = &world;
-  request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
-  require_scope_of_view(options);
-  require_hidden_lines_drawn(request.hidden_lines, request.method, options);
-  request.intersections = world.rays->scene().has_intersections();
-  if (options.precision && !options.precision->exact) {
-    request.roundoff = options.precision->roundoff;
-  }
   return request;
 }
 
@@ -76,20 +70,6 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
         "the scene to be retained, before the first segment");
   }
   return WorldViews(*system.retained(), system.display_file()).as_drawn();
-}
-
-/// With what the application set, for what is drawn without it; the scope has no meaning there.
-DrawOptions with_settings(const GraphicsSystem& system, HiddenMethod method, DrawOptions options) {
-  options.hidden = method;
-  options.scope.reset();
-  options.precision = precision_in_force(system, hidden_surface_options(options));
-  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
-  return options;
-}
-
-DrawOptions with_background(const GraphicsSystem& system, DrawOptions options) {
-  if (!options.background) options.background = system.background();
-  return options;
 }
 
 }  // namespace
@@ -132,7 +112,14 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
 
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
+  PicturePlan plan{.options = options, .device = &first_device()};
+  plan.surfaces = resolve_surfaces(system, hidden_surface_options(options));
+  return choice_for(system, plan, kind);
+}
+
+MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, PictureKind kind) {
+  const DrawOptions& options = plan.options;
+  const HiddenMethod method = plan.surfaces.method;
   if (surfaces_of(method) != HiddenMethod::automatic) {
     return {method, reason_of_method(system, options)};
   }
@@ -143,7 +130,7 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
     return {HiddenMethod::map, "for pens: fills are hatched where they are seen"};
   }
   std::optional<Background> background = options.background.value_or(system.background());
-  if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are asked for
+  if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are wanted
   if (is_colour_rule(method)) background.reset();                          // they hide at least
   MethodChoice chosen = choose_method(system.display_file(), kind, background);
   if (is_colour_rule(method)) chosen.method = colour_rule_by(chosen.method);
@@ -152,33 +139,26 @@ MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& opt
 
 namespace {
 
-void require_drawable_by(HiddenMethod method, const GraphicsSystem& system,
-                         const DrawOptions& options) {
-  require_drawable_by(method, options);
-  require_hidden_lines_drawn(hidden_lines_in_force(system, hidden_surface_options(options)), method,
-                             options);
+void require_drawn(const PicturePlan& plan) {
+  require_drawable_by(plan.method, plan);
+  require_hidden_lines_drawn(plan.surfaces.hidden_lines, plan.method, plan);
 }
 
-}  // namespace
-
-namespace {
-
 /// Lines are to be drawn where they are hidden, and the method draws in order of entry.
-bool may_leave_hidden_lines(const GraphicsSystem& system, HiddenMethod method,
-                            const DrawOptions& options) {
-  return hidden_lines_in_force(system, hidden_surface_options(options)) != HiddenLines::none &&
-         !is_image_space(method) && !is_object_space(method);
+bool may_leave_hidden_lines(const PicturePlan& plan) {
+  return plan.surfaces.hidden_lines != HiddenLines::none && !is_image_space(plan.method) &&
+         !is_object_space(plan.method);
 }
 
 /// What the options ask for is refused, and what the application set is left out with a warning.
 /// The display file has been brought up to date.
-void look_for_hidden_lines_left(const GraphicsSystem& system, const DisplayFile& drawn,
-                                HiddenMethod method, const DrawOptions& options) {
+void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
   if (!options.hidden_lines && !options.warn) return;
-  if (!may_leave_hidden_lines(system, method, options)) return;
+  if (!may_leave_hidden_lines(plan)) return;
   if (options.hidden_lines) {
     if (leaves_hidden_lines(drawn, true, options.threads)) {
-      throw Error(words_of_hidden_lines_left(method));
+      throw Error(words_of_hidden_lines_left(plan.method));
     }
     return;
   }
@@ -189,18 +169,23 @@ void look_for_hidden_lines_left(const GraphicsSystem& system, const DisplayFile&
   } catch (const std::bad_alloc&) {
     return;
   }
-  options.warn({DrawWarning::Kind::hidden_lines, words_of_hidden_lines_left(method)});
+  options.warn({DrawWarning::Kind::hidden_lines, words_of_hidden_lines_left(plan.method)});
 }
 
 }  // namespace
 
+void require_format(const Destination& to, const DrawOptions& options) { resolve(options, &to); }
+
+void require_drawable(const Destination& to, const DrawOptions& options) {
+  require_writable(to, resolve(options, &to));
+}
+
 void require_drawable(const GraphicsSystem& system, const DrawOptions& options) {
-  require_drawable_in_memory(options);
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  require_drawable_by(method, system, options);
-  if (options.hidden_lines && may_leave_hidden_lines(system, method, options) &&
+  const PicturePlan plan = resolve(system, options);
+  require_drawn(plan);
+  if (options.hidden_lines && may_leave_hidden_lines(plan) &&
       leaves_hidden_lines(system.display_file(), !options.hidden, options.threads)) {
-    throw Error(words_of_hidden_lines_left(method));
+    throw Error(words_of_hidden_lines_left(plan.method));
   }
 }
 
@@ -211,10 +196,10 @@ EnteredScene retained_beside(const GraphicsSystem& system) {
   return {.scene = system.retains_alone() ? nullptr : system.retained()};
 }
 
-DisplayFileSource source_of(const ViewedWorld& world, const DrawOptions& options,
+DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,
                             SoftwareRenderer& software) {
   const View* const view = world.views.size() == 1 ? &world.views.front() : nullptr;
-  return {world.display_file, true, options, software, {&world.rays->scene(), view}};
+  return {world.display_file, true, plan, software, {&world.rays->scene(), view}};
 }
 
 /// What is kept from one picture to the next.
@@ -223,62 +208,43 @@ struct KeptForPictures {
   SoftwareRenderer& software;
 };
 
-/// Gives the display file, brought up to date, and what is asked of it; or the view of a retained
-/// scene.
-template <class DrawFile, class DrawWorld>
-auto draw_up_to_date(const GraphicsSystem& system, const DrawOptions& options, HiddenMethod method,
-                     PictureKind kind, SortedDisplayFile& kept, DrawFile&& draw_file,
-                     DrawWorld&& draw_world) {
-  require_drawable_by(method, system, options);
-  HiddenSurfaceOptions asked = hidden_surface_options(options);
-  asked.shadows = kind == PictureKind::vector;
-  const DisplayFile& sorted = kept.update(system, unsorted_if_automatic(method), asked);
-  look_for_hidden_lines_left(system, sorted, method, options);
-  if (const auto world = world_in_force(system, method)) {
-    return draw_world(*world, with_settings(system, method, options));
+/// What draw(source, request, plan) returns: of the display file, brought up to date, or of the
+/// retained scene in its views.
+template <class Draw>
+auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
+                     const KeptForPictures& kept, const Draw& draw) {
+  require_drawn(plan);
+  const DisplayFile& sorted =
+      kept.sorted.update(system, plan.surfaces, unsorted_if_automatic(plan.method));
+  look_for_hidden_lines_left(sorted, plan);
+  if (const auto world = world_in_force(system, plan.method)) {
+    const PicturePlan cast = by_rays(*world, plan);
+    return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);
   }
-  return draw_file(sorted, raster_request(system, sorted, options));
+  const bool by_depth = plan.kind() == PictureKind::vector && is_image_space(plan.method);
+  return draw(DisplayFileSource(sorted, by_depth, plan, kept.software, retained_beside(system)),
+              raster_request(sorted, plan), plan);
 }
 
-Picture draw_in_memory(const GraphicsSystem& system, const DrawOptions& as_asked,
+Picture draw_in_memory(const GraphicsSystem& system, const PicturePlan& plan,
                        const KeptForPictures& kept) {
-  const DrawOptions options = with_background(system, as_asked);
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(plan.options.budget);
   const NamedWork named(kDrawing);
-  return with_memory_of_picture(options, kept.software, [&] {
-    return draw_up_to_date(
-        system, options, method_in_force(system, hidden_surface_options(options)),
-        PictureKind::raster, kept.sorted,
-        [&](const DisplayFile& sorted, const RasterRequest& request) {
-          return draw_pixels(
-              DisplayFileSource(sorted, false, options, kept.software, retained_beside(system)),
-              request, options);
-        },
-        [](const ViewedWorld& world, const DrawOptions& exact) { return draw(world, exact); });
-  });
+  return with_memory_of_picture(plan, kept.software,
+                                [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
 }
 
-void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& as_asked,
+void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
              const KeptForPictures& kept) {
-  const DrawOptions options = with_background(system, as_asked);
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(to, options);
-  const PictureKind kind = picture_kind(to, options);
-  // For a picture of pixels it is the renderer that picks a method.
-  const HiddenMethod method = kind == PictureKind::raster
-                                  ? method_in_force(system, hidden_surface_options(options))
-                                  : drawing_method(system, options, PictureKind::vector);
-  if (options.pens) require_drawn_by_pens(method, *options.pens);
-  with_memory_of_drawing(system.display_file().bytes(), to, options, [&] {
-    draw_up_to_date(
-        system, options, method, kind, kept.sorted,
-        [&](const DisplayFile& sorted, const RasterRequest& request) {
-          const DisplayFileSource source(sorted, is_image_space(method), options, kept.software,
-                                         retained_beside(system));
-          write_picture(source, request, to, options);
-        },
-        [&](const ViewedWorld& world, const DrawOptions& exact) { draw(world, to, exact); });
+  const PicturePlan plan = resolve(system, options, &to);
+  require_writable(to, plan);
+  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+  with_memory_of_drawing(system.display_file().bytes(), to, plan, [&] {
+    draw_up_to_date(system, plan, kept,
+                    [&](const PictureSource& source, const RasterRequest& request,
+                        const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
   });
 }
 
@@ -286,7 +252,7 @@ void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOpti
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   SoftwareRenderer software;
-  return draw_in_memory(system, options, {kept, software});
+  return draw_in_memory(system, resolve(system, options), {kept, software});
 }
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
@@ -314,41 +280,44 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(to, options);
+  const PicturePlan plan = in_its_order(resolve(options, &to));
+  require_writable(to, plan);
   require_order_as_it_is(display_file, options);
   SoftwareRenderer software;
-  write_picture(DisplayFileSource(display_file, false, options, software),
-                raster_request(display_file, options), to, options);
+  write_picture(DisplayFileSource(display_file, false, plan, software),
+                raster_request(display_file, plan), to, plan);
 }
 
 Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
+  const PicturePlan plan = in_its_order(resolve(options));
   SoftwareRenderer software;
-  return with_memory_of_picture(options, software, [&] {
+  return with_memory_of_picture(plan, software, [&] {
     require_order_as_it_is(display_file, options);
-    return draw_pixels(DisplayFileSource(display_file, false, options, software),
-                       raster_request(display_file, options), options);
+    return draw_pixels(DisplayFileSource(display_file, false, plan, software),
+                       raster_request(display_file, plan), plan);
   });
 }
 
 void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
-  require_drawable(to, options);
-  require_drawn_by_rays(options, picture_kind(to, options));
+  const PicturePlan plan = by_rays(world, resolve(options, &to));
+  require_writable(to, plan);
+  require_scope_of_view(options);
   SoftwareRenderer software;
-  write_picture(source_of(world, options, software), raster_request(world, options), to, options);
+  write_picture(source_of(world, plan, software), raster_request(world, plan), to, plan);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
   const BudgetInForce in_force(options.budget);
   const NamedWork named(kDrawing);
   SoftwareRenderer software;
-  return with_memory_of_picture(options, software, [&] {
-    require_drawn_by_rays(options, PictureKind::raster);
-    return draw_pixels(source_of(world, options, software), raster_request(world, options),
-                       options);
+  const PicturePlan plan = by_rays(world, resolve(options));
+  return with_memory_of_picture(plan, software, [&] {
+    require_scope_of_view(options);
+    return draw_pixels(source_of(world, plan, software), raster_request(world, plan), plan);
   });
 }
 
@@ -372,10 +341,10 @@ Renderer::Renderer(Renderer&& other) noexcept = default;
 Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
 
 const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
-  require_drawable_in_memory(options);
+  const PicturePlan plan = resolve(system, options);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));  // none, if drawing fails
-  kept.picture = draw_in_memory(system, options, {kept.sorted, kept.software});
+  kept.picture = draw_in_memory(system, plan, {kept.sorted, kept.software});
   return kept.picture;
 }
 
@@ -390,7 +359,7 @@ void Renderer::draw(const GraphicsSystem& system, const Destination& to,
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
-  require_drawable_in_memory(options);
+  resolve(options);  // refuses
   const BudgetInForce in_force(options.budget);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;

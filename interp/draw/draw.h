@@ -8,15 +8,15 @@
 #include <string_view>
 
 #include "clip/work_budget.h"
-#include "displayfile/background.h"
 #include "displayfile/destination.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/background.h"
 #include "displayfile/sorted_display_file.h"
 #include "hidden/exact/precision.h"
-#include "interp/paper.h"
-#include "interp/picture.h"
-#include "interp/vector_options.h"
-#include "interp/world_views.h"
+#include "interp/device/paper.h"
+#include "interp/device/picture.h"
+#include "interp/device/vector_options.h"
+#include "interp/device/viewed_world.h"
 
 namespace displayfile {
 
@@ -124,7 +124,7 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
 Picture draw(const DisplayFile& display_file, const DrawOptions& options = {});
 
-/// Draws a retained scene in a view (interp/world_views.h): pixels by rays cast in world
+/// Draws a retained scene in a view (interp/draw/world_views.h): pixels by rays cast in world
 /// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
 /// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF, scope `segment`,
 /// and a method that is drawn by no rays: in pixels another than `automatic` and world_ray_cast,

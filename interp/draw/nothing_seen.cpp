@@ -1,4 +1,4 @@
-#include "interp/nothing_seen.h"
+#include "interp/draw/nothing_seen.h"
 
 #include <fmt/format.h>
 

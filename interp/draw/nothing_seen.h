@@ -7,7 +7,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "interp/other_eye.h"
+#include "interp/draw/other_eye.h"
 
 #include <optional>
 #include <tuple>
@@ -12,8 +12,9 @@
 #include "displayfile/taken_scene.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/program_in_view.h"
-#include "interp/picture_formats.h"
-#include "interp/view_renderer.h"
+#include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_plan.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -92,20 +93,16 @@ bool OtherEye::draws(const DrawOptions& options) const {
   const HiddenMethod method = drawing_method(kept_->told, options);
   return !kept_->told.has_hatching() && is_image_space(method) &&
          surfaces_of(method) != HiddenMethod::world_ray_cast &&
-         &device_of(options.device) == &first_device();
+         resolve(options).is_on_first_device();
 }
 
 const Picture& OtherEye::draw(const DrawOptions& options) {
   Kept& kept = *kept_;
   kept.require_same();
-  const HiddenSurfaceOptions asked = hidden_surface_options(options);
-  DrawOptions said = options;
-  said.scope.reset();  // as for a system, in image space
-  said.hidden = drawing_method(kept.told, options);
-  said.precision = precision_in_force(kept.told, asked);
-  said.hidden_lines = hidden_lines_in_force(kept.told, asked);
-  if (!said.background) said.background = kept.told.background();
-  return kept.renderer.draw(kept.view, said);
+  const PicturePlan plan = resolve(kept.told, options);
+  DrawOptions settled = plan.without_system();
+  settled.hidden = choice_for(kept.told, plan, PictureKind::raster).method;
+  return kept.renderer.draw(kept.view, settled);
 }
 
 }  // namespace displayfile

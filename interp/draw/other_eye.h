@@ -6,14 +6,14 @@
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 
 /// A system as if its application had set another view, for one view after another. Methods that
-/// work in image space draw what was retained (interp/view_renderer.h); for all else, and where cut
-/// faces are hatched, which is done anew in each view, the application's calls are replayed in that
-/// view, once for each.
+/// work in image space draw what was retained (interp/draw/view_renderer.h); for all else, and
+/// where cut faces are hatched, which is done anew in each view, the application's calls are
+/// replayed in that view, once for each.
 class OtherEye {
  public:
   /// The system, which must live on where it is, the scene that it retained, and all that was

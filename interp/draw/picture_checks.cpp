@@ -1,4 +1,4 @@
-#include "interp/picture_checks.h"
+#include "interp/draw/picture_checks.h"
 
 #include <fmt/format.h>
 
@@ -10,58 +10,11 @@
 #include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/output.h"
-#include "interp/picture_source.h"
+#include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
-
-namespace {
-
-/// Checks numbers that are the same for a file and in memory; throws Error.
-void require_numbers(const DrawOptions& options) {
-  if (options.threads < 1) {
-    throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
-  }
-  if (options.samples < 1 || options.samples > kMostSamples) {
-    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
-                            kMostSamples));
-  }
-  require_vector_options(options.vectors);
-  require_picture_size(options.width, options.height);
-  if (const auto& rows = options.rows;
-      rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {
-    throw Error(fmt::format("rows {} up to {}: expected some of the picture's {}", rows->first,
-                            rows->end, options.height));
-  }
-  const int most = kLargestSide / options.samples;
-  if (options.width <= most && options.height <= most) return;
-  throw Error(
-      fmt::format("picture size {}x{} with {} x {} samples a pixel: expected 1x1 to {}x{} pixels",
-                  options.width, options.height, options.samples, options.samples, most, most));
-}
-
-/// Paper and pens are of vectors.
-void require_paper_and_pens(const Destination& to, const PictureFormat& format,
-                            const DrawOptions& options) {
-  if (!options.vectors.paper && !options.pens) return;
-  if (!format.is_for_paper()) {
-    throw Error(fmt::format(
-        "{}: {} files have no size on paper, and are not for pens: expected one of {}", to.name(),
-        format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
-  }
-  fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
-  if (options.pens) require_pens(*options.pens);
-}
-
-/// Every output must be writable before any is written.
-void require_writable(const Destination& to, const DrawOptions& options) {
-  output_to(to);
-  if (!options.ids.empty()) output_to(options.ids);
-  if (!options.depth.empty()) output_to(options.depth);
-}
-
-}  // namespace
 
 bool draws_for_pens(HiddenMethod method, bool of_fills) {
   if (finds_lines(method)) return !of_fills;
@@ -84,34 +37,31 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {
                           expected));
 }
 
-void require_drawable_by(HiddenMethod method, const DrawOptions& options) {
+void require_drawable_by(HiddenMethod method, const PicturePlan& plan) {
   if (!shows_lines_only(method)) return;
-  const bool of_fills = finds_lines(method) && (options.with_ids || options.with_depth ||
-                                                !options.ids.empty() || !options.depth.empty());
-  if (of_fills) {
+  if (finds_lines(method) && plan.wants_fills()) {
     throw Error(fmt::format(
         "item buffers and depths are of fills, which hidden-line method '{}' does not draw: "
         "expected another method",
         name_of(method)));
   }
-  if (&device_of(options.device) != &first_device()) {
-    throw Error(fmt::format(
-        "hidden-line method '{}' on the {} device, which draws surfaces: "
-        "expected the {} device",
-        name_of(method), device_of(options.device).choice.name, first_device().choice.name));
+  if (!plan.is_on_first_device()) {
+    throw Error(
+        fmt::format("hidden-line method '{}' on the {} device, which draws surfaces: "
+                    "expected the {} device",
+                    name_of(method), plan.device->choice.name, first_device().choice.name));
   }
 }
 
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
-                                const DrawOptions& options) {
+                                const PicturePlan& plan) {
   if (hidden_lines == HiddenLines::none || is_object_space(method)) return;
   require_hidden_lines_found(hidden_lines, method);
-  const RasterDevice& device = device_of(options.device);
-  if (&device != &first_device() && is_image_space(method)) {
+  if (!plan.is_on_first_device() && is_image_space(method)) {
     throw Error(
         fmt::format("hidden lines are not drawn by the {} device by '{}': expected the {} device, "
                     "bsp, depth-sort, map, or hidden lines none",
-                    device.choice.name, name_of(method), first_device().choice.name));
+                    plan.device->choice.name, name_of(method), first_device().choice.name));
   }
 }
 
@@ -188,11 +138,12 @@ void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& 
   }
 }
 
-void require_drawn_by_rays(const DrawOptions& options, PictureKind kind) {
+void require_drawn_by_rays(const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
   if (!options.hidden) return;
   const HiddenMethod method = surfaces_of(*options.hidden);
   if (method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast) return;
-  const bool by_rays = kind == PictureKind::raster && &device_of(options.device) == &first_device();
+  const bool by_rays = plan.kind() == PictureKind::raster && plan.is_on_first_device();
   if (!by_rays && (is_image_space(method) || method == HiddenMethod::map)) return;
   throw Error(fmt::format(
       "hidden-surface method '{}' for a view into which rays are cast: expected world-ray-cast, {}"
@@ -200,36 +151,10 @@ void require_drawn_by_rays(const DrawOptions& options, PictureKind kind) {
       name_of(*options.hidden), by_rays ? "" : "map, a method of image space, "));
 }
 
-void require_drawable_in_memory(const DrawOptions& options) {
-  require_numbers(options);
-  device_of(options.device);
-  if (!options.format.empty()) format_named(options.format);
-}
-
-void require_drawable(const Destination& to, const DrawOptions& options) {
-  require_format(to, options);
-  require_writable(to, options);
-}
-
-void require_format(const Destination& to, const DrawOptions& options) {
-  const PictureFormat& format = format_of(to, options);
-  require_numbers(options);
-  const RasterDevice& device = device_of(options.device);  // the first unless one was asked for
-  if (format.write_vectors != nullptr && &device != &first_device()) {
-    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", to.name(),
-                            device.choice.name,
-                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
-  }
-  if (options.rows && format.write_vectors != nullptr) {
-    throw Error(fmt::format("{}: vectors have no rows: expected {}", to.name(),
-                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
-  }
-  if (!has_background(options) && !format.can_be_transparent()) {
-    throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
-                            to.name(), format.choice.name,
-                            names_of_formats(&PictureFormat::can_be_transparent, " ")));
-  }
-  require_paper_and_pens(to, format, options);
+void require_writable(const Destination& to, const PicturePlan& plan) {
+  output_to(to);
+  if (!plan.options.ids.empty()) output_to(plan.options.ids);
+  if (!plan.options.depth.empty()) output_to(plan.options.depth);
 }
 
 }  // namespace displayfile

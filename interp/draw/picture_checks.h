@@ -6,21 +6,22 @@
 
 #include "clip/memory.h"
 #include "displayfile/destination.h"
-#include "interp/draw.h"
-#include "interp/picture.h"
-#include "interp/picture_formats.h"
+#include "interp/device/picture.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/picture_plan.h"
 #include "interp/raster/software.h"
 
-/// What is checked before any work is done: options, and that there is memory. For a file,
-/// require_drawable (interp/draw.h).
+/// What is checked before any work is done, beside what resolve (interp/draw/picture_plan.h)
+/// refuses: what a method can draw, that files can be written, and that there is memory.
 namespace displayfile {
 
-/// Checks what is asked of a picture in memory; throws Error.
-void require_drawable_in_memory(const DrawOptions& options);
+/// Throws Error if a file that the plan writes cannot be written: every output must be writable
+/// before any is written.
+void require_writable(const Destination& to, const PicturePlan& plan);
 
 /// Throws Error if the method shows lines only and the device draws surfaces, or if it finds lines
-/// and something of fills is asked for.
-void require_drawable_by(HiddenMethod method, const DrawOptions& options);
+/// and something of fills is wanted.
+void require_drawable_by(HiddenMethod method, const PicturePlan& plan);
 
 /// True if all that a method hands on is to be seen, or at least hides nothing, so that nothing
 /// needs to be painted over: as pens need it. `of_fills`: and it hands on fills, for hatching.
@@ -31,7 +32,7 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens);
 /// Throws Error if lines are to be drawn where they are hidden and nothing draws them there: the
 /// colour rule and the OSMesa device draw what comes, and only an order of fills has such lines.
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
-                                const DrawOptions& options);
+                                const PicturePlan& plan);
 
 /// Throws Error for scope `segment`, of a view of a retained scene: all its segments are drawn
 /// together.
@@ -40,13 +41,12 @@ void require_scope_of_view(const DrawOptions& options);
 /// drawn in the order that it has, was put in order otherwise.
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options);
 /// Throws Error for a method that a retained scene's rays do not draw.
-void require_drawn_by_rays(const DrawOptions& options, PictureKind kind);
+void require_drawn_by_rays(const PicturePlan& plan);
 
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
-Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRenderer& kept,
-                               Draw&& draw) {
-  require_drawable_in_memory(options);
+Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& kept, Draw&& draw) {
+  const DrawOptions& options = plan.options;
   const int rows = options.drawn_rows();
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(rows);
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
@@ -63,9 +63,10 @@ Picture with_memory_of_picture(const DrawOptions& options, const SoftwareRendere
 /// smaller than it is.
 template <class Draw>
 void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
-                            const DrawOptions& options, Draw&& draw) {
+                            const PicturePlan& plan, Draw&& draw) {
   constexpr std::size_t kBytesOfPixel = 8;
-  const bool by_rows = device_of(options.device).draw_rows != nullptr;
+  const DrawOptions& options = plan.options;
+  const bool by_rows = plan.device->draw_rows != nullptr;
   const auto pixels =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   const auto samples = static_cast<std::size_t>(options.samples * options.samples);

@@ -1,4 +1,4 @@
-#include "interp/picture_formats.h"
+#include "interp/draw/picture_formats.h"
 
 #include <fmt/format.h>
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/background.h"
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
-#include "interp/draw.h"
+#include "displayfile/looks/background.h"
+#include "interp/device/picture.h"
+#include "interp/draw/draw.h"
 #include "interp/files/row_file.h"
-#include "interp/picture.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pens/pen_drawing.h"
 

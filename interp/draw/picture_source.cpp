@@ -1,4 +1,4 @@
-#include "interp/picture_source.h"
+#include "interp/draw/picture_source.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "clip/work_budget.h"
-#include "displayfile/background.h"
+#include "displayfile/looks/background.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/draw/picture_checks.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/row_file.h"
-#include "interp/picture_checks.h"
 #include "interp/raster/antialias.h"
 
 namespace displayfile {
@@ -21,16 +21,21 @@ bool has_background(const DrawOptions& options) {
   return options.background.value_or(Background{}).kind != Background::Kind::none;
 }
 
-RasterRequest raster_request(const DrawOptions& options) {
+RasterRequest raster_request(const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
   RasterRequest request;
   request.width = options.width;
   request.height = options.height;
   request.rows = options.rows;
+  request.method = plan.method;
   request.ids = options.with_ids || !options.ids.empty();
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
+  request.hidden_lines = plan.surfaces.hidden_lines;
+  request.intersections = plan.surfaces.intersections;
   request.threads = options.threads;
   request.crumbs = options.crumbs;
+  if (!plan.surfaces.precision.exact) request.roundoff = plan.surfaces.precision.roundoff;
   return request;
 }
 
@@ -140,8 +145,9 @@ Picture draw_samples(const PictureSource& source, const RasterRequest& request,
 }  // namespace
 
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
-                    const DrawOptions& options) {
-  require_drawable_by(request.method, options);
+                    const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  require_drawable_by(request.method, plan);
   Picture picture = draw_samples(source, request, options);
   PixelsShown shown(options, request);
   shown.look_at(picture);
@@ -163,12 +169,13 @@ TakeRows write_rows(const RowFiles& files, PixelsShown& shown) {
 }  // namespace
 
 void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
-                   const DrawOptions& options) {
+                   const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  const PictureFormat& format = *plan.format;
   const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.drawn_rows());
   };
-  const PictureFormat& format = format_of(to, options);
-  require_drawable_by(request.method, options);
+  require_drawable_by(request.method, plan);
   if (!format.is_of_pixels()) require_colour_of_fills(request.method, request.background);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
@@ -189,9 +196,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }
-  if (!options.warn) return;
-  const PictureKind kind = format.is_of_pixels() ? PictureKind::raster : PictureKind::vector;
-  if (!shown.any()) warn_if_nothing_is_seen(source, options, kind);
+  if (options.warn && !shown.any()) warn_if_nothing_is_seen(source, options, plan.kind());
 }
 
 }  // namespace displayfile

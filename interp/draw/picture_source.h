@@ -8,11 +8,11 @@
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "displayfile/scene_viewer.h"
-#include "interp/draw.h"
-#include "interp/nothing_seen.h"
-#include "interp/picture.h"
-#include "interp/picture_checks.h"
-#include "interp/picture_formats.h"
+#include "interp/device/picture.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/nothing_seen.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_plan.h"
 #include "interp/raster/software.h"
 
 /// What a picture is drawn of, and how one source becomes a picture in memory or a file.
@@ -41,17 +41,17 @@ struct EnteredScene {
 class DisplayFileSource : public PictureSource {
  public:
   /// `by_depth`: vectors of it are its map, as where a method of image space is asked for.
-  DisplayFileSource(const DisplayFile& file, bool by_depth, const DrawOptions& options,
+  DisplayFileSource(const DisplayFile& file, bool by_depth, const PicturePlan& plan,
                     SoftwareRenderer& kept, const EnteredScene& entered = {})
       : file_(file),
         entered_(entered),
         by_depth_(by_depth),
-        device_(device_of(options.device)),
-        pens_(options.pens),
-        vectors_(options.vectors),
+        device_(*plan.device),
+        pens_(plan.options.pens),
+        vectors_(plan.options.vectors),
         kept_(kept) {
-    vectors_.crumbs |= options.crumbs;
-    if (pens_) pens_->crumbs |= options.crumbs;
+    vectors_.crumbs |= plan.options.crumbs;
+    if (pens_) pens_->crumbs |= plan.options.crumbs;
   }
 
   Picture draw(const RasterRequest& request) const override {
@@ -81,28 +81,28 @@ class ViewSource : public PictureSource {
   template <class Do>
   auto of_display_file(Do&& work) const {
     const DisplayFile file = viewer_.display_file(view_, lights_turned_);
-    return work(DisplayFileSource(file, true, options_, kept_));
+    return work(DisplayFileSource(file, true, plan_, kept_));
   }
 
  public:
   ViewSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
-             const DrawOptions& options, SoftwareRenderer& kept, RetainedCasters* casters)
+             const PicturePlan& plan, SoftwareRenderer& kept, RetainedCasters* casters)
       : viewer_(viewer),
         view_(view),
         lights_turned_(lights_turned),
-        options_(options),
+        plan_(plan),
         kept_(kept),
         casters_(casters) {}
 
   Picture draw(const RasterRequest& request) const override {
-    if (!is_first_device())
+    if (!plan_.is_on_first_device())
       return of_display_file([&](const PictureSource& s) { return s.draw(request); });
     const ViewedScene& seen = scene(request);
     kept_.draw(seen, request, kept_of_views(seen, request));
     return kept_.take_picture();
   }
   void draw(const RasterRequest& request, const TakeRows& take) const override {
-    if (!is_first_device())
+    if (!plan_.is_on_first_device())
       return of_display_file([&](const PictureSource& s) { s.draw(request, take); });
     const ViewedScene& seen = scene(request);
     kept_.draw(seen, request, kept_of_views(seen, request), take);
@@ -119,7 +119,6 @@ class ViewSource : public PictureSource {
   }
 
  private:
-  bool is_first_device() const { return &device_of(options_.device) == &first_device(); }
   SceneViewer::Wanted wanted(const RasterRequest& request) const {
     return {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads};
   }
@@ -134,20 +133,21 @@ class ViewSource : public PictureSource {
   SceneViewer& viewer_;
   const View& view_;
   const glm::dmat3& lights_turned_;
-  const DrawOptions& options_;
+  const PicturePlan& plan_;
   SoftwareRenderer& kept_;
   RetainedCasters* casters_;
 };
 
-/// The size, outputs, background and threads that are asked for; the method is the first.
-RasterRequest raster_request(const DrawOptions& options);
 bool has_background(const DrawOptions& options);
+
+/// What the plan says of pixels.
+RasterRequest raster_request(const PicturePlan& plan);
 
 /// Draws in memory; what is not a colour is not antialiased.
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
-                    const DrawOptions& options);
-/// Draws into a file, and what else is asked for into others: all of them or, if it fails, none.
+                    const PicturePlan& plan);
+/// Draws into a file, and what else is wanted into others: all of them or, if it fails, none.
 void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
-                   const DrawOptions& options);
+                   const PicturePlan& plan);
 
 }  // namespace displayfile

@@ -4,16 +4,16 @@
 #include <optional>
 
 #include "displayfile/destination.h"
-#include "interp/draw.h"
-#include "interp/pick.h"
+#include "interp/device/pick.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 
 /// Draws a system's pictures one after another, and tells what is seen in them: as draw
-/// (interp/draw.h) does, but with what is made ready for a picture kept for the next. While the
-/// display file, the size and the method stay the same, nothing is made anew; where only some
+/// (interp/draw/draw.h) does, but with what is made ready for a picture kept for the next. While
+/// the display file, the size and the method stay the same, nothing is made anew; where only some
 /// segments changed, only these are sorted again. What world_ray_cast needs is made anew each time:
-/// WorldViews (interp/world_views.h) keeps that. For one thread.
+/// WorldViews (interp/draw/world_views.h) keeps that. For one thread.
 class Renderer {
  public:
   Renderer();

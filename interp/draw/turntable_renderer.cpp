@@ -1,4 +1,4 @@
-#include "interp/turntable_renderer.h"
+#include "interp/draw/turntable_renderer.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,8 @@
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "displayfile/taken_scene.h"
-#include "interp/picture_checks.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_plan.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -32,22 +33,23 @@ bool draws_each_anew(const DrawOptions& options) {
                                  method != HiddenMethod::world_ray_cast);
 }
 
-/// With what the system set in place of what was not asked for, so far as views follow it.
-DrawOptions with_settings(const GraphicsSystem& system, DrawOptions options) {
-  const HiddenMethod method = method_in_force(system, hidden_surface_options(options));
-  if (finds_lines(method)) {
-    const auto usual = options.hidden ? HiddenScope::all : HiddenScope::segment;
-    if (!options.scope) options.scope = system.hidden_scope().value_or(usual);
+/// With what the system set in place of what the options leave open, so far as views follow it.
+DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& asked) {
+  const PicturePlan plan = resolve(system, asked);
+  const HiddenMethod method = plan.surfaces.method;
+  DrawOptions options = plan.without_system();
+  options.hidden = asked.hidden;
+  options.scope = asked.scope;
+  if (finds_lines(method) && !options.scope) {
+    const auto usual = asked.hidden ? HiddenScope::all : HiddenScope::segment;
+    options.scope = plan.surfaces.scope_of_application.value_or(usual);
   }
   if (finds_lines(method) || is_colour_rule(method)) {
     options.hidden = method;
     require_turntable_method(options);
   }
-  if (!options.precision) options.precision = system.precision();
-  options.hidden_lines = hidden_lines_in_force(system, hidden_surface_options(options));
-  if (!options.background) options.background = system.background();
   if (draws_each_anew(options) || casts_into_world(options)) {
-    require_hidden_lines_drawn(*options.hidden_lines, *options.hidden, options);
+    require_hidden_lines_drawn(*options.hidden_lines, *options.hidden, plan);
   }
   return options;
 }
@@ -86,7 +88,7 @@ void require_turntable_method(const DrawOptions& options) {
   if (options.pens) require_drawn_by_pens(method, *options.pens);
   if (method != HiddenMethod::automatic && is_image_space(method)) require_scope_of_view(options);
   if (method == HiddenMethod::bsp || is_image_space(method)) return;
-  if (finds_lines(method)) return require_drawable_by(method, options);
+  if (finds_lines(method)) return require_drawable_by(method, resolve(options));
   throw Error(fmt::format(
       "a turntable's views are drawn from one BSP tree, by rays from one tree of boxes, "
       "or by a method that works in image space or finds lines, not by {}: expected "
@@ -172,11 +174,10 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
                                      const DrawOptions& options) {
   require_turntable_views(views.number);
   require_turntable_method(options);
-  require_drawable_in_memory(options);
   const BudgetInForce in_force(options.budget);
+  const DrawOptions settled = with_settings(system, options);
   TakenScene taken(scene, display_file);
   Turntable turntable = turntable_of(taken, system.view(), views);
-  const DrawOptions settled = with_settings(system, options);
   taken.take();
   kept_ = std::make_unique<Kept>(Kept{std::move(taken), system.view(), views, std::move(turntable),
                                       settled, source_of(system, scene, display_file, settled)});

@@ -7,9 +7,9 @@
 
 #include "displayfile/retained_views.h"
 #include "displayfile/turntable.h"
-#include "interp/draw.h"
-#include "interp/view_renderer.h"
-#include "interp/world_views.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/view_renderer.h"
+#include "interp/draw/world_views.h"
 
 namespace displayfile {
 
@@ -39,17 +39,17 @@ struct ViewsDrawn {
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);
 
 /// Throws the Errors that drawing these views into numbered files would throw before it draws
-/// anything, as require_drawable (interp/draw.h) does.
+/// anything, as require_drawable (interp/draw/draw.h) does.
 void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
                             const DrawOptions& options);
 
 /// Draws a retained scene turned about an axis through its middle (displayfile/turntable.h), in any
 /// of some views evenly around: all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
-/// each anew by a method that works in image space or finds lines (interp/view_renderer.h). A view
-/// is the same, bit for bit, whichever others are drawn. Where the application edited the scene, it
-/// is taken up anew, with its middle and what the window is fitted to. For one thread, which shares
-/// the work among as many as the options say.
+/// each anew by a method that works in image space or finds lines (interp/draw/view_renderer.h). A
+/// view is the same, bit for bit, whichever others are drawn. Where the application edited the
+/// scene, it is taken up anew, with its middle and what the window is fitted to. For one thread,
+/// which shares the work among as many as the options say.
 class TurntableRenderer {
  public:
   /// What is to be drawn: `scene`, which a system retained, and the display file of that system,
@@ -69,7 +69,7 @@ class TurntableRenderer {
   /// With what the system had set.
   const DrawOptions& options() const;
 
-  /// Throws Error as draw (interp/draw.h) does, for a view that there is not, and as the
+  /// Throws Error as draw (interp/draw/draw.h) does, for a view that there is not, and as the
   /// constructor for a scene that was edited: here as below.
   Picture draw(int view);
   /// For a file the options' format or its extension says how, as for draw.

@@ -1,4 +1,4 @@
-#include "interp/view_renderer.h"
+#include "interp/draw/view_renderer.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
 #include "displayfile/scene_viewer.h"
-#include "interp/picture_checks.h"
-#include "interp/picture_source.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_source.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 
@@ -18,25 +18,22 @@ namespace displayfile {
 namespace {
 
 /// A retained scene in a view. Throws Error for a method that does not draw one.
-RasterRequest raster_request_of_view(const DrawOptions& options) {
-  RasterRequest request = raster_request(options);
-  request.method = options.hidden.value_or(HiddenMethod::automatic);
+PicturePlan plan_of_view(const DrawOptions& options, const Destination* to = nullptr) {
+  PicturePlan plan = resolve(options, to);
+  plan.method = plan.surfaces.method;
+  const HiddenMethod method = plan.method;
   const bool in_image_space =
-      is_image_space(request.method) && surfaces_of(request.method) != HiddenMethod::world_ray_cast;
-  if (!in_image_space && !finds_lines(request.method)) {
+      is_image_space(method) && surfaces_of(method) != HiddenMethod::world_ray_cast;
+  if (!in_image_space && !finds_lines(method)) {
     throw Error(
         fmt::format("a view renderer finds hidden surfaces in image space, or lines, not by {}: "
                     "expected a method of image space or of lines",
-                    name_of(request.method)));
+                    name_of(method)));
   }
-  if (!finds_lines(request.method)) require_scope_of_view(options);
-  require_drawable_by(request.method, options);
-  require_hidden_lines_drawn(options.hidden_lines.value_or(HiddenLines::none), request.method,
-                             options);
-  if (options.precision && !options.precision->exact) {
-    request.roundoff = options.precision->roundoff;
-  }
-  return request;
+  if (!finds_lines(method)) require_scope_of_view(options);
+  require_drawable_by(method, plan);
+  require_hidden_lines_drawn(plan.surfaces.hidden_lines, method, plan);
+  return plan;
 }
 
 }  // namespace
@@ -65,27 +62,25 @@ struct ViewRenderer::Kept {
     return casters.get();
   }
 
-  /// What draw(source, request) returns, of the scene in that view.
+  /// What draw(source, request, plan) returns, of the scene in that view.
   template <class Draw>
-  auto in_view(const View& view, const glm::dmat3& lights_turned, const DrawOptions& options,
-               RasterRequest request, const Draw& draw) {
+  auto in_view(const View& view, const glm::dmat3& lights_turned, PicturePlan plan,
+               const Draw& draw) {
     bring_up_to_date();
     const RetainedScene& scene = viewer.scene();
-    if (finds_lines(request.method)) {
+    plan.surfaces.intersections = plan.surfaces.options.intersections = scene.has_intersections();
+    RasterRequest request = raster_request(plan);
+    if (finds_lines(plan.method)) {
       SortedDisplayFile lines;
-      HiddenSurfaceOptions asked = hidden_surface_options(options);
-      asked.intersections = scene.has_intersections();
-      const DisplayFile& seen =
-          lines.update(viewer.display_file(view, lights_turned), request.method, asked);
+      const DisplayFile& seen = lines.update(viewer.display_file(view, lights_turned), plan.method,
+                                             plan.surfaces.options);
       request.sorted = has_exact_order(seen);
-      if (options.pens) lines_for_pens = seen;
-      return draw(DisplayFileSource(seen, false, options, software), request);
+      if (plan.options.pens) lines_for_pens = seen;
+      return draw(DisplayFileSource(seen, false, plan, software), request, plan);
     }
-    request.hidden_lines = options.hidden_lines.value_or(HiddenLines::none);
-    request.intersections = scene.has_intersections();
-    return draw(ViewSource(viewer, view, lights_turned, options, software,
-                           casters_of_shadows(options.threads)),
-                request);
+    return draw(ViewSource(viewer, view, lights_turned, plan, software,
+                           casters_of_shadows(plan.options.threads)),
+                request, plan);
   }
 };
 
@@ -97,31 +92,25 @@ ViewRenderer& ViewRenderer::operator=(ViewRenderer&& other) noexcept = default;
 
 const Picture& ViewRenderer::draw(const View& view, const DrawOptions& options,
                                   const glm::dmat3& lights_turned) {
-  const RasterRequest request = raster_request_of_view(options);
-  device_of(options.device);
+  const PicturePlan plan = plan_of_view(options);
   const BudgetInForce in_force(options.budget);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
-  kept.picture = with_memory_of_picture(options, kept.software, [&] {
-    return kept.in_view(view, lights_turned, options, request,
-                        [&](const PictureSource& source, const RasterRequest& asked) {
-                          return draw_pixels(source, asked, options);
-                        });
-  });
+  kept.picture = with_memory_of_picture(
+      plan, kept.software, [&] { return kept.in_view(view, lights_turned, plan, draw_pixels); });
   return kept.picture;
 }
 
 void ViewRenderer::draw(const View& view, const Destination& to, const DrawOptions& options,
                         const glm::dmat3& lights_turned) {
-  const RasterRequest request = raster_request_of_view(options);
-  require_drawable(to, options);
+  const PicturePlan plan = plan_of_view(options, &to);
+  require_writable(to, plan);
   const BudgetInForce in_force(options.budget);
   Kept& kept = *kept_;
-  with_memory_of_drawing(kept.viewer.bytes(), to, options, [&] {
-    kept.in_view(view, lights_turned, options, request,
-                 [&](const PictureSource& source, const RasterRequest& asked) {
-                   write_picture(source, asked, to, options);
-                 });
+  with_memory_of_drawing(kept.viewer.bytes(), to, plan, [&] {
+    kept.in_view(view, lights_turned, plan,
+                 [&](const PictureSource& source, const RasterRequest& request,
+                     const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
   });
 }
 

@@ -8,7 +8,7 @@
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 
@@ -31,15 +31,15 @@ class ViewRenderer {
   /// The visible segments in that view, with the lights turned by a rotation. The options' method
   /// is `automatic`, the z-buffer, unless they say otherwise; scope has a meaning for methods of
   /// lines alone: without one all segments are drawn together. The picture stays until the next
-  /// call, which uses its memory again. Throws Error as draw (interp/draw.h) and ViewVolume do, for
-  /// a method that neither works in image space nor finds lines, for scope `segment` where it has
-  /// no meaning, and if the scene or the display file is gone.
+  /// call, which uses its memory again. Throws Error as draw (interp/draw/draw.h) and ViewVolume
+  /// do, for a method that neither works in image space nor finds lines, for scope `segment` where
+  /// it has no meaning, and if the scene or the display file is gone.
   const Picture& draw(const View& view, const DrawOptions& options = {},
                       const glm::dmat3& lights_turned = glm::dmat3(1.0));
   void draw(const View& view, const Destination& to, const DrawOptions& options = {},
             const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// The picture that draw made last, for who keeps it, as of a Renderer (interp/renderer.h).
+  /// The picture that draw made last, for who keeps it, as of a Renderer (interp/draw/renderer.h).
   Picture take_picture();
   void give_back(Picture picture);
 

@@ -1,4 +1,4 @@
-#include "interp/world_views.h"
+#include "interp/draw/world_views.h"
 
 #include <algorithm>
 #include <cmath>

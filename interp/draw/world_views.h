@@ -9,26 +9,10 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "interp/pick.h"
+#include "interp/device/pick.h"
+#include "interp/device/viewed_world.h"
 
 namespace displayfile {
-
-class WorldRays;
-
-/// A retained scene in its views, to be drawn by draw (interp/draw.h) as a display file is: what is
-/// seen is found by rays cast in world coordinates.
-struct ViewedWorld {
-  /// What is noted of a primitive that is an item of the viewed scene (displayfile/viewed_scene.h).
-  struct Source {
-    static constexpr std::uint32_t kNotSeen = ~std::uint32_t{0};
-    std::uint32_t item = kNotSeen;
-    std::uint32_t view = 0;  ///< its number
-  };
-  DisplayFile display_file;     ///< as if the application had drawn it there
-  std::vector<View> views;      ///< one, or those that the segments were drawn in
-  std::vector<Source> sources;  ///< of the primitives
-  std::shared_ptr<const WorldRays> rays;
-};
 
 /// One tree of boxes, many views: ray casting in object space for pictures of a retained scene and
 /// for picking in it (interp/visibility/ray_cast.md). Which polygon is seen at a pixel's centre or

@@ -15,8 +15,8 @@
 #include "clip/error.h"
 #include "clip/words.h"
 #include "displayfile/output.h"
+#include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

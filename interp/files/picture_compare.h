@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "interp/device/picture.h"
 #include "interp/files/npy_file.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

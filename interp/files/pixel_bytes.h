@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

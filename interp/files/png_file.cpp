@@ -14,9 +14,9 @@
 #include "clip/error.h"
 #include "clip/large_pages.h"
 #include "displayfile/output.h"
+#include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
 #include "interp/files/pixel_bytes.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "displayfile/destination.h"
+#include "interp/device/picture.h"
 #include "interp/files/row_file.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

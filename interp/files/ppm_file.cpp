@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "displayfile/output.h"
+#include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
 #include "interp/files/pixel_bytes.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "interp/device/picture.h"
 #include "interp/opengl/opengl.h"
 #include "interp/opengl/osmesa_context.h"
 #include "interp/opengl/triangle_list.h"
-#include "interp/picture.h"
 #include "interp/text/seen_texts.h"
 #include "interp/text/text_painter.h"
 #include "interp/visibility/image_space.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "displayfile/display_file.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

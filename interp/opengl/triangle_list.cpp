@@ -13,8 +13,8 @@
 #include "clip/error.h"
 #include "hidden/convex_turning.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/output_device.h"
-#include "interp/picture.h"
+#include "interp/device/output_device.h"
+#include "interp/device/picture.h"
 #include "interp/scan/line_draw.h"
 
 namespace displayfile {

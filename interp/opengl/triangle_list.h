@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "displayfile/display_file.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 
 namespace displayfile {
 

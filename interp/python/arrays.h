@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile::python {
 

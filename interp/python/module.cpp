@@ -32,7 +32,7 @@ py::list table_of_routines() {
 py::list names_of_methods() {
   py::list names;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (entry.available) names.append(std::string(entry.name));
+    names.append(std::string(entry.name));
   }
   return names;
 }

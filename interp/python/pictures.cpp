@@ -17,8 +17,8 @@
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/dump.h"
 #include "hidden/line_kinds.h"
-#include "interp/drawing_choice.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
+#include "interp/draw/drawing_choice.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/errors.h"
@@ -351,10 +351,11 @@ py::tuple pieces(System& self, const py::kwargs& said) {
 std::string dump_of(System& self, const py::kwargs& said) {
   const HiddenSurfaceOptions options = hidden_surface_options(draw_options_in(py::int_(1), said));
   return self.work([&](GraphicsSystem& system, Renderer&) {
-    const HiddenMethod method = method_in_force(system, options);
-    require_hidden_lines_found(hidden_lines_in_force(system, options), method);
+    const SurfacePlan plan = resolve_surfaces(system, options);
+    const HiddenMethod method = plan.method;
+    require_hidden_lines_found(plan.hidden_lines, method);
     SortedDisplayFile sorted;
-    const DisplayFile& file = sorted.update(system, unsorted_if_automatic(method), options);
+    const DisplayFile& file = sorted.update(system, plan, unsorted_if_automatic(method));
     require_hidden_lines_dumped(file, method, options);
     if (!is_colour_rule(method)) return dump(file);
     require_colour_of_fills(method, system.background());

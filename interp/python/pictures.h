@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/python/system.h"
 
 namespace displayfile::python {

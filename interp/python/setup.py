@@ -14,8 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def version() -> str:
-    project = (ROOT / "CMakeLists.txt").read_text()
-    return re.search(r"project\(displayfile VERSION ([0-9.]+)", project)[1]
+    header = (ROOT / "clip/version.h").read_text()
+    return ".".join(re.findall(r"#define DISPLAYFILE_VERSION_\w+ ([0-9]+)", header))
 
 
 def licence_of(build: Path) -> str:

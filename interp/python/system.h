@@ -14,8 +14,8 @@
 #include "displayfile/collected_text.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/recorder.h"
+#include "interp/draw/renderer.h"
 #include "interp/python/interrupts.h"
-#include "interp/renderer.h"
 
 namespace displayfile::python {
 

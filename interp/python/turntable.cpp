@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "interp/draw/turntable_renderer.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/interrupts.h"
 #include "interp/python/pictures.h"
 #include "interp/python/system.h"
-#include "interp/turntable_renderer.h"
 
 namespace displayfile::python {
 

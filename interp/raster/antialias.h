@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "interp/device/picture.h"
 #include "interp/files/row_file.h"
-#include "interp/picture.h"
 
 namespace displayfile {
 

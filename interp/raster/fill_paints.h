@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "displayfile/intensity_plane.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 #include "displayfile/normal_plane.h"
 #include "displayfile/viewed_scene.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

@@ -9,9 +9,9 @@
 
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
-#include "interp/interpreter.h"
-#include "interp/output_device.h"
-#include "interp/picture.h"
+#include "interp/device/interpreter.h"
+#include "interp/device/output_device.h"
+#include "interp/device/picture.h"
 #include "interp/scan/line_draw.h"
 #include "interp/scan/scan_convert.h"
 

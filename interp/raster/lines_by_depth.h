@@ -7,7 +7,7 @@
 #include <span>
 
 #include "hidden/exact/support_plane.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/raster/line_painter.h"
 #include "interp/raster/raster_band.h"
 #include "interp/scan/pixel_depth.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "clip/work_budget.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/segment_lines.h"

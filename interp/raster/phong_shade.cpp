@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/vector_kind.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/raster/phong_row.h"
 
 // The code below is compiled once for each kind of vector.

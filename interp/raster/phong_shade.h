@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <span>
 
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 #include "displayfile/normal_plane.h"
 #include "hidden/exact/pixel_centre.h"
 
 namespace displayfile {
 
-/// The colour over pixel coordinates of a fill with Phong shading (displayfile/phong.md): each
-/// pixel is lit by the normal at its centre. That is always the same expression of the centre,
+/// The colour over pixel coordinates of a fill with Phong shading (displayfile/looks/phong.md):
+/// each pixel is lit by the normal at its centre. That is always the same expression of the centre,
 /// wherever a run begins: whoever asks gets the same colour.
 class PhongShade {
  public:

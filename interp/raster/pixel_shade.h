@@ -10,8 +10,8 @@
 #include "displayfile/intensity_plane.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/output_device.h"
-#include "interp/picture.h"
+#include "interp/device/output_device.h"
+#include "interp/device/picture.h"
 #include "interp/raster/phong_shade.h"
 #include "interp/raster/shadows.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/raster/pixel_shade.h"
 #include "interp/scan/scan_convert.h"
 

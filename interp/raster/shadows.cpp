@@ -8,7 +8,7 @@
 
 #include "hidden/exact/rounding.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/visibility/fill_depths.h"
 
 namespace displayfile {

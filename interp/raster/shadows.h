@@ -8,7 +8,7 @@
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "hidden/space_tree.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/raster/on_demand.h"
 #include "interp/raster/retained_casters.h"
 #include "interp/scan/pixel_depth.h"

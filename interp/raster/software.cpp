@@ -8,7 +8,7 @@
 
 #include "clip/work_budget.h"
 #include "hidden/parallel.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/raster/line_painter.h"
 #include "interp/raster/lines_by_depth.h"
 #include "interp/raster/painter.h"

@@ -7,8 +7,8 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
+#include "interp/device/picture.h"
 #include "interp/files/row_file.h"
-#include "interp/picture.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/kept_surfaces.h"
 #include "interp/raster/lines_over_fills.h"

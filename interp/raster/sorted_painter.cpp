@@ -6,7 +6,7 @@
 #include "displayfile/sorted_scene.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/scan/shown_depth.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/display_file.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"
 #include "interp/raster/segment_lines.h"

@@ -6,7 +6,7 @@
 
 #include "clip/point.h"
 #include "hidden/exact/plane.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/raster/pixel_shade.h"
 #include "interp/scan/boundary_centres.h"
 #include "interp/scan/pixel_set.h"

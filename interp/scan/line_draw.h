@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/point.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 #include "interp/scan/scan_convert.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 
 #include "clip/error.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/steps/algorithms.h"
 #include "interp/steps/step_record.h"
 #include "interp/steps/step_scene.h"

@@ -10,7 +10,7 @@
 
 #include "clip/point.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/style.h"
 #include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
 #include "interp/scan/pixel_box.h"

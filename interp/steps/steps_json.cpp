@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/steps/steps.h"
 
 // The core needs no library of JSON, and what is written here is lists of numbers and a few words.

@@ -3,7 +3,7 @@
 #include "clip/point.h"
 #include "clip/rectangle.h"
 #include "displayfile/viewed_scene.h"
-#include "interp/cairo.h"
+#include "interp/device/cairo.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/truth/whole_numbers.h"
 
 namespace displayfile {

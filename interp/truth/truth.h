@@ -2,7 +2,7 @@
 
 #include "displayfile/display_file.h"
 #include "hidden/work_progress.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

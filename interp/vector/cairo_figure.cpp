@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "interp/cairo.h"
+#include "interp/device/cairo.h"
 #include "interp/vector/seams.h"
 #include "interp/vector/tents.h"
 

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "interp/cairo.h"
+#include "interp/device/cairo.h"
 
 namespace displayfile {
 

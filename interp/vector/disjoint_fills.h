@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "interp/device/vector_options.h"
 #include "interp/vector/fill_paint.h"
 #include "interp/vector/lattice_loops.h"
-#include "interp/vector_options.h"
 
 namespace displayfile {
 

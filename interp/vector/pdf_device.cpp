@@ -9,9 +9,9 @@
 
 #include "clip/error.h"
 #include "displayfile/output.h"
-#include "interp/cairo.h"
-#include "interp/interpreter.h"
-#include "interp/picture.h"
+#include "interp/device/cairo.h"
+#include "interp/device/interpreter.h"
+#include "interp/device/picture.h"
 #include "interp/text/cairo_text.h"
 #include "interp/vector/cairo_figure.h"
 #include "interp/vector/cairo_stream.h"

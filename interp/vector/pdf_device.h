@@ -9,7 +9,7 @@
 #include "displayfile/collected_text.h"
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 #include "interp/vector/vector_device.h"
 
 struct _cairo;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "interp/qpdf.h"
+#include "interp/device/qpdf.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 
 #include "clip/intensity.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

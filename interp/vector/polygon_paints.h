@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "clip/point.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/vector/fill_paint.h"
 
 namespace displayfile {

@@ -13,8 +13,8 @@
 
 #include "displayfile/collected_text.h"
 #include "displayfile/output.h"
-#include "interp/interpreter.h"
-#include "interp/picture.h"
+#include "interp/device/interpreter.h"
+#include "interp/device/picture.h"
 #include "interp/vector/escaped_xml.h"
 #include "interp/vector/file_key.h"
 #include "interp/vector/seams.h"

@@ -13,7 +13,7 @@
 
 #include "displayfile/destination.h"
 #include "displayfile/display_file.h"
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 #include "interp/vector/svg_ramps.h"
 #include "interp/vector/vector_device.h"
 

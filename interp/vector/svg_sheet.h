@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"
 #include "hidden/exact/support_plane.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/text/seen_texts.h"
 
 namespace displayfile {

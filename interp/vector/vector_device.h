@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/background.h"
 #include "displayfile/display_file.h"
+#include "displayfile/looks/background.h"
 #include "displayfile/viewed_scene.h"
-#include "interp/output_device.h"
+#include "interp/device/output_device.h"
 #include "interp/vector/disjoint_fills.h"
 #include "interp/vector/polygon_paints.h"
 

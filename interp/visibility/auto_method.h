@@ -3,10 +3,10 @@
 #include <optional>
 #include <string_view>
 
-#include "displayfile/background.h"
 #include "displayfile/display_file.h"
+#include "displayfile/looks/background.h"
 #include "hidden/hidden_method.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

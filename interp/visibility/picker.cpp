@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "clip/error.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/scan/shown_depth.h"
 
 namespace displayfile {

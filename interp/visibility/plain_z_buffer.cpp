@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "displayfile/viewed_scene.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/scan/sort_stably.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "displayfile/display_file.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {

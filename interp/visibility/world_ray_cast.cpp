@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "clip/error.h"
+#include "interp/device/viewed_world.h"
 #include "interp/visibility/close_depths.h"
-#include "interp/world_views.h"
 
 namespace displayfile {
 

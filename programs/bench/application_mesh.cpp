@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "clip/equal_points.h"
 #include "clip/error.h"
 #include "clip/view_volume.h"
-#include "displayfile/equal_points.h"
-#include "displayfile/lighting.h"
+#include "displayfile/looks/lighting.h"
 #include "displayfile/turntable.h"
 #include "hidden/triangulation.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/bench/contenders.h"
 #include "programs/scenes/scene.h"
 

@@ -10,8 +10,8 @@
 
 #include "hidden/map/map_pieces.h"
 #include "hidden/sort/hidden_surface_sort.h"
+#include "interp/draw/renderer.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/bench/application_mesh.h"

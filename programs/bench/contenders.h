@@ -13,7 +13,7 @@
 #include "displayfile/display_file.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile::bench {
 

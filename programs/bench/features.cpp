@@ -6,8 +6,8 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
-#include "interp/draw.h"
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
+#include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/vector/svg_device.h"
 #include "programs/scenes/generated_scenes.h"

@@ -9,8 +9,8 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/hidden_scope.h"
-#include "displayfile/shading.h"
-#include "displayfile/style.h"
+#include "displayfile/looks/shading.h"
+#include "displayfile/looks/style.h"
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
 #include "programs/scenes/scene.h"

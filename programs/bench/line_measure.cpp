@@ -19,7 +19,7 @@ std::string LineContender::precision_name() const { return name_of_precision(pre
 std::vector<LineContender> line_contenders(std::span<const double> roundoffs) {
   std::vector<LineContender> all;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (!entry.available || !finds_lines(entry.method)) continue;
+    if (!finds_lines(entry.method)) continue;
     all.push_back({entry.method, {}});
     for (const double roundoff : roundoffs) all.push_back({entry.method, {false, roundoff}});
   }

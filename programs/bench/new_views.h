@@ -5,7 +5,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/bench/application_mesh.h"
 
 namespace displayfile::bench {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "hidden/exact/pixel_centre.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/bench/indexed_triangles.h"
 
 namespace displayfile::bench {

@@ -1,4 +1,4 @@
-#include "programs/check_command.h"
+#include "programs/command/check_command.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "programs/compare_command.h"
+#include "programs/command/compare_command.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "programs/draw_command.h"
+#include "programs/command/draw_command.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,7 @@
 #include "hidden/exact/predicate_counts.h"
 #include "hidden/parallel.h"
 #include "interp/raster/antialias.h"
+#include "programs/command/turntable_command.h"
 #include "programs/drawing_statistics.h"
 #include "programs/drawn_inputs.h"
 #include "programs/each_input.h"
@@ -34,7 +35,6 @@
 #include "programs/pick_option.h"
 #include "programs/picture_words.h"
 #include "programs/progress.h"
-#include "programs/turntable_command.h"
 #include "programs/warnings.h"
 
 namespace displayfile {

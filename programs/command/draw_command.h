@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/background_option.h"
+#include "programs/command/turntable_command.h"
 #include "programs/hidden_surface_words.h"
 #include "programs/made_folders.h"
 #include "programs/mesh_words.h"
@@ -17,7 +18,6 @@
 #include "programs/pick_option.h"
 #include "programs/picture_size.h"
 #include "programs/shading_word.h"
-#include "programs/turntable_command.h"
 #include "programs/vector_words.h"
 
 namespace displayfile {
@@ -37,12 +37,13 @@ struct DrawCommand {
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;
-  bool quiet = false;                    ///< no warnings; what is not drawn is told at the end
-  bool explain = false;                  ///< what `auto` picked, and why
-  std::optional<std::string> pick;       ///< where (programs/pick_option.h)
-  std::optional<std::string> turntable;  ///< so many views of it (programs/turntable_command.h)
-  std::optional<std::string> views;      ///< which of them
-  std::optional<std::string> rows;       ///< which of the picture
+  bool quiet = false;               ///< no warnings; what is not drawn is told at the end
+  bool explain = false;             ///< what `auto` picked, and why
+  std::optional<std::string> pick;  ///< where (programs/pick_option.h)
+  std::optional<std::string>
+      turntable;                     ///< so many views of it (programs/command/turntable_command.h)
+  std::optional<std::string> views;  ///< which of them
+  std::optional<std::string> rows;   ///< which of the picture
 
   CLI::App& add_to(CLI::App& app);
   int run();

@@ -1,4 +1,4 @@
-#include "programs/dump_command.h"
+#include "programs/command/dump_command.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

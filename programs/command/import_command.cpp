@@ -1,4 +1,4 @@
-#include "programs/import_command.h"
+#include "programs/command/import_command.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "programs/page_command.h"
+#include "programs/command/page_command.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/input_file.h"
 #include "displayfile/output_file.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/option_groups.h"

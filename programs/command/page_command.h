@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/hidden_surface_words.h"
 #include "programs/mesh_words.h"
 #include "programs/page/one_file_page.h"

@@ -5,7 +5,7 @@
 #include <exception>
 #include <iostream>
 
-#include "programs/check_command.h"
+#include "programs/command/check_command.h"
 
 int main(int argc, char** argv) {
   try {

@@ -1,4 +1,4 @@
-#include "programs/sheet_command.h"
+#include "programs/command/sheet_command.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/without_choice.h"
-#include "interp/paper.h"
+#include "interp/device/paper.h"
 #include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
 #include "programs/input_names.h"

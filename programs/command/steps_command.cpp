@@ -1,4 +1,4 @@
-#include "programs/steps_command.h"
+#include "programs/command/steps_command.h"
 
 #include <fmt/format.h>
 

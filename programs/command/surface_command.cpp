@@ -1,4 +1,4 @@
-#include "programs/surface_command.h"
+#include "programs/command/surface_command.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "displayfile/output_file.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/not_in_picture.h"
 #include "programs/number_in.h"

@@ -1,4 +1,4 @@
-#include "programs/truth_command.h"
+#include "programs/command/truth_command.h"
 
 #include <fmt/format.h>
 
@@ -183,7 +183,7 @@ LineJudging TruthCommand::judging() const {
   if (finds_lines(judging.method)) return judging;
   std::string methods;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (entry.available && finds_lines(entry.method)) methods.append(" ").append(entry.name);
+    if (finds_lines(entry.method)) methods.append(" ").append(entry.name);
   }
   throw Error(fmt::format(
       "--hidden {}: finds no lines: expected one of{}; item buffers of other methods are compared "

@@ -8,7 +8,7 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/truth/judged_lines.h"
 #include "programs/mesh_words.h"
 #include "programs/picture_size.h"

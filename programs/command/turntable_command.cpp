@@ -1,4 +1,4 @@
-#include "programs/turntable_command.h"
+#include "programs/command/turntable_command.h"
 
 #include <fmt/format.h>
 

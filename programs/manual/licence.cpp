@@ -1,4 +1,4 @@
-#include "programs/licence.h"
+#include "programs/manual/licence.h"
 
 #include <fmt/format.h>
 

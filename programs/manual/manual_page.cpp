@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "programs/licence.h"
+#include "programs/manual/licence.h"
 #include "programs/manual/value_name.h"
 
 namespace displayfile {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/looks/style.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/style.h"
 
 namespace displayfile {
 

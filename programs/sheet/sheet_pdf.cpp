@@ -2,8 +2,8 @@
 #include <ostream>
 
 #include "displayfile/output_file.h"
-#include "interp/cairo.h"
-#include "interp/paper.h"
+#include "interp/device/cairo.h"
+#include "interp/device/paper.h"
 #include "interp/vector/cairo_stream.h"
 #include "programs/sheet/drawing_sheet.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hidden/hidden_method.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/scene.h"
 
@@ -51,7 +51,7 @@ void measure() {
         entered(generated.make(generated.name == "planes" ? kCrossing : kPolygons, kSeed));
     for (const HiddenMethodEntry& entry : hidden_methods()) {
       const bool is_first_name = name_of(entry.method) == entry.name;
-      if (!entry.available || !is_first_name || !draws_pixels(entry.method)) continue;
+      if (!is_first_name || !draws_pixels(entry.method)) continue;
       try {
         fmt::print("{} {} {:.6f}\n", generated.name, entry.name, time_of(system, entry.method));
       } catch (const std::exception&) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "displayfile/scene_viewer.h"
+#include "interp/draw/view_renderer.h"
 #include "interp/raster/software.h"
-#include "interp/view_renderer.h"
 #include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {

@@ -3,7 +3,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/turntable.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile::bench {
 

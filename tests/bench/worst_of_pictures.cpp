@@ -3,7 +3,7 @@
 
 #include "displayfile/surface_grid.h"
 #include "displayfile/text/dump.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
 #include "tests/bench/worst_scenes.h"
 

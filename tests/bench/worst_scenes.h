@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "interp/draw.h"
+#include "interp/draw/draw.h"
 #include "programs/bench/timing.h"
 #include "programs/scenes/scene.h"
 #include "tests/bench/worst_inputs.h"

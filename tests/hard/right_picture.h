@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/scenes/hard_cases.h"
 #include "programs/scenes/scene.h"
 

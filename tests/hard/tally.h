@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hard/methods.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile {

@@ -10,9 +10,9 @@
 
 #include "clip/error.h"
 #include "hard/methods.h"
+#include "interp/device/picture.h"
 #include "interp/files/png_file.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/picture.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/plain_z_buffer.h"

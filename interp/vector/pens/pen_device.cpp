@@ -6,7 +6,7 @@
 
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/sheet_point.h"
 #include "interp/vector/pens/stroke_chains.h"

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "interp/output_device.h"
-#include "interp/paper.h"
+#include "interp/device/output_device.h"
+#include "interp/device/paper.h"
 #include "interp/vector/pens/hatched_fills.h"
 #include "interp/vector/pens/hatching.h"
 #include "interp/vector/pens/stroke.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "interp/interpreter.h"
+#include "interp/device/interpreter.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/unique_strokes.h"
 

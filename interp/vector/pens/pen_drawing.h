@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "displayfile/background.h"
 #include "displayfile/display_file.h"
-#include "interp/paper.h"
+#include "displayfile/looks/background.h"
+#include "interp/device/paper.h"
 #include "interp/vector/pens/pen_device.h"
 #include "interp/vector/pens/stroke_chains.h"
 

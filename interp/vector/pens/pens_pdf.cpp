@@ -2,7 +2,7 @@
 #include <ostream>
 
 #include "displayfile/output.h"
-#include "interp/cairo.h"
+#include "interp/device/cairo.h"
 #include "interp/vector/cairo_figure.h"
 #include "interp/vector/cairo_stream.h"
 #include "interp/vector/pens/pen_files.h"

@@ -23,7 +23,7 @@ struct Stroke {
   auto operator<=>(const Stroke&) const = default;
 };
 
-/// A pen: its colour (pixel_of, interp/picture.h) and the width of its line.
+/// A pen: its colour (pixel_of, interp/device/picture.h) and the width of its line.
 struct Pen {
   std::uint32_t colour;
   std::int32_t width;  ///< thousandths of a millimetre, at least 1

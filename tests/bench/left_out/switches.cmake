@@ -40,32 +40,32 @@ switch(clip/work_budget.h "if (steps >= left_)"
 switch(clip/work_budget.h "if (const WorkBudget* const budget = work_in_force().budget) {"
        "if (is_left_out(PartLeftOut::budgets)) return;
         if (const WorkBudget* const budget = work_in_force().budget) {")
-switch(displayfile/attributes.h "std::optional<Light> light;"
+switch(displayfile/looks/attributes.h "std::optional<Light> light;"
        "Switch<PartLeftOut::light, std::optional<Light>> light;")
-switch(displayfile/attributes.h "bool back_face_removal ="
+switch(displayfile/looks/attributes.h "bool back_face_removal ="
        "Switch<PartLeftOut::back_face_removal, bool> back_face_removal =")
-switch(displayfile/attributes.h "bool shadows ="
+switch(displayfile/looks/attributes.h "bool shadows ="
        "Switch<PartLeftOut::shadows, bool> shadows =")
 switch(displayfile/graphics_system.h "Recorder* recorder_ ="
        "Switch<PartLeftOut::recording, Recorder*> recorder_ =")
 switch(displayfile/graphics_system.h "RetainedScene* retaining() { return own_retained_ ?"
        "RetainedScene* retaining() { return is_left_out(PartLeftOut::retaining) ? nullptr :
                                         own_retained_ ?")
-switch(displayfile/attributes.h "Shading shading ="
+switch(displayfile/looks/attributes.h "Shading shading ="
        "Switch<PartLeftOut::shading, Shading> shading =")
 switch(displayfile/instructions.h "return has_shadows_;"
        "return !is_left_out(PartLeftOut::shadows) && has_shadows_;")
 switch(displayfile/instructions.h "return !texts_.empty();"
        "return !is_left_out(PartLeftOut::texts) && !texts_.empty();")
-switch(displayfile/style.h "std::optional<FillShadow> shadow{};"
+switch(displayfile/looks/style.h "std::optional<FillShadow> shadow{};"
        "Switch<PartLeftOut::shadows, std::optional<FillShadow>> shadow{};")
-switch(displayfile/style.h "enum class Kind { solid, dashed, none };\n  Kind kind ="
+switch(displayfile/looks/style.h "enum class Kind { solid, dashed, none };\n  Kind kind ="
        "enum class Kind { solid, dashed, none };\n  Switch<PartLeftOut::lines, Kind, Kind::none> kind =")
 switch(displayfile/view_stage.h "std::span<const Point3> vertex_normals; "
        "Switch<PartLeftOut::shading, std::span<const Point3>> vertex_normals; ")
-switch(interp/draw.h "int samples = 1;" "Switch<PartLeftOut::antialiasing, int, 1> samples = 1;")
-switch(interp/picture.h "bool ids = false, depth = false;"
+switch(interp/draw/draw.h "int samples = 1;" "Switch<PartLeftOut::antialiasing, int, 1> samples = 1;")
+switch(interp/device/picture.h "bool ids = false, depth = false;"
        "Switch<PartLeftOut::item_buffer, bool> ids = false;\n  Switch<PartLeftOut::depths, bool> depth = false;")
-switch(interp/picture.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")
+switch(interp/device/picture.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")
 
 include_directories(BEFORE ${overlay})

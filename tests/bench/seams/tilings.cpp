@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "tests/bench/device_scene.h"
 
 namespace displayfile::bench {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 #include "tests/bench/seams/tilings.h"
 
 namespace displayfile::bench {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/picture.h"
+#include "interp/device/picture.h"
 
 namespace displayfile::bench {
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <span>
+
+#include "clip/point.h"
+#include "clip/point_row.h"
+
+namespace displayfile {
+
+/// A polygon in world coordinates.
+struct WorldPolygon {
+  PointRow vertices;
+  std::span<const std::uint8_t> edge_visible;  ///< of the side that ends at the vertex; empty: all
+  Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
+  std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
+  std::int32_t pick;
+  /// The vertices as the application entered them, before the modelling transformation of that
+  /// matrix. Null: the vertices are what was entered.
+  PointRow entered = std::span<const Point3>();
+  const glm::dmat4x3* modelling = nullptr;
+  bool is_cut = false;  ///< cutting planes have cut it
+};
+
+}  // namespace displayfile

@@ -1,0 +1,109 @@
+#include "interp/draw/picture_plan.h"
+
+#include <fmt/format.h>
+
+#include "clip/error.h"
+#include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_source.h"
+#include "interp/raster/antialias.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Checks numbers that are the same for a file and in memory; throws Error.
+void require_numbers(const DrawOptions& options) {
+  if (options.threads < 1) {
+    throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
+  }
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
+                            kMostSamples));
+  }
+  require_vector_options(options.vectors);
+  require_picture_size(options.width, options.height);
+  if (const auto& rows = options.rows;
+      rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {
+    throw Error(fmt::format("rows {} up to {}: expected some of the picture's {}", rows->first,
+                            rows->end, options.height));
+  }
+  const int most = kLargestSide / options.samples;
+  if (options.width <= most && options.height <= most) return;
+  throw Error(
+      fmt::format("picture size {}x{} with {} x {} samples a pixel: expected 1x1 to {}x{} pixels",
+                  options.width, options.height, options.samples, options.samples, most, most));
+}
+
+/// Paper and pens are of vectors.
+void require_paper_and_pens(const Destination& to, const PictureFormat& format,
+                            const DrawOptions& options) {
+  if (!options.vectors.paper && !options.pens) return;
+  if (!format.is_for_paper()) {
+    throw Error(fmt::format(
+        "{}: {} files have no size on paper, and are not for pens: expected one of {}", to.name(),
+        format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
+  }
+  fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
+  if (options.pens) require_pens(*options.pens);
+}
+
+/// What the format cannot do.
+void require_format(const Destination& to, const PicturePlan& plan) {
+  const PictureFormat& format = *plan.format;
+  if (!format.is_of_pixels() && !plan.is_on_first_device()) {
+    throw Error(fmt::format("{}: the {} device draws pixels: expected {}", to.name(),
+                            plan.device->choice.name,
+                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
+  }
+  if (plan.options.rows && !format.is_of_pixels()) {
+    throw Error(fmt::format("{}: vectors have no rows: expected {}", to.name(),
+                            names_of_formats(&PictureFormat::is_of_pixels, " or ")));
+  }
+  if (!has_background(plan.options) && !format.can_be_transparent()) {
+    throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
+                            to.name(), format.choice.name,
+                            names_of_formats(&PictureFormat::can_be_transparent, " ")));
+  }
+  require_paper_and_pens(to, format, plan.options);
+}
+
+}  // namespace
+
+DrawOptions PicturePlan::without_system() const {
+  DrawOptions settled = options;
+  settled.hidden = surfaces.method;
+  settled.scope.reset();
+  settled.precision = surfaces.precision;
+  settled.hidden_lines = surfaces.hidden_lines;
+  return settled;
+}
+
+PicturePlan resolve(const DrawOptions& options, const Destination* to) {
+  const PictureFormat* const format = to == nullptr ? nullptr : &format_of(*to, options);
+  require_numbers(options);
+  PicturePlan plan{.options = options, .device = &device_of(options.device), .format = format};
+  if (to != nullptr) {
+    require_format(*to, plan);
+  } else if (!options.format.empty()) {
+    format_named(options.format);
+  }
+  plan.surfaces = resolve_surfaces(hidden_surface_options(options));
+  plan.method = plan.surfaces.method;
+  return plan;
+}
+
+PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& asked, const Destination* to) {
+  DrawOptions options = asked;
+  if (!options.background) options.background = system.background();
+  PicturePlan plan = resolve(options, to);
+  plan.surfaces = resolve_surfaces(system, hidden_surface_options(options));
+  plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
+  // For pixels it is the renderer that picks a method.
+  plan.method = plan.kind() == PictureKind::raster
+                    ? plan.surfaces.method
+                    : choice_for(system, plan, PictureKind::vector).method;
+  return plan;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "displayfile/destination.h"
+#include "displayfile/surface_plan.h"
+#include "interp/device/picture.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/picture_formats.h"
+
+namespace displayfile {
+
+/// How one picture is made: a call's options, and what the application set where they leave it
+/// open, with the format and the device that they name. Made once, when a picture is asked for;
+/// whatever draws it reads this.
+struct PicturePlan {
+  DrawOptions options;                    ///< with the background in force
+  const RasterDevice* device;             ///< of pixels
+  const PictureFormat* format = nullptr;  ///< of a file; null: a picture in memory
+  SurfacePlan surfaces = {};
+  HiddenMethod method = HiddenMethod::automatic;  ///< that draws: of vectors never `automatic`
+
+  PictureKind kind() const {
+    return format != nullptr && !format->is_of_pixels() ? PictureKind::vector : PictureKind::raster;
+  }
+  bool is_on_first_device() const { return device == &first_device(); }
+  bool wants_fills() const {
+    return options.with_ids || options.with_depth || !options.ids.empty() || !options.depth.empty();
+  }
+
+  /// For what is drawn without the system: options that leave nothing open. The scope has no
+  /// meaning there.
+  DrawOptions without_system() const;
+};
+
+/// The plan of a picture without an application: of a display file that is ready, or a view of a
+/// retained scene. In memory, or if `to` is not null in that file or stream. Throws Error for an
+/// option out of its range, an unknown format or device, and what these cannot do together.
+PicturePlan resolve(const DrawOptions& options, const Destination* to = nullptr);
+/// The same of a system's picture. Its display file may be looked at for the method that draws
+/// vectors.
+PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& options,
+                    const Destination* to = nullptr);
+
+}  // namespace displayfile

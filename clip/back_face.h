@@ -10,7 +10,7 @@ namespace displayfile {
 /// areas of the polygon's projections along x, y and z. Taken about the first vertex, which
 /// leaves the sums what they are and spares small polygons far from the origin their
 /// cancellation. Points out of the light face: the one from which the vertices run
-/// counterclockwise.
+/// counterclockwise. In the reverse order of the vertices it is the opposite, but for rounding.
 inline Point3 newell_normal(std::span<const Point3> vertices) {
   Point3 sum(0.0);
   if (vertices.empty()) return sum;

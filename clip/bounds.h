@@ -14,6 +14,7 @@ struct Bounds {
   Point3 high{-std::numeric_limits<double>::infinity()};
 
   static Bounds nothing() { return {}; }
+  /// The box never shrinks, and is the same in whatever order points are included.
   void include(const Point3& p) {
     low = glm::min(low, p);
     high = glm::max(high, p);

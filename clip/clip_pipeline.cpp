@@ -1,6 +1,7 @@
 #include "clip/clip_pipeline.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "clip/clip_stage.h"
 #include "clip/intensity.h"
@@ -32,6 +33,7 @@ template <class V>
 V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double d_in = volume_.inside_distance(plane, inside.position);
   const double d_out = volume_.inside_distance(plane, outside.position);
+  assert(d_out < 0.0);
   const double t = d_in / (d_in - d_out);
   V v{};
   const HomogeneousPoint along = outside.position - inside.position;
@@ -71,6 +73,8 @@ void ClipPipeline::run_stages(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible,
                               [[maybe_unused]] const Values& values, Stages<V>& stage) const {
   const std::size_t n = world.size();
+  assert(edge_visible.empty() || edge_visible.size() == n);
+  if constexpr (HasValue<V>) assert(values.size() == n);
   stage.in.resize(n);
   Outcode any = 0, all = ~0u;
   for (std::size_t i = 0; i < n; ++i) {
@@ -105,6 +109,7 @@ ClippedPolygon ClipPipeline::in_device_coordinates(std::span<const V> clipped) {
   vertices_.resize(clipped.size());
   visible_.resize(clipped.size());
   for (std::size_t i = 0; i < clipped.size(); ++i) {
+    assert(clipped[i].position.w > 0.0);  // also in a parallel view, where it is 1
     vertices_[i] = volume_.to_device(clipped[i].position);
     visible_[i] = clipped[i].edge_visible;
   }

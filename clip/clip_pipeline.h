@@ -54,7 +54,7 @@ class ClipPipeline {
                                    std::span<const Point3> normals);
 
   /// Clips the line from a to b (world) in place of its device coordinates; false if
-  /// nothing of it is inside.
+  /// nothing of it is inside. From b to a it has the same two ends, bit for bit.
   bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) const;
 
   /// A polygon all of whose vertices are inside has their device coordinates.

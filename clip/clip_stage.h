@@ -10,7 +10,8 @@ namespace displayfile {
 /// A vertex V has an `outcode`, of which `bit` says that it is outside, and the flag `edge_visible`
 /// of the side that ends there; a side along the plane is not drawn. is_on_plane(v) is asked of
 /// vertices that are inside. cut(inside, outside) makes the vertex where an edge crosses the plane:
-/// always from its inside end, so that polygons that share the edge are cut at the same point.
+/// always from its inside end, so that polygons that share the edge are cut at the same point. No
+/// vertex of what is left has the bit, if none that cut makes has it.
 template <class V, class OnPlane, class Cut>
 void clip_stage(unsigned bit, std::vector<V>& in, std::vector<V>& out, OnPlane&& is_on_plane,
                 Cut&& cut) {

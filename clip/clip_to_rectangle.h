@@ -14,7 +14,8 @@ namespace displayfile {
 /// planes left but the sides of a rectangle: for devices that take no points far outside of the
 /// page. Point is Point2 or Point3; where a side crosses the rectangle's, all coordinates run
 /// linearly. (ClipPipeline does more: homogeneous points, sides that are not drawn, and the same
-/// cut for polygons that share a side.) `spare` keeps its memory from one polygon to the next.
+/// cut for polygons that share a side.) `spare` keeps its memory from one polygon to the next. The
+/// rectangle is not empty, and coordinates are finite.
 template <class Point>
 void clip_to_rectangle(std::vector<Point>& polygon, std::vector<Point>& spare,
                        const Rectangle& rectangle) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -77,6 +78,7 @@ CuttingPlanes::Place CuttingPlanes::crossing(int n, const Place& inside,
   const double d_in = std::max(by.distance(inside.position), 0.0);
   const double d_out = by.distance(outside.position);
   if (d_out == 0.0) return outside;
+  assert(d_out < 0.0);
   const double t = d_in / (d_in - d_out);
   Place v;
   v.position = inside.position + (outside.position - inside.position) * t;
@@ -103,6 +105,9 @@ CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex
 CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible,
                               std::span<const Point3> normals, std::span<const Point3> entered) {
+  assert(edge_visible.empty() || edge_visible.size() == world.size());
+  assert(normals.empty() || normals.size() == world.size());
+  assert(entered.empty() || entered.size() == world.size());
   unsigned any = 0, all = ~0u;
   in_.clear();
   for (std::size_t i = 0; i < world.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,7 +34,10 @@ class CuttingPlanes {
   void set_off(int n);
 
   bool any() const { return on_ != 0; }
-  bool is_on(int n) const { return (on_ >> (n - 1) & 1u) != 0; }
+  bool is_on(int n) const {
+    assert(1 <= n && n <= kMost);
+    return (on_ >> (n - 1) & 1u) != 0;
+  }
 
   /// The planes that cut the point away, one bit each. A point on a plane stays.
   unsigned outcode(const Point3& world) const;
@@ -53,7 +57,8 @@ class CuttingPlanes {
   /// call.
   CutPolygon cut(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
                  std::span<const Point3> normals, std::span<const Point3> entered = {});
-  /// What is left of the line from a to b, in their place; false if that is nothing.
+  /// What is left of the line from a to b, in their place; false if that is nothing. From b to a it
+  /// has the same two ends, bit for bit.
   bool cut_line(Point3& a, Point3& b) const;
 
   // For who cuts a whole solid, plane by plane (displayfile/solids/cut_solid.h). Plane n is on.
@@ -87,7 +92,10 @@ class CuttingPlanes {
     }
     void snap(Point3& p) const;
   };
-  const Plane& plane(int n) const { return planes_[static_cast<std::size_t>(n - 1)]; }
+  const Plane& plane(int n) const {
+    assert(is_on(n));
+    return planes_[static_cast<std::size_t>(n - 1)];
+  }
   struct Vertex {
     Place place;
     unsigned outcode;

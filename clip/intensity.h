@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <numeric>
 #include <span>
 
@@ -8,6 +9,7 @@ namespace displayfile {
 /// The mean of what a polygon has at its vertices, of which there are some: intensities or normals.
 template <class Value>
 Value mean_of_vertices(std::span<const Value> values) {
+  assert(!values.empty());
   return std::accumulate(values.begin(), values.end(), Value(0.0)) /
          static_cast<double>(values.size());
 }

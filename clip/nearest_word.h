@@ -9,7 +9,8 @@
 namespace displayfile {
 
 /// How many characters to insert, remove or replace, or neighbours to exchange, to turn one word
-/// into the other, whatever their case.
+/// into the other, whatever their case. edit_distance(a, b) = edit_distance(b, a); 0 if they differ
+/// in case alone.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The known words by their edit distance from a word, the nearest first, of equal ones the first.

@@ -23,8 +23,8 @@ inline bool in_range(const Point3& p) {
          std::abs(p.z) <= kCoordinateLimit;  // false for NaN too
 }
 
-/// A vector of length 1 along v, which is not zero. Scaled first, so that no square
-/// overflows or vanishes.
+/// A vector of length 1 along v, which is not zero; unit(-v) = -unit(v). Scaled first, so that no
+/// square overflows or vanishes.
 inline Point3 unit(const Point3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   const Point3 scaled = v / largest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,10 @@ class PointRow {
   PointRow(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
     if (corners.size() > kFew) many_.resize(corners.size());
     Point3* const row = corners.size() > kFew ? many_.data() : few_.data();
-    for (std::size_t i = 0; i < corners.size(); ++i) row[i] = points[corners[i]];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      assert(corners[i] < points.size());
+      row[i] = points[corners[i]];
+    }
     row_ = {row, corners.size()};
   }
   PointRow(const PointRow&) = delete;
@@ -32,7 +36,10 @@ class PointRow {
   const Point3* data() const { return row_.data(); }
   std::size_t size() const { return row_.size(); }
   bool empty() const { return row_.empty(); }
-  const Point3& operator[](std::size_t i) const { return row_[i]; }
+  const Point3& operator[](std::size_t i) const {
+    assert(i < row_.size());
+    return row_[i];
+  }
   const Point3& front() const { return row_.front(); }
   const Point3& back() const { return row_.back(); }
   auto begin() const { return row_.begin(); }

@@ -1,6 +1,7 @@
 #include "clip/transformation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -98,6 +99,7 @@ void ModellingTransformation::save() {
 }
 
 void ModellingTransformation::restore() {
+  assert(!saved_.empty());
   called_ = saved_.back().called;
   saved_.pop_back();
   compose();

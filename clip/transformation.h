@@ -9,7 +9,8 @@
 
 namespace displayfile {
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90. At -d the sine has the other
+/// sign; at d + 360, where that sum is not rounded, both are the same.
 struct SineCosine {
   double sine, cosine;
 };

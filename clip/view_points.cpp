@@ -1,5 +1,6 @@
 #include "clip/view_points.h"
 
+#include <cassert>
 #include <cstddef>
 
 #include "clip/clip_pipeline.h"
@@ -111,6 +112,7 @@ static_assert(kClipPlanes <= 8);
 
 void view_points(const ViewVolume& volume, std::span<const Point3> world, std::span<Point3> device,
                  std::span<std::uint8_t> outcodes) {
+  assert(device.size() == world.size() && outcodes.size() == world.size());
   DISPLAYFILE_WIDEST_FORM(ViewPoints)(volume, world, device, outcodes);
 }
 

@@ -1,6 +1,7 @@
 #include "clip/view_volume.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -113,6 +114,7 @@ ViewVolume::ViewVolume(const View& view)
   if (view.front_clipping) active_ |= bit_of(ClipPlane::front);
   if (perspective_) active_ |= bit_of(ClipPlane::eye);
   nearest_w_ = view.front_clipping ? kPartOfFront * w_front : kNearestToEye;
+  assert(nearest_w_ > 0.0);
 }
 
 HomogeneousPoint ViewVolume::infinitely_far(const Point3& direction) const {
@@ -147,6 +149,7 @@ void ViewVolume::snap(ClipPlane plane, HomogeneousPoint& p) const {
     case ClipPlane::bottom: p.y = 0.0; break;
     case ClipPlane::top: p.y = p.w; break;
   }
+  assert(inside_distance(plane, p) == 0.0);
 }
 
 }  // namespace displayfile

@@ -47,10 +47,13 @@ class ViewVolume {
     return code & active_;
   }
 
-  /// Distance inside of a plane, in that plane's own units: 0 on it, negative outside.
+  /// Distance inside of a plane, in that plane's own units: 0 on it, negative outside. Of a finite
+  /// point it is negative where outcode has the plane's bit, and nowhere else, if the plane is
+  /// active.
   double inside_distance(ClipPlane plane, const HomogeneousPoint& p) const;
 
-  /// Moves a point that is on the plane but for rounding on to it exactly.
+  /// Moves a point that is on the plane but for rounding on to it exactly: inside_distance is 0
+  /// then.
   void snap(ClipPlane plane, HomogeneousPoint& p) const;
 
   /// Normalised device coordinates of a point inside the volume. A point on a side of the

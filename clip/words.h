@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -40,7 +41,10 @@ const Value& value_of(const Word<Value> (&words)[N], std::string_view word,
 template <class Value, std::size_t N>
 constexpr std::string_view word_of(const Word<Value> (&words)[N], const Value& value) {
   std::size_t i = 0;
-  while (!(words[i].value == value)) ++i;
+  while (!(words[i].value == value)) {
+    ++i;
+    assert(i < N);
+  }
   return words[i].word;
 }
 

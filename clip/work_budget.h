@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -152,6 +153,7 @@ class WorkSteps {
   static constexpr std::uint32_t kAtATime = 1024;
 
   void step() {
+    assert(left_ > 0);
     if (--left_ == 0) ask();
   }
   void step(std::size_t steps) {

@@ -1,5 +1,6 @@
 #include "displayfile/drawn_pieces.h"
 
+#include <cassert>
 #include <span>
 
 #include "clip/round_to_nearest.h"
@@ -92,6 +93,7 @@ class PieceGatherer {
 }  // namespace
 
 DrawnPieces::Looks DrawnPieces::looks(std::size_t k) const {
+  assert(k < size());
   const LineStyle line{static_cast<LineStyle::Kind>(line_kinds[k]), line_colours[k], line_widths[k],
                        line_dashes[k], line_gaps[k]};
   return {kinds[k], fills[k], line, picks[k], segments[k]};
@@ -101,6 +103,8 @@ void DrawnPieces::end_piece(const Looks& looks) {
   static_assert(static_cast<int>(Line::solid) == static_cast<int>(LineStyle::Kind::solid) &&
                 static_cast<int>(Line::dashed) == static_cast<int>(LineStyle::Kind::dashed) &&
                 static_cast<int>(Line::none) == static_cast<int>(LineStyle::Kind::none));
+  assert(first.back() < points.size());
+  assert(sides.size() == points.size() && cuts.size() == points.size());
   kinds.push_back(looks.kind);
   first.push_back(static_cast<std::uint32_t>(points.size()));
   fills.push_back(looks.fill);

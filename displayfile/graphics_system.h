@@ -267,7 +267,9 @@ class GraphicsSystem {
   void set_background(const Background& background);
 
   // Hidden surfaces.
-  /// Also turns back-face removal on or off, as in the textbook.
+  /// Also turns back-face removal on or off, as in the textbook. Off, pictures are in order of
+  /// entry. Where neither this nor set_hidden_method was called, segments are entered as they are,
+  /// and pictures are those of `automatic`, unless all points have one depth.
   void set_hidden_line_removal(bool on);
   void set_back_face_removal(bool on);
   /// Ray casting in object space, world_ray_cast, reads what was drawn in world coordinates: where

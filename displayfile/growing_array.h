@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -48,8 +49,14 @@ class GrowingArray {
   const T* data() const { return elements_.get(); }
   const T* begin() const { return data(); }
   const T* end() const { return data() + size_; }
-  const T& operator[](std::size_t i) const { return data()[i]; }
-  const T& back() const { return data()[size_ - 1]; }
+  const T& operator[](std::size_t i) const {
+    assert(i < size_);
+    return data()[i];
+  }
+  const T& back() const {
+    assert(!empty());
+    return data()[size_ - 1];
+  }
 
   void push_back(const T& element) {
     if (size_ == capacity_) [[unlikely]] {

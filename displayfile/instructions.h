@@ -143,6 +143,8 @@ class Instructions {
   std::size_t codes() const { return op_.size(); }
   std::size_t points() const { return points_.size() + flat_points_.size(); }
   bool stores_z() const { return stores_z_; }
+  /// The depth of all points, where z is not stored; 0 if there are none.
+  double flat_depth() const { return flat_z_; }
   bool has_shadows() const { return has_shadows_; }  ///< some fill shows them
   /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
   /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.

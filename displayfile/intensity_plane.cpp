@@ -1,5 +1,6 @@
 #include "displayfile/intensity_plane.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "hidden/exact/support_plane.h"
@@ -8,6 +9,7 @@ namespace displayfile {
 
 IntensityPlane::IntensityPlane(std::span<const Point3> device,
                                std::span<const double> intensities) {
+  assert(!intensities.empty() && device.size() == intensities.size());
   low = *std::ranges::min_element(intensities);
   high = *std::ranges::max_element(intensities);
   const SupportVertices support = support_vertices(device);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,11 +14,14 @@ class ItemRanks {
   /// The item is larger than all that were added before.
   void add(std::uint32_t item) {
     while (words_.size() <= item / 64) words_.push_back({0, count_});
+    assert(words_.size() == item / 64 + 1 && words_.back().bits >> item % 64 == 0);
     words_.back().bits |= std::uint64_t{1} << item % 64;
     ++count_;
   }
-  /// The place of an item that was added among those that were.
+  /// The place of an item that was added among those that were: 0 of the first, and of each one
+  /// more than of the one before.
   std::uint32_t operator[](std::uint32_t item) const {
+    assert(item / 64 < words_.size() && (words_[item / 64].bits >> item % 64 & 1) != 0);
     const auto& [bits, before] = words_[item / 64];
     const std::uint64_t smaller = bits & ((std::uint64_t{1} << item % 64) - 1);
     return before + static_cast<std::uint32_t>(std::popcount(smaller));

@@ -1,6 +1,7 @@
 #include "displayfile/normal_plane.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -11,6 +12,7 @@ namespace displayfile {
 
 NormalPlane::NormalPlane(std::span<const Point3> device, std::span<const Point3> normals)
     : low(normals.front()), high(normals.front()) {
+  assert(device.size() == normals.size());
   for (const Point3& n : normals) {
     low = glm::min(low, n);
     high = glm::max(high, n);

@@ -1,6 +1,7 @@
 #include "displayfile/polygons_as_entered.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <span>
 #include <utility>
@@ -93,6 +94,7 @@ EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {
 }
 
 const PolygonsAsEntered::Part& PolygonsAsEntered::part_of(std::uint32_t number) const {
+  assert(number < size());
   if (parts_.size() == 1) return parts_.front();
   return *std::ranges::upper_bound(parts_, number, {}, &Part::end);
 }

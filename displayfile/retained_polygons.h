@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -39,6 +40,7 @@ class RetainedPolygons {
 
   std::size_t size() const { return size_; }
   const RetainedPrimitive& primitive(std::size_t i) const {
+    assert(i < size_ && first_ + size_ <= primitives_.size);
     return primitives_.elements[static_cast<std::ptrdiff_t>(first_ + i)];
   }
   PointRow points(std::size_t i) const {

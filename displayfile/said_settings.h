@@ -16,6 +16,7 @@ enum class Setting {
   line_style,
   light,
   hidden_line_removal,
+  hidden_method,
   back_face_removal,
   lines,
 };

@@ -1,6 +1,7 @@
 #include "displayfile/side_kinds.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <compare>
 #include <glm/geometric.hpp>
@@ -466,6 +467,7 @@ SideKinds::SideKinds(const RetainedScene& scene, const RetainedScene::Segment& s
 
 /// The primitives that have it.
 std::span<const std::uint32_t> SideKinds::faces_of(std::uint32_t stretch) const {
+  assert(stretch < stretches_.size());
   const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_face;
   return std::span(faces_).subspan(first, stretches_[stretch].end_face - first);
 }
@@ -483,6 +485,7 @@ LineKinds SideKinds::kinds_of_stretch(std::uint32_t stretch,
 void SideKinds::in_view(const RetainedScene& scene, const RetainedScene::Segment& segment,
                         const Eye& eye, std::span<LineKinds> of_corners,
                         TurnedAway turned_away) const {
+  assert(of_corners.size() >= fixed_.size());
   std::ranges::copy(fixed_, of_corners.begin());
   if (ends_.empty() && parted_.empty()) return;
   std::vector<std::uint8_t> is_facing(segment.end - segment.first, 0);

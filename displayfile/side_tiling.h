@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +25,8 @@ class SideKinds::Tiling {
         of_corners_(of_corners),
         is_drawn_(of_stretches.size(), 0),
         reached_by_(of_stretches.size() + 1, kNobody) {
+    assert(std::ranges::is_sorted(sides_, {}, &PartedSide::first));
+    assert(kinds_.size() == all_.stretches_.size());
     for (std::uint32_t k = 0; k < kinds_.size(); ++k) {
       has_facing_.push_back(std::ranges::any_of(
           sides.faces_of(k), [&](std::uint32_t face) { return is_facing[face] != 0; }));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -188,6 +189,7 @@ class PieceWriter {
     const auto points = points_of(piece);
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
     if (is_line || is_stroke_) {
+      assert(points.size() == 2);
       const LineStyle& style = scene().line_style(piece.item);
       check_line_style(is_hidden_ ? hidden_line_style(style) : style);
       if (!is_line) {

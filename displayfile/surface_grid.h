@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -21,6 +22,7 @@ struct SurfaceGrid {
   }
   /// Cell (i, j) is there: the heights of its four corners are known.
   bool has_cell(int i, int j) const {
+    assert(0 <= i && i + 1 < x_points && 0 <= j && j + 1 < y_points);
     const auto width = static_cast<std::size_t>(x_points);
     const std::size_t at = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
     return !std::isnan(heights[at]) && !std::isnan(heights[at + 1]) &&

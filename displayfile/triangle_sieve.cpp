@@ -1,6 +1,7 @@
 #include "displayfile/triangle_sieve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -196,11 +197,13 @@ static_assert(sizeof(PicturePlace) == 2 * sizeof(std::int32_t));
 
 double find_places(std::span<const Point3> device, std::span<const std::uint8_t> outcodes,
                    const PictureSize& size, std::span<PicturePlace> places) {
+  assert(outcodes.size() == device.size() && places.size() == device.size());
   return DISPLAYFILE_WIDEST_FORM(FindPlaces)(device, outcodes, size, places);
 }
 
 SievedTriangles sieve_triangles(const std::uint32_t* corners, std::size_t n,
                                 const PicturePlace* places) {
+  assert(n <= SievedTriangles::kMost);
   return DISPLAYFILE_WIDEST_FORM(SieveTriangles)(corners, n, places);
 }
 

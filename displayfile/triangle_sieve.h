@@ -47,9 +47,10 @@ struct SievedTriangles {
   std::uint64_t turned_away = 0;  ///< of those that stay: runs clockwise
 };
 
-/// Looks at n triangles, whose corners are the places of those three numbers each, less than 2^30;
-/// what neither stays nor needs more covers no centre of a pixel. In vectors, with single
-/// precision: a centre that is farther outside of a side than rounding can do is not covered.
+/// Looks at n triangles, kMost at most, whose corners are the places of those three numbers each,
+/// less than 2^30; what neither stays nor needs more covers no centre of a pixel. In vectors, with
+/// single precision: a centre that is farther outside of a side than rounding can do is not
+/// covered.
 ///
 /// The error: a triangle is measured from a centre in its box or a pixel beside it, so its
 /// coordinates are at most m + 1, where m is the longer side of the box, in pixels. They are off by

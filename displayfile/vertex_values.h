@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,17 +18,21 @@ class VertexValues {
   void lie_in(std::span<const Value> stored) { all_ = stored; }
   /// Those of an item, which is larger than all that were added before.
   void add(std::uint32_t item, std::span<const Value> values) {
+    assert(first_.size() <= item);
     first_.resize(item, kNone);
     if (all_.empty()) {
       first_.push_back(static_cast<std::uint32_t>(own_.size()));
       own_.insert(own_.end(), values.begin(), values.end());
     } else {
+      assert(all_.data() <= values.data() &&
+             values.data() + values.size() <= all_.data() + all_.size());
       first_.push_back(static_cast<std::uint32_t>(values.data() - all_.data()));
     }
   }
   /// Those of the items of another scene, which come from that one on. Nothing lies elsewhere.
   void append(const VertexValues& part, std::uint32_t first_item) {
     if (part.first_.empty()) return;
+    assert(all_.empty() && first_.size() <= first_item);
     first_.resize(first_item, kNone);
     const auto before = static_cast<std::uint32_t>(own_.size());
     for (const std::uint32_t first : part.first_) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -114,6 +115,7 @@ bool BoxTree<Boxes>::any(const Meets& meets, Visit&& visit) const {
       const std::uint32_t branch = node.branch[k];
       if (met[k] == 0 || branch == 0) continue;
       if (!is_item(branch)) {
+        assert(count < kMostWaiting);
         waiting[count++] = branch;
       } else if (visit(branch & ~kItem)) {
         return true;
@@ -142,6 +144,7 @@ void BoxTree<Boxes>::near_to_far(const Meets& meets, Hidden&& hidden, Visit&& vi
     const std::size_t base = count;
     for (std::size_t k = 0; k < kBranches; ++k) {
       if (met[k] == 0 || node.branch[k] == 0) continue;
+      assert(count < kMostWaiting);
       std::size_t place = count++;
       for (; place > base && waiting[place - 1].nearest > nearest[k]; --place) {
         waiting[place] = waiting[place - 1];
@@ -165,6 +168,7 @@ void BoxTree<Boxes>::near_to_far(const Meets& meets, Hidden&& hidden, Visit&& vi
 template <class Boxes>
 template <class Found>
 void BoxTree<Boxes>::pairs(std::uint32_t from, std::uint32_t to, Found&& found) const {
+  assert(from <= to && to <= leaves());
   for (std::uint32_t leaf = from; leaf < to; ++leaf) {
     const Node& own = nodes_[leaves_[leaf]];
     Box all = Box::nothing();
@@ -193,6 +197,7 @@ void BoxTree<Boxes>::pairs_of_leaf(const Node& own, Position first, const Box& a
       if (is_item(branch)) {
         items |= 1U << k;
       } else if (branch != 0 && end_[branch] > first) {
+        assert(count < kMostWaiting);
         waiting[count++] = branch;
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -120,6 +121,7 @@ struct BoxTree<Boxes>::Builder {
       const auto [begin, end] = std::pair(most->begin, most->end);
       const std::size_t second =
           begin + Rule::divide(std::span(entries).subspan(begin, end - begin));
+      assert(begin < second && second < end);
       *most = part(begin, second);
       branches.insert(most + 1, part(second, end));
     }
@@ -132,6 +134,7 @@ template <class Rule>
 void BoxTree<Boxes>::build_by(std::size_t items, const std::function<Box(Item)>& box_of,
                               int threads) {
   constexpr std::size_t kWorthThreads = 2000;  // fewer are done sooner than threads are woken
+  assert(items < kItem);
   nodes_.clear();
   end_.clear();
   leaves_.clear();
@@ -184,6 +187,7 @@ void BoxTree<Boxes>::build_by(std::size_t items, const std::function<Box(Item)>&
     }
     level = std::move(next);
   }
+  assert(depth_ <= kDeepest && end_.size() == nodes_.size());
   order_.reserve(items);
   for (const auto& entry : builder.entries) order_.push_back(entry.item);
 }

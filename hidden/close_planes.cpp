@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
@@ -234,6 +235,7 @@ bool ClosePlanes::find_touching(const TouchingPlanes::PolygonOf& polygon_of) {
 std::vector<std::uint32_t> ClosePlanes::near_others(const TouchingPlanes& touching) const {
   if (!is_known_) return all();
   if (planes_.empty()) return {};
+  assert(std::ranges::is_sorted(planes_, {}, &Entered::off));
   std::vector<std::uint32_t> plane_of = all();
   for (std::size_t k = 0; k < touching.shared_planes(); ++k) {
     const auto members = touching.members(k);

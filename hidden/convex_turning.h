@@ -13,7 +13,8 @@ namespace displayfile {
 ///
 /// turn(i, j, k) is the sign of the turn from vertex i over j to k; direction(i, j) is 1 if j comes
 /// after i by x, or by y where x is the same, -1 if before and 0 if they are one point. How exact
-/// they are is for the caller to say.
+/// they are is for the caller to say. With exact ones the result is the same from whichever vertex
+/// the polygon is begun, and the opposite if it is gone around the other way.
 template <class Turn, class Direction>
 int convex_turning(std::size_t n, const Turn& turn, const Direction& direction) {
   if (n < 3) return 0;
@@ -34,7 +35,7 @@ int convex_turning(std::size_t n, const Turn& turn, const Direction& direction) 
   return reversals == 2 ? turning : 0;
 }
 
-/// The direction between points as they are.
+/// The direction between points as they are. direction_by_x(p, q) = -direction_by_x(q, p).
 inline int direction_by_x(const Point2& from, const Point2& to) {
   if (from.x != to.x) return to.x > from.x ? 1 : -1;
   return (to.y > from.y) - (to.y < from.y);

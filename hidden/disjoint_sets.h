@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,8 @@ class DisjointSets {
   /// else is asked.
   void make_alone(Member i) { toward_name_[i] = i; }
 
+  /// Joins their sets. The order of the two, and of joins, changes nothing, nor does a join of what
+  /// is joined.
   void join(Member i, Member j) {
     const Member a = name(i), b = name(j);
     toward_name_[std::max(a, b)] = std::min(a, b);
@@ -35,6 +38,7 @@ class DisjointSets {
 
   /// The smallest member of i's set.
   Member name(Member i) {
+    assert(i < size() && toward_name_[i] <= i);
     while (toward_name_[i] != i) i = toward_name_[i] = toward_name_[toward_name_[i]];
     return i;
   }

@@ -1,5 +1,7 @@
 #include "hidden/ear_cutting.h"
 
+#include <cassert>
+
 #include "clip/corners.h"
 
 namespace displayfile {
@@ -32,6 +34,7 @@ bool EarCutting::is_ear(std::uint32_t corner) {
 void EarCutting::cut(std::span<const Point2> polygon, std::size_t most_looks,
                      std::vector<CornerTriple>& triangles) {
   const auto sides = static_cast<std::uint32_t>(polygon.size());
+  [[maybe_unused]] const std::size_t before = triangles.size();
   polygon_ = polygon;
   looks_ = 0;
   ring_.resize(sides);
@@ -59,6 +62,7 @@ void EarCutting::cut(std::span<const Point2> polygon, std::size_t most_looks,
       corner = c;
     }
   }
+  assert(sides < 3 || triangles.size() == before + sides - 2);
 }
 
 }  // namespace displayfile

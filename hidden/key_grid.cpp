@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 
 namespace displayfile {
@@ -46,6 +47,7 @@ void KeyGrid::insert(std::uint32_t number, const Keys& keys) {
   for (Size& size : sizes_) {
     std::uint32_t& first =
         size.first[list_of({index(keys[0], size), index(keys[1], size), index(keys[2], size)})];
+    assert(number < size.next.size());
     size.next[number] = first;
     first = number;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +56,7 @@ class KeyGrid {
 
 template <class Visit>
 void KeyGrid::visit_near(const Keys& keys, double tolerance, Visit&& visit) const {
+  assert(has_size_for(tolerance));
   const double wide = tolerance * (1.0 + 0x1p-40) + 0x1p-50;  // for the roundings of sums
   std::size_t of = 0;
   while (tolerance > sizes_[of].length) ++of;

@@ -1,6 +1,7 @@
 #include "hidden/plane_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/common.hpp>
 
 namespace displayfile {
@@ -114,6 +115,7 @@ std::uint32_t PlaneTree::Query::branches(const Node& node, double least_area) co
 }
 
 void PlaneTree::insert(std::uint32_t index, const Plane& plane, double radius, double area) {
+  assert(index < place_.size());
   std::size_t place = place_[index];
   for (std::vector<Node>& level : levels_) {
     level[place / kBranches].include(place % kBranches, plane, radius, area);

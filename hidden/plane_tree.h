@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -85,6 +86,7 @@ std::size_t PlaneTree::visit_near(const std::array<Point3, 3>& corners, double n
       if ((branches >> k & 1) == 0) continue;
       const std::uint32_t branch = static_cast<std::uint32_t>(kBranches) * at + k;
       if (level > 0) {
+        assert(count < waiting.size());
         waiting[count++] = {node.largest_area[k], branch, level - 1};
       } else {
         least = visit(order_[branch]);

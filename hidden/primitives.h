@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 
@@ -67,10 +68,12 @@ struct Primitives {
     return plane_rests.empty() ? Point3(0.0) : plane_rests[item];
   }
   bool has_own_plane(std::size_t item) const {
+    assert(planes.empty() || item < planes.size());
     return planes.empty() || planes[item][0] == kOwnPlane;
   }
   std::size_t all_corners() const { return corners.empty() ? points.size() : corners.size(); }
   std::uint32_t point(std::uint32_t corner) const {
+    assert(corner < all_corners());
     return corners.empty() ? corner : corners[corner];
   }
   PointRow points_of(const Item& item) const {
@@ -78,6 +81,7 @@ struct Primitives {
     return {points, corners.subspan(item.first, item.sides)};
   }
   std::uint8_t visible_at(std::uint32_t corner) const {
+    assert(visible.empty() || corner < visible.size());
     return visible.empty() ? std::uint8_t{1} : visible[corner];
   }
   bool is_visible(std::uint32_t corner) const { return visible_at(corner) != 0; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -429,12 +430,14 @@ void TouchingPlanes::Search::keep(std::uint32_t polygons) {
   result_.plane_.assign(polygons, kNone);
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    assert(taken_[taken_[k]] == taken_[k]);
     if (taken_[k] == k) number[k] = kept++;
   }
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
     result_.plane_[own_[k].polygon] = number[taken_[k]];
   }
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
+    assert(taken_[k] != k || number[k] <= k);
     if (taken_[k] == k) own_[number[k]] = own_[k];
   }
   own_.resize(kept);
@@ -459,6 +462,7 @@ void TouchingPlanes::Search::keep_members(const std::vector<std::uint32_t>& shar
     next[plane] = first + 1;
     first += sharing[plane] + 1;
   }
+  assert(first == result_.members_.size());
   result_.first_member_.push_back(first);
   for (const std::uint32_t k : order_) {
     if (taken_[k] != k) result_.members_[next[taken_[k]]++] = own_[k].polygon;
@@ -471,6 +475,7 @@ TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_
 TouchingPlanes::TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
                                const PolygonOf& polygon_of, double reach)
     : reach_(reach) {
+  assert(std::ranges::is_sorted(looked_at) && (looked_at.empty() || looked_at.back() < polygons));
   const RoundToNearest mode;
   Search search(*this, polygon_of);
   search.enter(looked_at);

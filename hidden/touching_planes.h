@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -36,8 +37,9 @@ class TouchingPlanes {
                  const PolygonOf& polygon_of, double reach);
 
   /// The polygon whose support plane the polygon lies in: itself where it touches no other's, or
-  /// has no plane.
+  /// has no plane. plane_of(plane_of(p)) = plane_of(p).
   std::uint32_t plane_of(std::uint32_t polygon) const {
+    assert(polygon < plane_.size());
     const std::uint32_t plane = plane_[polygon];
     return plane == kNone ? polygon : planes_[plane].polygon;
   }
@@ -51,6 +53,7 @@ class TouchingPlanes {
   /// The polygons that lie in such a plane, in the order of the definition: falling area, then
   /// entry. The plane is that of the first.
   std::span<const std::uint32_t> members(std::size_t shared_plane) const {
+    assert(shared_plane < shared_planes());
     const std::size_t first = first_member_[shared_plane];
     return std::span(members_).subspan(first, first_member_[shared_plane + 1] - first);
   }

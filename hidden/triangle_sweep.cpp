@@ -1,6 +1,7 @@
 #include "hidden/triangle_sweep.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <set>
 
@@ -236,6 +237,7 @@ void Sweep::bend(VertexIndex v, bool on_the_left) {
   const VertexIndex ended = on_the_left ? v : previous_corner(v, size());
   const VertexIndex begun = on_the_left ? previous_corner(v, size()) : v;
   const VertexIndex s = slab_of_side_[begun] = slab_of_side_[ended];
+  assert(s != kNone);  // the ended side's lower end was met
   Slab& slab = slabs_[s];
   if (on_the_left) {
     slab.left_side = begun;
@@ -281,6 +283,7 @@ bool Sweep::start_or_split(VertexIndex v) {
 /// The end of the slab between both sides; or of the gap between two slabs, which are merged.
 bool Sweep::end_or_merge(VertexIndex v) {
   const VertexIndex s = slab_of_side_[previous_corner(v, size())], t = slab_of_side_[v];
+  assert(s != kNone && t != kNone);  // both sides' lower ends were met
   Slab &left = slabs_[s], &right = slabs_[t];
   const int turn = corners_[v].turn;
   if (s == t ? turn < 0 : turn > 0 || std::next(places_[s]) != places_[t]) return false;
@@ -301,6 +304,7 @@ bool Sweep::end_or_merge(VertexIndex v) {
 }  // namespace
 
 bool sweep_triangles(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles) {
+  assert(polygon.size() >= 3);
   const std::size_t before = triangles.size();
   const bool all =
       Sweep(polygon, triangles).run() && triangles.size() - before == polygon.size() - 2;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <compare>
 #include <glm/geometric.hpp>
@@ -228,7 +229,10 @@ std::vector<std::uint32_t> first_within(std::span<const Point3> points, double r
   if (!(reach > 0.0)) return first_equal(points);
   StandingPoints standing(points, reach);
   std::vector<std::uint32_t> first(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) first[i] = standing.first_of(i);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    first[i] = standing.first_of(i);
+    assert(first[i] <= i && first[first[i]] == first[i]);
+  }
   return first;
 }
 
@@ -249,6 +253,7 @@ PartedSides::PartedSides(std::span<const Point3> points, std::span<const SideOfP
     along_.push_back(on.vertex);
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  assert(first_.back() == along_.size());
 }
 
 }  // namespace displayfile

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,6 +16,7 @@ namespace displayfile {
 
 /// For each point the one that it is a vertex with: in order, the first earlier one within reach
 /// that stands for itself, or else itself. With a reach of 0 the first that is equal.
+/// first[first[i]] = first[i] <= i.
 std::vector<std::uint32_t> first_within(std::span<const Point3> points, double reach);
 
 /// A side between two points, given by their indices.
@@ -32,6 +34,7 @@ class PartedSides {
   /// The vertices along a side, in order from its start to its end, without these.
   std::span<const std::uint32_t> along(std::size_t side) const {
     if (first_.empty()) return {};
+    assert(side + 1 < first_.size());
     return std::span(along_).subspan(first_[side], first_[side + 1] - first_[side]);
   }
   bool any() const { return !along_.empty(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -22,6 +23,7 @@ class CountedWork {
     if (!told_) return;
     const std::lock_guard lock(mutex_);
     done_ += more;
+    assert(done_ <= all_);
     if (stopped_) return;  // by another thread, while this one was at work
     stopped_ = true;
     told_(done_, all_);

@@ -151,8 +151,7 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,
                                   PictureKind kind) {
   const MethodChoice choice = drawing_choice(system, options, kind);
-  const bool is_asked_for =
-      resolve_surfaces(system, hidden_surface_options(options)).method != HiddenMethod::automatic;
+  const bool is_asked_for = surfaces_of_picture(system, options).method != HiddenMethod::automatic;
   return fmt::format("{}{}: {}\n", is_asked_for ? "" : "auto: ", name_of(choice.method),
                      choice.reason);
 }

@@ -274,11 +274,11 @@ TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
         "polygon-abs-3 0.2 0.2 0.3  0.6 0.2 0.3  0.6 0.6 0.3  0.2 0.6 0.3\nclose-segment\n");
   const std::string left_out =
       "s.svg: vectors leave out shadows (those of map are drawn, of all segments)\n";
-  for (const char* by : {"", " --hidden bsp", " --hidden map --scope segment"}) {
+  for (const char* by : {" --hidden none", " --hidden bsp", " --hidden map --scope segment"}) {
     EXPECT_EQ(run(std::string("draw shadows.draw -o s.svg") + by), 0);
     EXPECT_EQ(err_, left_out) << by;
   }
-  for (const char* drawn : {"s.png", "s.svg --hidden franklin", "s.svg --hidden map",
+  for (const char* drawn : {"s.png", "s.svg", "s.svg --hidden franklin", "s.svg --hidden map",
                             "s.svg --hidden z-buffer", "s.svg --hidden auto --turntable 2"}) {
     EXPECT_EQ(run(std::string("draw shadows.draw -o ") + drawn), 0) << drawn;
     EXPECT_EQ(err_, "") << drawn;

@@ -23,6 +23,8 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   g.polygon_abs_3({{0, 0, 0.25}, {0.5, 0, 0.25}, {0.5, 0.5, 0.25}});
   g.polygon_abs_3({{0.25, 0, 0}, {0.75, 0, 0}, {0.75, 0.5, 0}});  // behind it
   g.close_segment();
+  EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
+  g.set_hidden_line_removal(false);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
   g.set_hidden_line_removal(true);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
@@ -55,10 +57,44 @@ TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
   EXPECT_NE(draw_as(g, "svg", {.hidden = HiddenMethod::map}), all);
 }
 
+/// Where nothing is set pictures are right; dumps are what was entered.
+TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
+  const auto draw_two = [](GraphicsSystem& g, double nearer, double farther) {
+    g.set_line_style({LineStyle::Kind::none});
+    g.open_segment(1);
+    g.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
+    g.polygon_abs_3({{-0.5, -0.5, nearer}, {0.5, -0.5, nearer}, {0, 0.5, nearer}});
+    g.set_fill_style({FillStyle::Kind::solid, {0, 0, 1}});
+    g.polygon_abs_3({{-0.5, 0.5, farther}, {0.5, 0.5, farther}, {0, -0.5, farther}});
+    g.close_segment();
+  };
+  const DrawOptions small{.width = 9, .height = 9};
+  const auto middle = [&](const GraphicsSystem& g) { return draw(g, small).pixels[4 * 9 + 4]; };
+  const std::uint32_t red = pixel_of(Colour(1, 0, 0)), blue = pixel_of(Colour(0, 0, 1));
+  GraphicsSystem deep, flat, off, method;
+  draw_two(deep, 0.5, 0.0);
+  EXPECT_EQ(middle(deep), red);
+  EXPECT_EQ(draw_as(deep, "svg"), draw_as(deep, "svg", {.hidden = HiddenMethod::map}));
+  EXPECT_EQ(deep.display_file().segment(1).sorted(), nullptr);
+  EXPECT_EQ(draw(deep, {.width = 9, .height = 9, .hidden = HiddenMethod::none}).pixels[4 * 9 + 4],
+            blue);
+  draw_two(flat, 0.25, 0.25);
+  EXPECT_EQ(middle(flat), blue);
+  EXPECT_EQ(drawing_method(flat, {}, PictureKind::vector), HiddenMethod::none);
+  off.set_hidden_line_removal(false);
+  draw_two(off, 0.5, 0.0);
+  EXPECT_EQ(middle(off), blue);
+  method.set_hidden_method(HiddenMethod::bsp);  // for when removal is on
+  draw_two(method, 0.5, 0.0);
+  EXPECT_EQ(middle(method), blue);
+}
+
 /// What is sorted when a segment is closed stays so, whatever is set at the end.
 TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
   GraphicsSystem g;
   const auto reason = [&] { return drawing_choice(g, {}, PictureKind::raster).reason; };
+  EXPECT_EQ(reason(), "all points have one depth: the order of entry holds");
+  g.set_hidden_line_removal(false);
   EXPECT_EQ(reason(), "hidden-line removal is off");
   for (const HiddenMethod method : {HiddenMethod::automatic, HiddenMethod::bsp}) {
     g.set_hidden_line_removal(true);

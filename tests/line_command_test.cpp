@@ -193,7 +193,7 @@ TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
 /// that sets hidden lines is drawn without them, with a warning.
 TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
   const std::string plate =
-      "set-back-face-removal off\nopen-segment 1\n"
+      "set-hidden-line-removal off\nopen-segment 1\n"
       "polygon-abs-3 -0.5 -0.5 0  0.5 -0.5 0  0.5 0.5 0  -0.5 0.5 0\n";
   const std::string behind =
       plate + "move-abs-3 -0.9 0.1 -1\nline-abs-3 0.9 0.3 -1\nclose-segment\n";

@@ -178,6 +178,20 @@ TEST(Perimeter, AlongTheGridAndFromAbove) {
   }
 }
 
+/// Flattened, and seen from its edge: one line in the picture, whose columns have no width.
+TEST(Perimeter, OfNoWidth) {
+  const std::vector<double> heights = heights_of(6, 5, wave);
+  for (const Camera& camera : {Camera{0.0, 0.0}, Camera{0.0, 30.0}, Camera{0.0, 10.0, 4.0}}) {
+    GraphicsSystem g;
+    look(g, camera);
+    g.scale_3(0, 1, 1);
+    g.open_segment(1);
+    g.surface_3({-1, 1, 6, -1, 1, 5, heights});
+    g.close_segment();
+    EXPECT_LE(compared(test::without_entered(g.display_file())).differs, kRounding);
+  }
+}
+
 /// Heights of few values, so that cells are flat and heights equal; plains and steps.
 std::vector<double> stepped(test::Dice& dice, int nx, int ny) {
   const int values = dice.from(1, 4);

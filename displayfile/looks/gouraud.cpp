@@ -1,6 +1,7 @@
 #include "displayfile/looks/gouraud.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -33,6 +34,7 @@ void orient(std::span<Point3> normals, const Point3& own) {
 ClippedPolygon GouraudLighting::clip(ClipPipeline& pipeline, std::span<const Point3> world,
                                      std::span<const std::uint8_t> edge_visible,
                                      std::span<const Point3> normals, const Light& light) {
+  assert(world.size() == normals.size());
   const auto clip_with_side_seen = [&](bool turned_away) {
     intensities_.clear();
     for (const Point3& n : normals) intensities_.push_back(intensity(light, n, turned_away));
@@ -44,6 +46,7 @@ ClippedPolygon GouraudLighting::clip(ClipPipeline& pipeline, std::span<const Poi
 
 FillStyle shaded_fill(const FillStyle& fill, ClippedPolygon& clipped) {
   if (fill.kind == FillStyle::Kind::solid && !all_equal(clipped.intensities)) return fill;
+  assert(clipped.intensities.size() == clipped.vertices.size());
   const double everywhere = clipped.intensities.front();
   clipped.intensities = {};
   return lit(fill, everywhere);

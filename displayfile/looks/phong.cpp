@@ -1,6 +1,7 @@
 #include "displayfile/looks/phong.h"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"
@@ -13,6 +14,7 @@ namespace displayfile {
 ClippedPolygon PhongNormals::clip(ClipPipeline& pipeline, std::span<const Point3> world,
                                   std::span<const std::uint8_t> edge_visible,
                                   std::span<const Point3> normals) {
+  assert(world.size() == normals.size());
   normals_.clear();
   for (const Point3& n : normals) normals_.push_back(n == Point3(0.0) ? n : unit(n));
   ClippedPolygon clipped = pipeline.clip_with_normals(world, edge_visible, normals_);
@@ -29,6 +31,7 @@ FillStyle phong_fill(const FillStyle& fill, const Light& light, ClippedPolygon& 
       clipped.normals, [&](const Point3& n) { return glm::dot(n, light.toward) <= 0.0; });
   const bool even = all_dark || light.ambient == 1.0 || !differ(clipped.normals);
   if (fill.kind == FillStyle::Kind::solid && !even) return fill;
+  assert(clipped.normals.size() == clipped.vertices.size());
   const Point3 anywhere = clipped.normals.front();
   clipped.normals = {};
   return lit(fill, light, anywhere, false);

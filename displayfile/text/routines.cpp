@@ -241,7 +241,8 @@ constexpr auto kView = std::to_array<Routine>({
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({
     fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off",
                                        "Whether hidden surfaces and lines are removed, by the "
-                                       "hidden method; back faces too [off]."),
+                                       "hidden method; back faces too [pictures: by auto, back "
+                                       "faces kept, unless all points have one depth]."),
     fixed<&G::set_back_face_removal>(
         "set-back-face-removal", "on|off",
         "Whether polygons that face away from the viewer are removed [off]."),

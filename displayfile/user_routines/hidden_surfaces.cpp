@@ -25,6 +25,7 @@ void GraphicsSystem::set_hidden_method(HiddenMethod method) {
   const HiddenMethod known = displayfile::hidden_method(name_of(method));  // or refuses
   if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
   method_ = known;
+  said_.insert(Setting::hidden_method);
   record("set-hidden-method", {name_of(method)});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -9,8 +10,8 @@ namespace displayfile {
 
 /// An interval, kept as its middle and its radius: the true value lies within `radius` of
 /// `middle`. The operations enclose the exact result whatever the rounding mode, because
-/// each adds its own rounding by the model of rounding.h (predicates.md, section 3). An
-/// infinite or NaN radius says that nothing is known.
+/// each adds its own rounding by the model of rounding.h (predicates.md, section 3). A radius is
+/// not negative; an infinite or NaN one says that nothing is known.
 struct Ball {
   double middle = 0.0;
   double radius = 0.0;
@@ -47,7 +48,10 @@ inline Ball operator/(const Ball& a, const Ball& b) {
   return {m, spread * kInflate + kTiny};
 }
 
-/// True if the ball says which side of zero the value is on.
-inline bool decided(const Ball& a) { return std::abs(a.middle) > a.radius; }
+/// True if the ball says which side of zero the value is on; decided(-a) = decided(a).
+inline bool decided(const Ball& a) {
+  assert(!(a.radius < 0.0));
+  return std::abs(a.middle) > a.radius;
+}
 
 }  // namespace displayfile

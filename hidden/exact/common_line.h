@@ -20,7 +20,8 @@ class CommonLine {
       : points_(points), planes_(planes), from_(from), to_(to) {}
 
   /// Which side of the line the point is on in the projection: 1 where the first plane is nearer
-  /// than the second, -1 where the second is, 0 on the line.
+  /// than the second, -1 where the second is, 0 on the line. It flips where the planes change
+  /// places.
   int side(const Point3& p) const;
 
   /// The sign of the plane's depth less the line's, at its start or at its end; the plane faces the

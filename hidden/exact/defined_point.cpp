@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <limits>
 
 #include "hidden/exact/double_double.h"
@@ -177,7 +178,10 @@ class DefiningLines {
   }
 
  private:
-  void take(std::uint32_t plane) { planes_[count_++] = &all_.planes[plane]; }
+  void take(std::uint32_t plane) {
+    assert(count_ < planes_.size() && plane < all_.planes.size());
+    planes_[count_++] = &all_.planes[plane];
+  }
   bool on_edge(const DefinedPoint& w) const {
     if (w.kind == DefinedPoint::Kind::stored) {
       return w.near == all_.points[v_.a] || w.near == all_.points[v_.b];
@@ -312,6 +316,8 @@ int exact_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint
 DefinedPoint stored_point(const Point3& p) { return {.near = p}; }
 
 DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t own, int axis) {
+  assert(a < all.points.size() && own < all.planes.size());
+  assert(0 <= axis && axis < 3);
   const DefinedPoint v{.near = all.points[a],
                        .kind = DefinedPoint::Kind::lifted,
                        .axis = static_cast<std::uint8_t>(axis),
@@ -326,6 +332,7 @@ DefinedPoint lifted_point(const Definitions& all, std::uint32_t a, std::uint32_t
 }
 
 DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, std::uint32_t cut) {
+  assert(a < all.points.size() && b < all.points.size() && cut < all.planes.size());
   const DefinedPoint v{.kind = DefinedPoint::Kind::edge_cut, .a = a, .b = b, .cut = cut};
   const Point3 &p = all.points[a], &q = all.points[b];
   if (!within(p, kLargestForBalls) || !within(q, kLargestForBalls) ||
@@ -337,6 +344,9 @@ DefinedPoint edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b, 
 
 DefinedPoint lifted_edge_cut(const Definitions& all, std::uint32_t a, std::uint32_t b,
                              std::uint32_t own, std::uint32_t cut, int axis) {
+  assert(a < all.points.size() && b < all.points.size());
+  assert(own < all.planes.size() && cut < all.planes.size());
+  assert(0 <= axis && axis < 3);
   const Point3 &p = all.points[a], &q = all.points[b];
   const Plane& plane = all.planes[own];
   if (plane.goes_through(p) && plane.goes_through(q)) return edge_cut(all, a, b, cut);
@@ -355,6 +365,7 @@ DefinedPoint lifted_edge_cut(const Definitions& all, std::uint32_t a, std::uint3
 
 DefinedPoint plane_cut(const Definitions& all, std::uint32_t own, std::uint32_t first,
                        std::uint32_t second) {
+  assert(own < all.planes.size() && first < all.planes.size() && second < all.planes.size());
   const DefinedPoint v{
       .kind = DefinedPoint::Kind::plane_cut, .a = first, .own = own, .cut = second};
   const Plane &p = all.planes[own], &q = all.planes[first], &r = all.planes[second];
@@ -455,6 +466,7 @@ DefinedPoint with_rest(const Definitions& all, const DefinedPoint& v) {
                               closer.radius);
   };
   closer.rest = {rest(point.xyz.x, p.x), rest(point.xyz.y, p.y), rest(point.xyz.z, p.z)};
+  assert(std::ranges::all_of(closer.rest, [](float lack) { return std::abs(lack) <= 1.0F; }));
   closer.has_rest = true;
   return closer;
 }

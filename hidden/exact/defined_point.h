@@ -69,7 +69,8 @@ DefinedPoint plane_cut(const Definitions& all, std::uint32_t own, std::uint32_t 
                        std::uint32_t second);
 
 // Every predicate here returns the true sign, -1, 0 or 1, of the points as defined, for
-// coordinates up to kCoordinateLimit, whatever the rounding mode.
+// coordinates up to kCoordinateLimit, whatever the rounding mode. So the laws of orientation.h and
+// plane.h hold of defined points too, however each is defined.
 
 int exact_side_of_plane(const Definitions& all, const DefinedPoint& v, const Plane& plane);
 
@@ -106,7 +107,8 @@ int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoin
 std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoint& a,
                                        const DefinedPoint& b, const DefinedPoint& c);
 
-/// The sign of a's coordinate less b's.
+/// The sign of a's coordinate less b's: compare(a, b) = -compare(b, a), and points are in one order
+/// by it. So are they by compare_xy and compare_xyz below.
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,7 @@ double scaled(const ExactNumber& number, std::int64_t exponent) {
   constexpr std::int64_t kVanishes = -2000;
   if (number.sign() == 0) return 0.0;
   const ExactNumber::Leading leading = number.leading();
+  assert(leading.exponent <= exponent);
   return std::ldexp(leading.mantissa,
                     static_cast<int>(std::max(leading.exponent - exponent, kVanishes)));
 }
@@ -129,6 +131,7 @@ std::optional<DepthComparison::Hinge> DepthComparison::hinge_of(const Plane& a, 
     if (b.goes_through(*point)) common[n++] = Point2(*point);
   }
   if (n < 2) return std::nullopt;
+  assert(common[0] != common[1]);  // as no plane is edge-on
   const auto is_off = [&](const Point3& v) { return !a.goes_through(v); };
   const Point3& third = is_off(b.p) ? b.p : is_off(b.q) ? b.q : b.r;
   const int nearer_than_a = side_of_plane(third, a) * facing(a);
@@ -140,6 +143,7 @@ void DepthComparison::make_ready() {
   if (is_ready()) return;
   hinge_ = hinge_of(a_, b_);
   if (!hinge_) difference_.emplace(a_, b_);
+  assert(hinge_.has_value() != difference_.has_value());
 }
 
 std::optional<int> DepthComparison::order_at_hand(const Point2& at) const {

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// depth_order of two planes, asked at many places: what takes exact arithmetic is done once, where
+/// depth_order(a, b, at), asked at many places: what takes exact arithmetic is done once, where
 /// the first filter is undecided (predicates.md, section 6). Two planes that are given by two
 /// common points, as neighbours in a mesh are, change their order along the line through these: it
 /// is found out on one side of it. Otherwise the difference of the two depths, linear in the

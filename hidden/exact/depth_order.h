@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,9 @@ namespace displayfile {
 // sign of a's z less b's there, so 1 where a is nearer, 0 where they meet. Neither plane may
 // be edge-on. The true sign for coordinates up to kCoordinateLimit, whatever the rounding
 // mode.
+//
+// depth_order(a, b, at) = -depth_order(b, a, at); 0 if both are one plane. The order of the points
+// that give a plane changes nothing.
 
 /// A position of the projection, each coordinate within `error` of the true one.
 struct Position {
@@ -22,6 +26,7 @@ struct Position {
 
 /// A (x - p.x) + B (y - p.y), with its bound: the plane's z is p.z less this over C.
 inline PlaneValue slope_value(const Plane& plane, const Position& at) {
+  assert(!(at.error < 0.0));
   const double x = at.x - plane.p.x, y = at.y - plane.p.y;
   const double value = plane.normal.x * x + plane.normal.y * y;
   const double bound = plane.bound.x * (std::abs(x) + at.error) +
@@ -49,7 +54,8 @@ inline PlaneValue depth_difference(const Plane& a, const Plane& b, const Positio
                                                 : std::numeric_limits<double>::infinity()};
 }
 
-/// The filter: the sign of that difference over that of Ca Cb; 0 where it is undecided.
+/// The filter: the sign of that difference over that of Ca Cb, which is the order; 0 where it is
+/// undecided.
 inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& at) {
   const auto [difference, bound] = depth_difference(a, b, at);
   const double ca = a.normal.z, cb = b.normal.z;

@@ -1,6 +1,7 @@
 #include "hidden/exact/entered_outline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/mat4x4.hpp>
 #include <limits>
@@ -273,6 +274,7 @@ std::int32_t OutlineRows::first_row_above(const EnteredOutline::Vertex& v) const
 
 void OutlineRows::add_side(const EnteredOutline::Vertex& low, const EnteredOutline::Vertex& high,
                            std::int32_t first_row, std::int32_t end_row) {
+  assert(0 <= first_row && first_row < end_row && end_row <= size_.height);
   const Point2 a(low.near.x * size_.width, low.near.y * size_.height);
   const Point2 b(high.near.x * size_.width, high.near.y * size_.height);
   const double rise = b.y - a.y, dx_dy = (b.x - a.x) / rise;
@@ -291,6 +293,7 @@ void OutlineRows::find_columns(int row) {
   for (const Side& side : sides_) {
     if (side.first_row <= row && row < side.end_row) columns_.push_back(column(side, row));
   }
+  assert(columns_.size() % 2 == 0);  // a closed line crosses a row up as often as down
   std::ranges::sort(columns_);
 }
 

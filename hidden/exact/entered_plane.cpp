@@ -1,6 +1,7 @@
 #include "hidden/exact/entered_plane.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -69,7 +70,10 @@ double length(const Point3& v) {
 Reach bounds_of_reach(double entered, double column) {
   if (!(column >= 1e-200 && column <= 1e200)) return {0.0, kNoBound};
   const double reach = entered * column;
-  return {std::max(0.0, reach * (1.0 - 0x1p-46) - kTiny), reach * (1.0 + 0x1p-46) + kTiny};
+  const Reach bounds{std::max(0.0, reach * (1.0 - 0x1p-46) - kTiny),
+                     reach * (1.0 + 0x1p-46) + kTiny};
+  assert(bounds.low <= bounds.high);
+  return bounds;
 }
 
 bool is_zero(const ExactVector& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
@@ -126,6 +130,7 @@ Modelling::Modelling(const glm::dmat4x3* matrix, double reach)
       is_singular_(false),
       entered_reach_(reach),
       reach_(bounds_of_reach(reach, 1.0)) {
+  assert(reach >= 0.0 && std::isfinite(reach));
   if (is_identity_) return;
   reach_ = bounds_of_reach(reach, std::max({length(Point3(matrix_[0])), length(Point3(matrix_[1])),
                                             length(Point3(matrix_[2]))}));
@@ -214,6 +219,7 @@ EnteredPlane::EnteredPlane(const Corners& corners, const Modelling& modelling)
       modelling_(&modelling),
       is_sound_(is_double_double_sound()),
       direction_error_(kNoBound) {
+  assert(corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]);
   if (!is_sound_) return;
   constexpr double kSquare = kRounding * kRounding;
   first_ = modelling.apply_closely(corners[0]);

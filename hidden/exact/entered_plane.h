@@ -79,7 +79,7 @@ class EnteredPlane {
   bool reaches(const Point3& entered, const Modelling& of_point) const;
 
   /// The side of the plane that a point is on, as entered under that matrix: 1 where the normal
-  /// points, -1, or 0 on it; exact.
+  /// points, -1, or 0 on it; exact. It flips where two of the plane's corners change places.
   int side(const Point3& entered, const Modelling& of_point) const;
 
   /// A unit normal in the world.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,7 @@ struct Estimate {
 
 /// The value's sign; 0 where it is undecided. Errors leave room for the lower part.
 inline int decided_sign(const Estimate& estimate) {
+  assert(!(estimate.error < 0.0));
   return std::abs(estimate.value.high) > estimate.error ? sign_of(estimate.value.high) : 0;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cassert>
 
 #include "hidden/exact/exact_digits.h"
 
@@ -69,6 +70,7 @@ int compare(const std::uint64_t* a, const std::uint64_t* b, int count) {
 
 std::uint64_t add(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
                   std::uint64_t* to) {
+  assert(count_b <= count_a);
   std::uint64_t carry = 0;
   for (int k = 0; k < count_a; ++k) {
     const std::uint64_t carried = a[k] + carry;
@@ -81,6 +83,7 @@ std::uint64_t add(const std::uint64_t* a, int count_a, const std::uint64_t* b, i
 
 void subtract(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
               std::uint64_t* to) {
+  assert(count_b <= count_a);
   std::uint64_t borrow = 0;
   for (int k = 0; k < count_a; ++k) {
     const std::uint64_t borrowed = a[k] - borrow;
@@ -118,6 +121,7 @@ void multiply(const std::uint64_t* a, int count_a, const std::uint64_t* b, int c
 }
 
 Quotient quotient(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b) {
+  assert(count_a > 0 && a[count_a - 1] != 0 && count_b > 0 && b[count_b - 1] != 0);
   mp::cpp_int numerator = whole(a, count_a), denominator = whole(b, count_b);
   const std::int64_t shift = 62 - (digits_of(numerator) - digits_of(denominator));
   if (shift >= 0) {

@@ -1,5 +1,6 @@
 #include <gmp.h>
 
+#include <cassert>
 #include <type_traits>
 
 #include "hidden/exact/exact_digits.h"
@@ -39,11 +40,13 @@ int compare(const std::uint64_t* a, const std::uint64_t* b, int count) {
 
 std::uint64_t add(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
                   std::uint64_t* to) {
+  assert(count_b <= count_a);
   return mpn_add(to, a, count_a, b, count_b);
 }
 
 void subtract(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
               std::uint64_t* to) {
+  assert(count_b <= count_a);
   mpn_sub(to, a, count_a, b, count_b);
 }
 
@@ -57,6 +60,7 @@ void multiply(const std::uint64_t* a, int count_a, const std::uint64_t* b, int c
 }
 
 Quotient quotient(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b) {
+  assert(count_a > 0 && a[count_a - 1] != 0 && count_b > 0 && b[count_b - 1] != 0);
   Integer numerator(a, count_a), denominator(b, count_b), rest;
   const std::int64_t shift = 62 - (static_cast<std::int64_t>(mpz_sizeinbase(numerator, 2)) -
                                    static_cast<std::int64_t>(mpz_sizeinbase(denominator, 2)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,7 @@ std::pair<std::uint64_t, std::int64_t> mantissa_and_exponent(double value) {
 /// q 2^exponent rounded to nearest, ties to even, as the bits of a double that is not
 /// negative. q has at least 62 digits, its last one set if anything was cut off below.
 double round_to_nearest(std::uint64_t q, std::int64_t exponent) {
+  assert(std::bit_width(q) >= 62);
   const auto top = exponent + static_cast<std::int64_t>(std::bit_width(q)) - 1;
   const std::int64_t last = std::max(top - (kMantissaBits - 1), kLeastExponent);
   const std::int64_t dropped = last - exponent;
@@ -50,6 +52,7 @@ double round_to_nearest(std::uint64_t q, std::int64_t exponent) {
 }  // namespace
 
 ExactNumber::ExactNumber(double value) {
+  assert(std::isfinite(value));
   const auto [mantissa, exponent] = mantissa_and_exponent(value);
   set_magnitude(mantissa);
   exponent_ += exponent;
@@ -100,6 +103,7 @@ void ExactNumber::set_magnitude(std::uint64_t magnitude) {
 
 ExactNumber::Leading ExactNumber::leading() const {
   if (sign_ == 0) return {0.0, 0, true};
+  assert(count_ > 0 && limbs()[count_ - 1] != 0);
   const std::uint64_t* p = limbs() + count_;
   const int zeros = std::countl_zero(p[-1]);
   std::uint64_t digits = p[-1] << zeros;
@@ -143,6 +147,8 @@ ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sig
 
 ExactNumber ExactNumber::sum_of(const ExactNumber& higher, int sign_of_higher,
                                 const ExactNumber& lower, int sign_of_lower) {
+  assert(higher.count_ > 0 && lower.count_ > 0 && sign_of_higher != 0 && sign_of_lower != 0);
+  assert(higher.exponent_ >= lower.exponent_);
   const std::int64_t shift = higher.exponent_ - lower.exponent_;
   const auto whole = static_cast<int>(shift / kLimbBits);
   const auto bits = static_cast<unsigned>(shift % kLimbBits);

@@ -8,8 +8,9 @@
 namespace displayfile {
 
 /// An integer times a power of two, of any size: every finite double is one, and sums,
-/// differences and products of them are exact. The exact stage of the predicates. The digits
-/// are kept in place while they are few, so that no memory is allocated for coordinates of
+/// differences and products of them are exact, so that the laws of integers hold: they may be added
+/// and multiplied in any order, and (a - a).sign() is 0. The exact stage of the predicates. The
+/// digits are kept in place while they are few, so that no memory is allocated for coordinates of
 /// ordinary size; what is done with digits is in exact_digits.h.
 class ExactNumber {
  public:
@@ -44,7 +45,8 @@ class ExactNumber {
   friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b);
 
   /// The double nearest to a / b, of two equally near the one with an even last digit, whatever
-  /// the rounding mode; b must not be zero. Throws Error if it exceeds every double.
+  /// the rounding mode. Throws Error if b is zero, or if it exceeds every double. It does not fall
+  /// as the quotient grows.
   friend double rounded_quotient(const ExactNumber& a, const ExactNumber& b);
 
  private:

@@ -1,5 +1,6 @@
 #include "hidden/exact/exact_point.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +43,7 @@ PointOf<Number> point_of(const Point3& p) {
 /// p moved along the axis on to the plane: the plane's equation, solved for that coordinate.
 template <class Number>
 PointOf<Number> lifted_on_to(const Plane& own, const Point3& p, int axis) {
+  assert(0 <= axis && axis < 3);
   PlaneOf<Number> plane(own);
   VectorOf<Number> from = vector_of<Number>(p) - plane.through;
   const Number c = component(plane.normal, axis);

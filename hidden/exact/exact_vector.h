@@ -21,6 +21,7 @@ inline ExactVector exact_difference(const Point3& a, const Point3& b) {
   return difference_of<ExactNumber>(a, b);
 }
 
+/// cross(u, v) = -cross(v, u); zero if u and v are parallel.
 template <class Number>
 VectorOf<Number> cross(const VectorOf<Number>& u, const VectorOf<Number>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};

@@ -1,5 +1,6 @@
 #include "hidden/exact/eye.h"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -17,6 +18,7 @@ Eye Eye::of(const View& view) {
 /// At infinity it is a direction's way along the normal; the plane's filter holds there too, with
 /// one difference less to round.
 int side_of_plane(const Eye& eye, const Plane& plane) {
+  assert(plane.is_plain());
   if (!eye.at_infinity) return side_of_plane(eye.place, plane);
   const Point3& v = eye.place;
   const double value = plane.normal.x * v.x + plane.normal.y * v.y + plane.normal.z * v.z;

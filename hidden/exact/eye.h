@@ -21,7 +21,8 @@ struct Eye {
 };
 
 /// Which side of the plane the eye is on: 1, -1, or 0 on it. True for coordinates up to
-/// kCoordinateLimit.
+/// kCoordinateLimit. The sign flips where two of the plane's points change places, and for an eye
+/// at infinity where it is toward the opposite direction. The plane has no rests.
 int side_of_plane(const Eye& eye, const Plane& plane);
 /// The same of the plane through three points.
 inline int side_of_plane(const Eye& eye, const Point3& p, const Point3& q, const Point3& r) {

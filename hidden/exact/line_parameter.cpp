@@ -1,5 +1,6 @@
 #include "hidden/exact/line_parameter.h"
 
+#include <cassert>
 #include <optional>
 
 #include "hidden/exact/exact_vector.h"
@@ -25,7 +26,9 @@ double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   count_exact(Predicate::line_parameter);
   if (part.sign() * whole.sign() <= 0) return 0.0;
   if ((part - whole).sign() * whole.sign() >= 0) return 1.0;
-  return rounded_quotient(part, whole);
+  const double share = rounded_quotient(part, whole);
+  assert(0.0 <= share && share <= 1.0);
+  return share;
 }
 
 }  // namespace
@@ -51,6 +54,7 @@ double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p) 
 }
 
 double point_parameter(const Point2& a, const Point2& b, const Point2& p) {
+  assert(a != b);
   if (p == a) return 0.0;
   if (p == b) return 1.0;
   const int axis = a.x != b.x ? 0 : 1;

@@ -18,6 +18,10 @@ namespace displayfile {
 // mode, whichever of the things that meet there is asked about, for coordinates up to
 // kCoordinateLimit. Rounding keeps order, so what is found out about intervals between such
 // parameters is true of the exact ones, but for those that vanish (predicates.md, section 9).
+//
+// The parameter of what meets the line depends on where it does alone: p and q may change places,
+// and so may a plane's points, or two planes. Along the line from b to a it is 1 - t rounded once,
+// which need not be 1 less the rounded t.
 
 /// Where the line through p and q crosses it in the projection. They must not be parallel.
 double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);

@@ -1,5 +1,6 @@
 #include "hidden/exact/line_place.h"
 
+#include <cassert>
 #include <optional>
 
 #include "hidden/exact/line_estimates.h"
@@ -64,12 +65,14 @@ Point2 rounded(const ExactPlace& place) {
 }
 
 int compare_xy(const ExactPlace& p, const ExactPlace& q) {
+  assert(p.w.sign() != 0 && q.w.sign() != 0);
   const int way = p.w.sign() * q.w.sign();
   const int by_x = (p.x * q.w - q.x * p.w).sign() * way;
   return by_x != 0 ? by_x : (p.y * q.w - q.y * p.w).sign() * way;
 }
 
 int orientation(const ExactPlace& p, const ExactPlace& q, const ExactPlace& r) {
+  assert(p.w.sign() != 0 && q.w.sign() != 0 && r.w.sign() != 0);
   const ExactNumber turn =
       p.x * (q.y * r.w - r.y * q.w) - p.y * (q.x * r.w - r.x * q.w) + p.w * (q.x * r.y - r.x * q.y);
   return turn.sign() * p.w.sign() * q.w.sign() * r.w.sign();

@@ -8,7 +8,8 @@ namespace displayfile {
 
 // Where something meets the line from a to b in the projection, as a point: each coordinate the
 // true one rounded once, to the nearest double. The same bits for whoever asks, since the point is
-// the same, for coordinates up to kCoordinateLimit.
+// the same, for coordinates up to kCoordinateLimit: crossing_place(a, b, p, q) =
+// crossing_place(p, q, a, b), and the ends of each line may change places.
 
 /// Where the line through p and q crosses it. They must not be parallel.
 Point2 crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
@@ -26,9 +27,10 @@ ExactPlace exact_meeting_place(const Point2& a, const Point2& b, const Plane& on
                                const Plane& other);
 
 Point2 rounded(const ExactPlace& place);
-/// The order by x, then y; 0 if they are the same point.
+/// The order by x, then y; 0 if they are the same point. compare_xy(p, q) = -compare_xy(q, p).
 int compare_xy(const ExactPlace& p, const ExactPlace& q);
-/// 1 if r is left of the line from p to q, -1 if right of it, 0 on it.
+/// 1 if r is left of the line from p to q, -1 if right of it, 0 on it. The sign flips where two of
+/// them change places.
 int orientation(const ExactPlace& p, const ExactPlace& q, const ExactPlace& r);
 
 }  // namespace displayfile

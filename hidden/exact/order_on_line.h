@@ -21,8 +21,9 @@ class OrderOnLine {
     may_be_along_x_ = !decided(along(2, 0));
   }
 
-  /// -1 if v comes before w, 1 if after it, 0 if they are one. A line that is not along y has each
-  /// x once, and one not along x each y.
+  /// -1 if v comes before w, 1 if after it, 0 if they are one; both are on the line.
+  /// compare(v, w) = -compare(w, v). A line that is not along y has each x once, and one not along
+  /// x each y.
   int compare(const Definitions& all, const DefinedPoint& v, const DefinedPoint& w) const {
     if (may_be_along_y_) return compare_xy(all, v, w);
     if (!may_be_along_x_ && have_one_coordinate(all, v, w, 1)) return 0;

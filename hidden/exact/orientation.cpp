@@ -1,5 +1,7 @@
 #include "hidden/exact/orientation.h"
 
+#include <cassert>
+
 #include "hidden/exact/estimates.h"
 #include "hidden/exact/exact_vector.h"
 #include "hidden/exact/predicate_counts.h"
@@ -36,6 +38,7 @@ int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const P
 }
 
 int exact_facing(std::span<const Point3> vertices) {
+  assert(!vertices.empty());
   count_exact(Predicate::facing);
   ExactNumber twice_area;
   const Point3* p = &vertices.back();

@@ -29,7 +29,7 @@ inline OrientationValue orientation_value(const Point2& a, const Point2& b, cons
   return {left - right, kBound * std::abs(left + right) + kTiny};
 }
 
-/// The filter: 0 where it is undecided.
+/// The filter: orientation(a, b, c), or 0 where it is undecided.
 inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& c) {
   const auto [determinant, bound] = orientation_value(a, b, c);
   return std::abs(determinant) > bound ? decided_sign(determinant) : 0;
@@ -37,6 +37,8 @@ inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& 
 
 /// Which way a, b, c turn: 1 counterclockwise (c is left of the line from a to b), -1
 /// clockwise, 0 in line.
+///
+/// orientation(a, b, c) = orientation(b, c, a) = -orientation(b, a, c); 0 if two points are equal.
 inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   const int filtered = filtered_orientation(a, b, c);
   if (filtered != 0) [[likely]]
@@ -51,6 +53,8 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c) {
 
 /// Which side of the plane through a, b, c the point d is on: 1 on the side from which a, b, c
 /// run counterclockwise, -1 on the other, 0 on the plane, also if a, b, c are in line.
+///
+/// The sign flips where any two of the four change places; 0 if two of them are equal.
 inline int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   constexpr double kBound = 48.0 * kUnit * kInflate;
   constexpr double kUnderflow = 0x1p-730;
@@ -71,6 +75,9 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c, const 
 /// The sign of Newell's C (equation 9.3), twice the signed area of the projection: 1 if the
 /// polygon turns its light face to the viewer, 0 if it has no area. Fewer than three vertices
 /// have none.
+///
+/// The same from whichever vertex it begins; the sign flips where the vertices are in the reverse
+/// order. For a triangle a, b, c it is orientation(a, b, c).
 int facing(std::span<const Point3> vertices);
 
 }  // namespace displayfile

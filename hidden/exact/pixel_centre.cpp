@@ -1,6 +1,7 @@
 #include "hidden/exact/pixel_centre.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "hidden/exact/ball.h"
 #include "hidden/exact/exact_number.h"
@@ -55,6 +56,7 @@ std::int32_t first_column_after_crossing(const Point2& a, const Point2& b, std::
   auto first = static_cast<std::int32_t>(std::clamp(low, 0.0, width));
   auto last = static_cast<std::int32_t>(std::clamp(high, 0.0, width));
   // The answer is in [first, last]; from it on, the crossing is not right of the centre.
+  assert(0 <= first && first <= last && last <= size.width);
   while (first < last) {
     const std::int32_t middle = first + (last - first) / 2;
     if (crossing(a, b, PixelCentre(middle, row, size)) <= 0) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -25,7 +26,9 @@ struct PixelCentre {
         size(size_),
         x((2.0 * column_ + 1.0) / (2.0 * size_.width)),
         y((2.0 * row_ + 1.0) / (2.0 * size_.height)),
-        error(kUnit * std::max(std::abs(x), std::abs(y)) * kInflate) {}
+        error(kUnit * std::max(std::abs(x), std::abs(y)) * kInflate) {
+    assert(size_.width > 0 && size_.height > 0);
+  }
 
   std::int32_t column, row;
   PictureSize size;
@@ -40,10 +43,13 @@ int exact_crossing(const Point2& a, const Point2& b, const PixelCentre& centre);
 int exact_compare_with_centres(double coordinate, std::int32_t pixels, std::int32_t index);
 
 /// The sign of coordinate * pixels - (index + 1/2): where a vertex's y lies against a row of
-/// centres (pixels is the picture's height, index the row), or its x against a column's.
+/// centres (pixels is the picture's height, index the row), or its x against a column's. It does
+/// not fall as the coordinate grows, nor rise as the index does.
+///
 /// The rounded product is on the wrong side of an odd number for no rounding mode, since
 /// rounding keeps order: only where it is that number is more to be asked.
 inline int compare_with_centres(double coordinate, std::int32_t pixels, std::int32_t index) {
+  assert(pixels > 0);
   const double twice = coordinate * (2.0 * pixels);
   const double centre = 2.0 * index + 1.0;
   if (twice != centre) [[likely]]
@@ -51,7 +57,8 @@ inline int compare_with_centres(double coordinate, std::int32_t pixels, std::int
   return exact_compare_with_centres(coordinate, pixels, index);
 }
 
-/// The first row, from 0 to height, whose centre is above y: device coordinates.
+/// The first row, from 0 to height, whose centre is above y: device coordinates. It does not fall
+/// as y grows.
 inline std::int32_t first_row_above(double y, std::int32_t height) {
   const double t = y * height - 0.5;
   if (t < -0.5) return 0;
@@ -71,7 +78,10 @@ inline std::int32_t first_column_from(double x, std::int32_t width) {
 /// The sign of the x at which the line through a and b crosses the row of the centre, less the
 /// centre's x: the crossing is at or left of the centre where this is not 1. Device
 /// coordinates; a.y and b.y must differ, in either order.
+///
+/// crossing(a, b, centre) = crossing(b, a, centre).
 inline int crossing(const Point2& a, const Point2& b, const PixelCentre& centre) {
+  assert(a.y != b.y);
   constexpr double kBound = 4.0 * kUnit * kInflate;
   const double run = b.x - a.x, rise = b.y - a.y;
   const double left = (a.x - centre.x) * rise;
@@ -86,7 +96,8 @@ inline int crossing(const Point2& a, const Point2& b, const PixelCentre& centre)
 }
 
 /// The first column, from 0 to width, whose centre lies at or right of that crossing: of the
-/// row's centres, those from this column on count the edge. Width if none does.
+/// row's centres, those from this column on count the edge. Width if none does. The same for the
+/// reversed edge.
 std::int32_t first_column_after_crossing(const Point2& a, const Point2& b, std::int32_t row,
                                          const PictureSize& size);
 

@@ -1,5 +1,7 @@
 #include "hidden/exact/plane.h"
 
+#include <cassert>
+
 #include "hidden/exact/estimates.h"
 #include "hidden/exact/exact_point.h"
 #include "hidden/exact/predicate_counts.h"
@@ -49,6 +51,7 @@ Plane::Plane(const Point3& p_, const Point3& q_, const Point3& r_, const Point3&
   reach =
       (std::abs(a.value) + std::abs(b.value) + std::abs(c.value) + bound.x + bound.y + bound.z) *
       kInflate;
+  assert(bound.x >= kTiny && bound.y >= kTiny && bound.z >= kTiny && off >= kTiny);
 }
 
 int facing_axis(const Plane& plane) {
@@ -58,6 +61,7 @@ int facing_axis(const Plane& plane) {
     return most;
   const ExactVector normal = ExactPlane(plane).normal;
   if (normal.z.sign() != 0) return 2;
+  assert(normal.y.sign() != 0 || normal.x.sign() != 0);
   return normal.y.sign() != 0 ? 1 : 0;
 }
 

@@ -59,6 +59,9 @@ inline PlaneValue plane_value(const Point3& v, const Plane& plane) {
 
 /// Which side of the plane v is on: 1, -1, or 0 on it. True for coordinates up to
 /// kCoordinateLimit, whatever the rounding mode.
+///
+/// The sign flips where two of the plane's points, with their rests, change places. For a plane
+/// without rests it is orientation(p, q, r, v), and 0 at p, q and r.
 inline int side_of_plane(const Point3& v, const Plane& plane) {
   const auto [value, bound] = plane_value(v, plane);
   if (std::abs(value) > bound) [[likely]]
@@ -67,10 +70,11 @@ inline int side_of_plane(const Point3& v, const Plane& plane) {
 }
 
 /// The axis that the plane faces most, 0, 1 or 2 for x, y or z, by the normal in doubles; never one
-/// that is parallel to the plane.
+/// that is parallel to the plane. Its points must not be in line.
 int facing_axis(const Plane& plane);
 
-/// The sign of C: 1 if the plane turns its positive side to the viewer, 0 if it is edge-on.
+/// The sign of C: 1 if the plane turns its positive side to the viewer, 0 if it is edge-on. It is
+/// orientation(p, q, r), and flips where two of the points change places.
 inline int facing(const Plane& plane) {
   if (std::abs(plane.normal.z) > plane.bound.z) [[likely]]
     return decided_sign(plane.normal.z);

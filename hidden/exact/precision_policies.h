@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,7 +18,10 @@ namespace displayfile {
 /// plane a that cut it off.
 struct SideLine {
   static constexpr std::uint32_t kCut = std::numeric_limits<std::uint32_t>::max();
-  static SideLine edge(std::uint32_t from, std::uint32_t to) { return {from, to}; }
+  static SideLine edge(std::uint32_t from, std::uint32_t to) {
+    assert(to != kCut);
+    return {from, to};
+  }
   static SideLine cut_by(std::uint32_t plane) { return {plane, kCut}; }
   bool made_by_cut() const { return b == kCut; }
 
@@ -67,10 +71,12 @@ class Exact {
 
   void use(const Definitions& all) { all_ = all; }
   Vertex vertex(std::uint32_t point, std::uint32_t own) const {
+    assert(point < all_.points.size());
     return own == kNoPlane ? stored_point(all_.points[point])
                            : lifted_point(all_, point, own, axis(own));
   }
   int side(const Vertex& v, std::uint32_t plane) const {
+    assert(plane < all_.planes.size());
     return side_of_plane(all_, v, all_.planes[plane]);
   }
   int side(const Point3& v, std::uint32_t plane) const {
@@ -128,6 +134,7 @@ class Exact {
     return displayfile::compare_xy(all_, a, b);
   }
   int depth_order(std::uint32_t p, std::uint32_t q, const Vertex& at) const {
+    assert(p < all_.planes.size() && q < all_.planes.size());
     return displayfile::depth_order(all_, all_.planes[p], all_.planes[q], at);
   }
   Point3 coordinates(const Vertex& v) const { return rounded(all_, v); }

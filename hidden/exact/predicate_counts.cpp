@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <mutex>
 #include <vector>
 
@@ -71,6 +72,7 @@ thread_local RegisteredCounts counts_of_thread;
 }  // namespace
 
 std::string_view name_of(Predicate predicate) {
+  assert(static_cast<std::size_t>(predicate) < kNames.size());
   return kNames[static_cast<std::size_t>(predicate)];
 }
 

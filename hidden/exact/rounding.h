@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cfloat>
 #include <cstdint>
 #include <limits>
@@ -26,13 +27,16 @@ inline constexpr double kInflate = 1.0 + 32.0 * kUnit;
 
 constexpr int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
-/// The sign of an x that is not zero, from its sign bit: once a filter has decided.
+/// The sign of an x that is not zero, from its sign bit: once a filter has decided. 1 or -1;
+/// decided_sign(-x) = -decided_sign(x).
 constexpr int decided_sign(double x) {
+  assert(x != 0.0);
   return static_cast<int>(std::bit_cast<std::int64_t>(x) >> 63) | 1;
 }
 
-/// The sign of a product x y that is not zero, from the sign bits of both.
+/// The sign of a product x y of which neither is zero, from the sign bits of both.
 constexpr int decided_sign(double x, double y) {
+  assert(x != 0.0 && y != 0.0);
   return static_cast<int>((std::bit_cast<std::int64_t>(x) ^ std::bit_cast<std::int64_t>(y)) >> 63) |
          1;
 }

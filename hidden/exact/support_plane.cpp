@@ -1,5 +1,6 @@
 #include "hidden/exact/support_plane.h"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -48,7 +49,9 @@ SupportVertices support_vertices(std::span<const Point3> v) {
   for (std::size_t i = 0; in_line(q, r) && i < v.size(); ++i) {
     if (!in_line(q, i)) r = i;
   }
-  return {{0, static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(r)}, in_line(q, r)};
+  const bool edge_on = in_line(q, r);
+  assert(edge_on || (q != 0 && r != 0 && q != r));
+  return {{0, static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(r)}, edge_on};
 }
 
 SupportVertices spread_vertices(std::span<const Point3> v) {

@@ -13,7 +13,7 @@ namespace displayfile {
 /// one farthest from p in the projection, and the one farthest from the line through both
 /// in the projection, first of equals. Device coordinates.
 struct SupportVertices {
-  std::array<std::uint32_t, 3> index;
+  std::array<std::uint32_t, 3> index;  ///< the first is 0; all differ unless edge_on
   bool edge_on;  ///< the three are in line in the projection: the polygon covers nothing
 };
 SupportVertices support_vertices(std::span<const Point3> vertices);

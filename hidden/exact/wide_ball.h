@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -53,7 +54,9 @@ class WideBall {
   static constexpr double kOfSum = 0x1p-103, kOfProduct = 0x1p-102, kOfQuotient = 0x1p-101;
 
   WideBall(const DoubleDouble& middle, double radius)
-      : middle_(middle), radius_(radius * (1.0 + 0x1p-20) + kTiny) {}
+      : middle_(middle), radius_(radius * (1.0 + 0x1p-20) + kTiny) {
+    assert(!(radius_ < 0.0));
+  }
 
   DoubleDouble middle_;
   double radius_ = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,6 +40,7 @@ class CellGrid {
     std::vector<float> behind;  // of each cell; empty: no cell of any level has a blocking face
 
     std::span<const Entry> in_cell(std::size_t cell) const {
+      assert(cell < cells() && first.size() == cells() + 1);
       return std::span(entries).subspan(first[cell], first[cell + 1] - first[cell]);
     }
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,8 +12,10 @@
 
 namespace displayfile {
 
-/// The cell of a place along an axis, of so many; those at the ends take what is beyond.
+/// The cell of a place along an axis, of so many; those at the ends take what is beyond. It does
+/// not fall as the place grows.
 inline std::uint32_t cell_at(double place, std::uint32_t cells) {
+  assert(cells > 0);
   if (!(place > 0.0)) return 0;
   return static_cast<std::uint32_t>(std::min(place, static_cast<double>(cells - 1)));
 }
@@ -55,6 +58,7 @@ class CellLayout {
     std::uint32_t left, right, bottom, top;  // the first and the last
   };
   Range range(const Rectangle& box, std::size_t level) const {
+    assert(level < levels_.size());
     const double scale = scales_[level];
     const Point2 low = in_cells({box.x_min, box.y_min}) * scale;
     const Point2 high = in_cells({box.x_max, box.y_max}) * scale;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +19,10 @@ struct CellsOfStretch {
   std::uint32_t first, step;
 
   /// The cells' numbers, row by row, for j from low to high.
-  std::size_t cell(std::uint32_t j) const { return first + std::size_t{j} * step; }
+  std::size_t cell(std::uint32_t j) const {
+    assert(low <= j && j <= high);
+    return first + std::size_t{j} * step;
+  }
 };
 
 /// Goes along a line, whose ends are places in cells of that level, column by column if it is more

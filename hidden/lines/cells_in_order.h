@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,7 @@ class CellsInOrder {
   std::uint32_t foot_row() const;
   /// Cells whose diagonals are in one vertical plane have one number.
   std::size_t diagonal_of(std::uint32_t i, std::uint32_t j) const {
+    assert(i < surface_.columns() && j < surface_.rows());
     return std::size_t{i} + surface_.rows() - j;
   }
   void find_second_first();

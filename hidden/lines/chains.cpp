@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -68,6 +69,7 @@ class Joints {
   }
 
   void mate(End a, End b) {
+    assert(a != b && mate_[a] == kNone && mate_[b] == kNone);
     mate_[a] = b;
     mate_[b] = a;
   }
@@ -159,6 +161,7 @@ Chains chains_of(std::span<const ChainLink> pieces) {
       chains.places.push_back({end / 2, end % 2 == 1});
     }
   }
+  assert(chains.places.size() == pieces.size());
   return chains;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,6 +27,7 @@ struct Chains {
   std::vector<std::uint32_t> first;  ///< of each chain, among the places
 
   std::span<const Place> chain(std::size_t k) const {
+    assert(k < first.size());
     const std::size_t end = k + 1 < first.size() ? first[k + 1] : places.size();
     return std::span(places).subspan(first[k], end - first[k]);
   }

@@ -1,6 +1,7 @@
 #include "hidden/lines/contour_edges.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "clip/corners.h"
 #include "hidden/lines/simple_polygon.h"
@@ -71,6 +72,7 @@ ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, cons
   tree_.build(boxes, threads);
   edges_.reserve(edges.size());
   for (const DepthTree::Item i : tree_.order()) edges_.push_back(edges[i]);
+  assert(edges_.size() == edges.size());
 }
 
 }  // namespace displayfile

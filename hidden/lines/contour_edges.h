@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -21,7 +22,10 @@ class ContourEdges {
 
   /// 1 if the polygon is counted and runs counterclockwise, -1 if clockwise, 0 if it is not
   /// counted.
-  int way(std::uint32_t item) const { return way_[item]; }
+  int way(std::uint32_t item) const {
+    assert(item < way_.size());
+    return way_[item];
+  }
   /// True if a polygon that is counted has all its corners on its support plane.
   bool is_even(std::uint32_t item) const { return uneven_.empty() || uneven_[item] == 0; }
 

@@ -1,6 +1,7 @@
 #include "hidden/lines/convex_objects.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <tuple>
 
@@ -141,6 +142,7 @@ ConvexObjects::ConvexObjects(const Primitives& items, const LineScene& scene) {
     }
     from = to;
   }
+  assert(polygons_.size() == hiding.size() && extents_.size() == objects_.size());
 }
 
 void ConvexObjects::add(std::span<const std::uint32_t> polygons,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,11 +22,13 @@ class ConvexObjects {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(objects_.size()); }
   std::span<const std::uint32_t> polygons(std::uint32_t object) const {
+    assert(object < size());
     const Object& o = objects_[object];
     return std::span(polygons_).subspan(o.first, o.polygons);
   }
   /// Points, counterclockwise; none of a polygon that is an object by itself.
   std::span<const std::uint32_t> outline(std::uint32_t object) const {
+    assert(object < size());
     const Object& o = objects_[object];
     return std::span(outlines_).subspan(o.first_point, o.points);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,6 +19,7 @@ class FarPlanes {
 
   /// A point of the scene and the plane of one of its polygons. False if it is not known.
   bool is_far(std::uint32_t item, const Point3& v) const {
+    assert(item < planes_.size());
     const PlaneInDoubles& plane = planes_[item];
     const Point3& n = plane.normal;
     return std::abs(n.x * v.x + n.y * v.y + n.z * v.z - plane.offset) > plane.tolerance;

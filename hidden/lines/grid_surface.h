@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,7 +25,10 @@ class GridSurface {
   std::uint32_t columns() const { return mark_.x_points - 1; }  ///< of cells
   std::uint32_t rows() const { return mark_.y_points - 1; }
   /// Points (i, j) are numbered row by row.
-  std::uint32_t number(std::uint32_t i, std::uint32_t j) const { return j * mark_.x_points + i; }
+  std::uint32_t number(std::uint32_t i, std::uint32_t j) const {
+    assert(i < mark_.x_points && j < mark_.y_points);
+    return j * mark_.x_points + i;
+  }
   std::uint32_t points() const { return mark_.x_points * mark_.y_points; }
   const Point3& point(std::uint32_t number) const { return points_[number]; }
 
@@ -43,6 +47,7 @@ class GridSurface {
   std::uint32_t side(std::uint32_t item, std::uint32_t corner) const;
   /// The item that is the triangle of that cell with the corner (i + 1, j); the next is the other.
   std::uint32_t first_triangle(std::uint32_t i, std::uint32_t j) const {
+    assert(i < columns() && j < rows());
     return first_item_ + 2 * (j * columns() + i);
   }
   /// True if the item is a triangle of the surface.
@@ -50,7 +55,10 @@ class GridSurface {
     return item >= first_item_ && item - first_item_ < 2 * columns() * rows();
   }
   /// True if the item is the triangle of its cell that has the corner (i + 1, j).
-  bool is_first(std::uint32_t item) const { return (item - first_item_) % 2 == 0; }
+  bool is_first(std::uint32_t item) const {
+    assert(has(item));
+    return (item - first_item_) % 2 == 0;
+  }
 
  private:
   GridSurface() = default;

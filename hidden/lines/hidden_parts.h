@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace displayfile {
@@ -10,7 +11,13 @@ struct PartOfLine {
   double from, to;
 };
 
-/// The parts in order, those that overlap or touch as one.
+/// True if the parts are in order, and none touches the next.
+[[maybe_unused]] inline bool are_united(const std::vector<PartOfLine>& parts) {
+  const auto touch = [](const PartOfLine& p, const PartOfLine& q) { return !(p.to < q.from); };
+  return std::ranges::adjacent_find(parts, touch) == parts.end();
+}
+
+/// The parts in order, those that overlap or touch as one. To unite them again changes nothing.
 inline void unite(std::vector<PartOfLine>& parts) {
   if (parts.size() < 2) return;
   std::ranges::sort(parts, {}, &PartOfLine::from);
@@ -25,9 +32,10 @@ inline void unite(std::vector<PartOfLine>& parts) {
   parts.resize(last + 1);
 }
 
-/// Adds to `common` what both have; both are united.
+/// Adds to `common` what both have; both are united. Which comes first changes nothing.
 inline void intersect(const std::vector<PartOfLine>& one, const std::vector<PartOfLine>& other,
                       std::vector<PartOfLine>& common) {
+  assert(are_united(one) && are_united(other));
   for (std::size_t i = 0, j = 0; i < one.size() && j < other.size();) {
     const double from = std::max(one[i].from, other[j].from);
     const double to = std::min(one[i].to, other[j].to);

@@ -1,5 +1,6 @@
 #include "hidden/lines/hidden_pieces.h"
 
+#include <cassert>
 #include <cstdint>
 
 #include "hidden/lines/line_ends.h"
@@ -14,11 +15,13 @@ std::vector<HiddenPiece> hidden_pieces(std::span<const LineName> lines, const Se
   for (const LineName& line : lines) {
     double from = 0.0;
     for (; piece != seen.pieces.end() && LineName{piece->item, piece->corner} == line; ++piece) {
+      assert(from <= piece->from && piece->from < piece->to && piece->to <= 1.0);
       if (from < piece->from) hidden.push_back({line.item, line.corner, from, piece->from});
       from = piece->to;
     }
     if (from < 1.0) hidden.push_back({line.item, line.corner, from, 1.0});
   }
+  assert(piece == seen.pieces.end());
   return hidden;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -28,6 +29,7 @@ class Intersections {
   /// Adds the lines of a pair of polygons that hide, in order of places. The pairs of the first one
   /// come after each other: mostly its plane tells, and the other's is not needed.
   void find(std::uint32_t first, std::uint32_t second, std::vector<IntersectionLine>& lines) {
+    assert(first != second);
     const auto [a, b] = std::minmax(first, second);  // a was entered first
     pair_ = {a, b};
     const std::uint32_t own = first == a ? kA : kB;
@@ -207,6 +209,7 @@ class Intersections {
                            : side[next] == 0 ? at_corner(item, own, next)
                                              : on_side(item, own, k, next));
     }
+    assert(!crossings_.empty() && crossings_.size() % 2 == 0);  // reaches_through was true
     const auto is_less = [&](const DefinedPoint& v, const DefinedPoint& w) {
       return compare(v, w) < 0;
     };

@@ -1,6 +1,7 @@
 #include "hidden/lines/items_near_lines.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "clip/rectangle.h"
 #include "hidden/lines/cells_of_lines.h"
@@ -71,7 +72,9 @@ void ItemsNearLines::take(const Primitives& all, const std::vector<std::uint8_t>
     if (!all.plane_rests.empty()) own_rests_.push_back(all.plane_rests[k]);
   }
   const auto here = [&](std::uint32_t item) {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(number_, item) - number_.begin());
+    const auto found = std::ranges::lower_bound(number_, item);
+    assert(found != number_.end() && *found == item);
+    return static_cast<std::uint32_t>(found - number_.begin());
   };
   for (const auto& [item, corner] : names_) own_names_.push_back({here(item), corner});
   own_intersections_.assign(intersections_.begin(), intersections_.end());

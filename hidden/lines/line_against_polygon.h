@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -47,6 +48,7 @@ class LineAgainstPolygon {
   /// takes the same; true if it covers both sides of a part.
   template <class Parts>
   bool hide(std::uint32_t polygon, Parts& parts) {
+    assert(scene_.hides(polygon));
     if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
     steps_.step();
     const Plane plane = scene_.plane(polygon);
@@ -149,6 +151,7 @@ class LineAgainstPolygon {
       if (on_left) left_.push_back(t);
       if (on_right) right_.push_back(t);
     }
+    assert(left_.size() % 2 == 0 && right_.size() % 2 == 0);  // the boundary is closed
     if (left_.size() > 1) std::ranges::sort(left_);
     if (right_.size() > 1) std::ranges::sort(right_);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+
 #include "clip/corners.h"
 #include "clip/point.h"
 #include "hidden/lines/visible_lines.h"
@@ -12,6 +14,7 @@ struct LineEnds {
   Point3 from, to;
 
   LineEnds(const Primitives& items, const LineName& line) {
+    assert(line.item < items.items.size() && line.corner < items.items[line.item].sides);
     const Primitives::Item& item = items.items[line.item];
     const PointRow points = items.points_of(item);
     from = points[previous_corner(line.corner, item.sides)];
@@ -20,6 +23,7 @@ struct LineEnds {
 
   /// The point at that share of the way, rounded; 0 and 1 are the ends themselves.
   Point3 at(double share) const {
+    assert(0.0 <= share && share <= 1.0);
     if (share == 0.0) return from;
     return share == 1.0 ? to : from + share * (to - from);
   }

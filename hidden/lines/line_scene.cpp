@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <glm/common.hpp>
 #include <limits>
 #include <optional>
@@ -213,6 +214,7 @@ void LineScene::add_lines() {
       }
     }
     if (even != kNone) lines_.push_back({a, b, n, even, false});
+    assert(lines_.size() > first_lines_.back());
   }
 }
 

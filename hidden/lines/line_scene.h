@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -49,6 +50,7 @@ class LineScene {
   const LineName& name(std::uint32_t n) const { return names_[n]; }
   /// A point of the items, or an intersection's rounded end.
   const Point3& point(std::uint32_t p) const {
+    assert(p < items_.points.size() + ends_.size());
     return p < items_.points.size() ? items_.points[p] : ends_[p - items_.points.size()];
   }
   std::span<const Point3> points() const { return items_.points; }  ///< the items'
@@ -71,11 +73,13 @@ class LineScene {
   }
   /// The corner's point, by its number among the items'.
   std::uint32_t corner_point(std::uint32_t item, std::uint32_t corner) const {
+    assert(corner < sides(item));
     return items_.point(items_.items[item].first + corner);
   }
   /// The support plane of a polygon that has one, or that it is said to lie in, turned to the
   /// viewer.
   Plane plane(std::uint32_t item) const {
+    assert(support_[item].p != kNone);
     const auto& [p, q, r, is_turned] = support_[item];
     Point3 rest = items_.plane_rest(item);
     if (is_turned) std::swap(rest.y, rest.z);

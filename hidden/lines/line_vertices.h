@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@ class LineVertices {
   std::uint32_t vertex(std::uint32_t point) const { return sides_.vertex(point); }
   /// The corners of the star, as LineName: item and corner. Only where at least two lines meet.
   std::span<const LineName> star(std::uint32_t vertex) const {
+    assert(vertex + 1 < first_.size());
     return std::span(corners_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
   }
   /// 1 for each vertex where at least two lines meet.

@@ -1,6 +1,7 @@
 #include "hidden/lines/lines_in_order.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -88,7 +89,10 @@ class ChainWriter {
       const std::uint32_t item = items_.item_of(piece.item);
       Drawn drawn{item, item, kinds_of(LineKind::intersection), {}};
       if (!items_.is_intersection(piece.item)) {
-        while (line->name != name) ++line;
+        while (line->name != name) {
+          ++line;
+          assert(line != lines_.end());
+        }
         drawn = {item, line->pick_item, line->kinds, {}};
       }
       const LineEnds ends(primitives_, name);
@@ -116,6 +120,7 @@ class ChainWriter {
       all_.visible.insert(all_.visible.end(), {cuts.byte(), drawn_[piece].kinds});
       all_.pick_items.push_back(drawn_[piece].pick_item);
     }
+    assert(all_.points.size() == 2 * all_.pieces.size());
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -201,6 +202,7 @@ class LeadingLines {
       if (lies_on(line, leader)) first = leader;
     });
     leader_[line] = first == kNone ? line : first;
+    assert(leader_[leader_[line]] == leader_[line] && rank_[leader_[line]] <= rank_[line]);
     if (first != kNone) return;
     leaders_.push_back(line);
     table.add(own, line);

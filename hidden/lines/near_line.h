@@ -32,7 +32,9 @@ class NearLine {
   /// The line between two points that differ in the projection. For a short line a point may be off
   /// it by no more than 2^-10 of its length.
   NearLine(const Point3& a, const Point3& b, const OffLines& off) : a_(a), way_(b - a) {
+    constexpr double kLeast = 1e-290;  // of a square: what is divided by less may be infinite
     squared_ = way_.x * way_.x + way_.y * way_.y;
+    if (!(squared_ > kLeast)) return;
     const double length = std::sqrt(squared_), most = 0x1p-10 * length;
     in_picture_ = off.in_picture > 0.0 ? std::min(off.in_picture, most) * length : -1.0;
     touching_ = off.touching > 0.0 ? std::min(off.touching, most) * length : -1.0;

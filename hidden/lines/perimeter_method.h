@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -76,7 +77,10 @@ class NamedSides {
     }
   }
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t name(std::uint32_t side) const { return of_side_[side]; }
+  std::uint32_t name(std::uint32_t side) const {
+    assert(side < of_side_.size());
+    return of_side_[side];
+  }
   std::span<const LineName> others() const { return others_; }
 
  private:

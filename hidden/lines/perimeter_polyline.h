@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -48,8 +49,14 @@ class PerimeterPolyline {
   InRange in_range(const Line& line) const {
     return {std::max(range_.first, line.first), std::min(range_.end - 1, line.last)};
   }
-  Column& column(std::uint32_t number) { return columns_[number - range_.first]; }
-  const Column& column(std::uint32_t number) const { return columns_[number - range_.first]; }
+  Column& column(std::uint32_t number) {
+    assert(range_.first <= number && number < range_.end);
+    return columns_[number - range_.first];
+  }
+  const Column& column(std::uint32_t number) const {
+    assert(range_.first <= number && number < range_.end);
+    return columns_[number - range_.first];
+  }
   Line upright(const Line& line) const;
   Support in_column(std::uint32_t column, const Line& line) const;
   bool is_below_floors(const Line& line) const;

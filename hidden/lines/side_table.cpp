@@ -1,6 +1,7 @@
 #include "hidden/lines/side_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 #include <utility>
 
@@ -41,6 +42,7 @@ SideTable::SideTable(const Primitives& items, std::vector<std::uint32_t> vertice
 /// Counted, then put in the lists, and each list in order: no list is long but of a point where
 /// very many sides meet.
 void SideTable::find(const Primitives& items) {
+  assert(same_.size() == items.points.size());
   first_.assign(items.points.size() + 1, 0);
   const auto counts = [&](std::uint32_t low) { return is_low_.empty() || is_low_[low] != 0; };
   for_each_side(items, same_, [&](std::uint32_t low, std::uint32_t, const LineName&) {

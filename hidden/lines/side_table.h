@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,7 +29,10 @@ class SideTable {
     LineName name;
   };
   /// The first point that is equal to that one, or stands for it.
-  std::uint32_t vertex(std::uint32_t point) const { return same_[point]; }
+  std::uint32_t vertex(std::uint32_t point) const {
+    assert(point < same_.size());
+    return same_[point];
+  }
 
   /// All sides with these ends, given as indices of points, in either direction; in order.
   std::span<const Side> sides_between(std::uint32_t a, std::uint32_t b) const;

@@ -10,7 +10,8 @@
 
 namespace displayfile {
 
-/// True if the segments from p to q and from r to s have a point in common, exactly.
+/// True if the segments from p to q and from r to s have a point in common, exactly. The ends of
+/// either may change places, and so may the segments.
 inline bool segments_meet(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
   for (int axis = 0; axis < 2; ++axis) {
     if (std::max(p[axis], q[axis]) < std::min(r[axis], s[axis]) ||

@@ -1,5 +1,6 @@
 #include "hidden/lines/surface_columns.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace displayfile {
@@ -22,10 +23,12 @@ SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& vert
     }
   }
   const double most = 4.0 * (surface.columns() + surface.rows()) + 16.0;
-  const double count = std::floor(std::clamp(width * sides / widths, 1.0, most));
+  const bool has_width = width > 0.0 && widths > 0.0;
+  const double wanted = has_width ? width * sides / widths : 1.0;
+  const double count = std::floor(std::clamp(wanted, 1.0, most));
   left_ = box.x_min;
   width_ = width / count;
-  per_width_ = count / width;
+  per_width_ = has_width ? count / width : 0.0;
   margin_ = 1e-9 * (std::abs(box.y_min) + std::abs(box.y_max) + width);
   size_ = static_cast<std::uint32_t>(count);
 }
@@ -45,6 +48,7 @@ std::vector<SurfaceColumns::Range> SurfaceColumns::parts(std::size_t count) cons
     all.push_back({first, column + 1});
     first = column + 1;
   }
+  assert(!all.empty() && all.back().end == size_);
   return all;
 }
 

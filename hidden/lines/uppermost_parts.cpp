@@ -1,6 +1,7 @@
 #include "hidden/lines/uppermost_parts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -42,6 +43,7 @@ class UppermostParts {
   }
 
   void list_lines() {
+    assert(std::ranges::is_sorted(pieces_, {}, &RankedPiece::line));
     const std::vector<std::uint32_t> leaders = leading_lines(lines_, apart_);
     const auto goes_on = [&](std::uint32_t k) {
       return pieces_[k].line == pieces_[k - 1].line && pieces_[k].group == pieces_[k - 1].group;
@@ -137,6 +139,7 @@ class UppermostParts {
       drawn = next;
       since = at;
     }
+    assert(here.empty() && drawn == kNothing);
   }
 
   /// Adds what is drawn of a piece. A crumb that is no longer than lines may be apart, or than the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -23,7 +24,10 @@ class Verticals {
   bool make_columns() const { return make_columns_; }
 
   /// Where point (i, j) of that number is among the columns.
-  const Point2& in_columns(std::uint32_t number) const { return in_columns_[number]; }
+  const Point2& in_columns(std::uint32_t number) const {
+    assert(number < in_columns_.size());
+    return in_columns_[number];
+  }
   /// The rectangle around all of them.
   const Rectangle& box() const { return box_; }
   /// Along the picture of the vertical at a point, upward.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,6 +36,7 @@ void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder
   const auto add = [&](const std::vector<PartOfLine>& hidden) {
     double from = 0.0;
     for (const PartOfLine& part : hidden) {
+      assert(from <= part.from && part.to <= 1.0);
       if (from < part.from) seen.push_back({name, {from, part.from}});
       from = part.to;
     }
@@ -111,7 +113,10 @@ SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> 
   const std::size_t names = scene.names(), intersections = scene.intersections().size();
   std::vector<std::size_t> place(names + intersections + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {
-    for (const SeenPart& part : parts) ++place[part.name + 1];
+    for (const SeenPart& part : parts) {
+      assert(part.name < names + intersections);
+      ++place[part.name + 1];
+    }
   }
   for (std::size_t n = 1; n < place.size(); ++n) place[n] += place[n - 1];
   SeenLines all;

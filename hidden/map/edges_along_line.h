@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -175,7 +176,8 @@ class EdgesAlongLine {
   void add_edges(std::vector<MapEdge>& edges) {
     const auto &left = seen_.seen(Seen::kLeft), &right = seen_.seen(Seen::kRight);
     Place from = line().start();
-    for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+    std::size_t i = 0, j = 0;
+    while (i < left.size() && j < right.size()) {
       const int order = line().compare(left[i].to, right[j].to);
       const Place to = order < 0 ? left[i].to : right[j].to;
       const std::uint32_t on_left = seen_.item(left[i]), on_right = seen_.item(right[j]);
@@ -186,6 +188,7 @@ class EdgesAlongLine {
       if (order <= 0) ++i;
       if (order >= 0) ++j;
     }
+    assert(i == left.size() && j == right.size());  // both reach the line's end
   }
 
   /// An edge ends where another's end touches it.

@@ -1,6 +1,7 @@
 #include "hidden/map/map_pieces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -34,6 +35,7 @@ class SidesOfItems {
     sides_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const auto& [from, to, left, right] : map.edges) {
+      assert(from != to && from < map.points.size() && to < map.points.size());
       if (left != VisibleMap::kNothing) sides_[next[left]++] = {from, to};
       if (right != VisibleMap::kNothing) sides_[next[right]++] = {to, from};
     }
@@ -194,6 +196,7 @@ class Outlines {
   /// The middles of a hole's three longest sides. A corner may touch the outline, and rounding may
   /// have put it beyond that.
   void find_middles(const std::vector<std::uint32_t>& hole) {
+    assert(hole.size() >= 3);
     middles_.clear();
     std::uint32_t before = hole.back();
     for (const std::uint32_t v : hole) {
@@ -211,6 +214,7 @@ class Outlines {
   /// Whether two of those three are inside. If a side runs along the outline within rounding, it is
   /// one of the three, or what two of them enclose is nothing but rounding.
   bool has_hole_inside(const std::vector<std::uint32_t>& outline) const {
+    assert(middles_.size() >= 3);
     const bool first = is_inside(outline, middles_[0].at);
     return first == is_inside(outline, middles_[1].at) ? first : is_inside(outline, middles_[2].at);
   }
@@ -247,6 +251,7 @@ class PieceMaker {
   }
 
   void add(std::uint32_t item, std::span<const std::uint32_t> vertices) {
+    assert(vertices.size() >= 3);
     if (item != item_) begin_item(item);
     sorted_.pieces.push_back({item, static_cast<std::uint32_t>(sorted_.points.size()),
                               static_cast<std::uint32_t>(vertices.size())});
@@ -295,6 +300,7 @@ bool draws_no_side(const Primitives& items, const Primitives::Item& item) {
 }  // namespace
 
 SortedPieces pieces_of_map(const Primitives& items, const VisibleMap& map) {
+  assert(map.whole.size() == items.items.size());
   SortedPieces sorted;
   SidesOfItems sides(items.items.size(), map);
   Outlines outlines(items, map);

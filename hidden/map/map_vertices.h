@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ class MapVertices {
 
   std::uint32_t number(const MapPlace& place, const Point2& at) {
     if (2 * map_.points.size() >= table_.size()) grow();
+    assert(2 * map_.points.size() < table_.size());  // so that a free place ends each search
+    assert(map_.places.size() == map_.points.size());
     std::size_t k = first_place(at);
     while (table_[k] != kFree && !is_vertex(table_[k], place, at)) k = next_place(k);
     if (table_[k] == kFree) {

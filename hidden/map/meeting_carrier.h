@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -60,6 +61,7 @@ class MeetingCarrier {
   Place meeting(std::uint32_t item, const Plane& plane, std::uint32_t other,
                 const Plane& of_other) {
     const bool first = item != line_->item_a && item != line_->item_b;
+    assert(first != (other != line_->item_a && other != line_->item_b));
     planes_.push_back(first ? plane : of_other);
     const auto third = static_cast<std::uint32_t>(planes_.size() - 1);
     return cut_off({plane_cut(definitions(), 0, 1, third),
@@ -77,14 +79,17 @@ class MeetingCarrier {
     return order_above(at, one, other);
   }
 
-  /// The line's ends are in this order by x, then y.
+  /// The line's ends are in this order by x, then y. compare(p, q) = -compare(q, p).
   int compare(const Place& p, const Place& q) const {
     if (p.what == q.what) return 0;
     return order_.compare(definitions(), p.at, q.at);
   }
 
  private:
-  Definitions definitions() const { return {scene_.points(), planes_}; }
+  Definitions definitions() const {
+    assert(planes_.size() >= 2);
+    return {scene_.points(), planes_};
+  }
 
   static bool has_corner(const DefinedPoint& v) {
     return v.kind == DefinedPoint::Kind::stored || v.kind == DefinedPoint::Kind::lifted;

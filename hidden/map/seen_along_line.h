@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -57,6 +58,7 @@ class SeenAlongLine {
   }
   /// The polygon is seen all along one side; settled: whatever is added.
   void begin_with(Side side, std::uint32_t item, bool is_settled) {
+    assert(seen_[side].size() == 1);
     faces_.push_back({item, scene_.plane(item)});
     seen_[side].front().face = static_cast<std::uint32_t>(faces_.size() - 1);
     is_settled_[side] = is_settled;
@@ -65,6 +67,7 @@ class SeenAlongLine {
   const std::vector<Stretch>& seen(Side side) const { return seen_[side]; }
   /// The item of a stretch; kNothing if there is none.
   std::uint32_t item(const Stretch& stretch) const {
+    assert(stretch.face == kNothing || stretch.face < faces_.size());
     return stretch.face == kNothing ? kNothing : faces_[stretch.face].item;
   }
 
@@ -72,6 +75,7 @@ class SeenAlongLine {
   /// its boundary touches the line, and along_line(before, corner) for each side that lies on it.
   template <class OnLine, class AlongLine>
   bool add(std::uint32_t item, const OnLine& on_line, const AlongLine& along_line) {
+    assert(scene_.hides(item));
     const std::uint32_t sides = scene_.sides(item);
     side_.resize(sides);
     bool left = false, right = false, on = false;
@@ -151,6 +155,7 @@ class SeenAlongLine {
                            : side_[next] == 0 ? line_.at_point(q)
                                               : line_.crossing(p, q));
     }
+    assert(crossings_.size() % 2 == 0);  // the boundary is closed
     const auto is_before = [&](const Place& p, const Place& q) { return line_.compare(p, q) < 0; };
     if (crossings_.size() > 2) {
       std::ranges::sort(crossings_, is_before);
@@ -200,6 +205,7 @@ class SeenAlongLine {
   /// Whether the polygon added last is nearer than another beside the line, if both have the same
   /// depth all along it.
   bool is_nearer_beside(std::uint32_t other) const {
+    assert(other + 1 < faces_.size() && beside_ != kNothing);
     const Face &one = faces_.back(), &two = faces_[other];
     const int order = line_.order_beside(one.plane, two.plane, scene_.corner(one.item, beside_));
     return order != 0 ? order > 0 : one.item > two.item;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +24,10 @@ class SeenFaces {
   /// Exactly, what is told.
   SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
 
-  Seen operator[](std::uint32_t item) const { return seen_[item]; }
+  Seen operator[](std::uint32_t item) const {
+    assert(item < seen_.size());
+    return seen_[item];
+  }
 
  private:
   std::vector<Seen> seen_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -32,6 +33,7 @@ class SideCarrier {
     from_ = scene_.point(a);
     to_ = scene_.point(b);
     axis_ = from_.x != to_.x ? 0 : 1;
+    assert(from_[axis_] != to_[axis_]);
     rises_ = from_[axis_] < to_[axis_];
   }
 
@@ -103,6 +105,7 @@ class SideCarrier {
   }
 
   /// -1 if p comes before q, 1 if after it, 0 if they are one place.
+  /// compare(p, q) = -compare(q, p).
   int compare(const Place& p, const Place& q) const {
     const double apart = p.share - q.share;
     if (std::abs(apart) > p.error + q.error) return decided_sign(apart);
@@ -123,6 +126,7 @@ class SideCarrier {
   static Place between(const PlaneValue& at_a, const PlaneValue& at_b, const MapPlace& what) {
     const double whole = std::abs(at_a.value) + std::abs(at_b.value);
     const double share = std::abs(at_a.value) / whole;
+    assert(0.0 <= share && share <= 1.0);
     // |a / (a + b)| changes by no more than this if both may be off by their bounds.
     const double least = whole - (at_a.bound + at_b.bound) * kInflate;
     const double error = least > 0.0 ? (at_a.bound + at_b.bound) / least * 2.0 + kShareError : 2.0;

@@ -1,5 +1,7 @@
 #include "hidden/map/visible_map.h"
 
+#include <cassert>
+
 #include "clip/work_budget.h"
 #include "hidden/map/map_edges.h"
 #include "hidden/map/map_vertices.h"
@@ -13,6 +15,7 @@ void add_edges(const std::vector<MapEdge>& found, MapVertices& vertices, Visible
   for (const MapEdge& edge : found) {
     const std::uint32_t from = vertices.number(edge.from, edge.at_from);
     const std::uint32_t to = vertices.number(edge.to, edge.at_to);
+    assert(edge.left != edge.right);
     if (from != to) map.edges.push_back({from, to, edge.left, edge.right});
     if (edge.goes_on) vertices.note_touched(from);
   }
@@ -20,6 +23,7 @@ void add_edges(const std::vector<MapEdge>& found, MapVertices& vertices, Visible
 
 void join_edges(const std::vector<std::uint32_t>& touched, VisibleMap& map) {
   if (touched.empty()) return;
+  assert(!map.edges.empty());
   std::vector<std::uint32_t> ends(map.points.size(), 0);
   for (const VisibleMap::Edge& edge : map.edges) {
     ++ends[edge.from];

@@ -1,6 +1,7 @@
 #include "hidden/map/ways_from_vertex.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "hidden/exact/orientation.h"
@@ -10,6 +11,7 @@ namespace displayfile {
 
 bool WaysFromVertex::comes_before(std::uint32_t vertex, std::uint32_t back, std::uint32_t p,
                                   std::uint32_t q) const {
+  assert(vertex != back && vertex != p && vertex != q);
   // Right of the way back, straight on from it, left of it, and along it.
   const auto quarter = [&](std::uint32_t to) {
     const int side = turn(vertex, back, to);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -33,6 +34,7 @@ class RootChooser {
 
   /// The root for a list of members, which must be the one last separated where islands are known.
   Root choose(std::span<const Index> members) {
+    assert(!members.empty());
     across_.reset();
     if (choice_ == RootChoice::last) return last_with_plane(members);
     candidates_.clear();
@@ -51,6 +53,7 @@ class RootChooser {
         least = cost;
       }
     }
+    assert(best.entry != kNone);
     if (members.size() < kFewestToDivide) return best;
     across_ = choose_plane(least);
     return across_ ? Root{kNone, scene_.vertices.add_plane(across_->plane())} : best;
@@ -142,6 +145,7 @@ class RootChooser {
   }
   /// What counts is how many that overlap stay together.
   double cost_by_pairs(std::uint32_t plane, double least) {
+    assert(tested_.size() % 2 == 0);
     divides_.fill(false);
     double cost = 0.0;
     for (std::size_t k = 0; k < tested_.size() && cost < least; k += 2) {

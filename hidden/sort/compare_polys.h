@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,7 @@ class ComparePolys {
                vertices_.bytes();
       });
     }
+    assert(lies_on_both_sides(table_[test].sides));
     const Index split_v = table_.d.free();
     table_.e.clear();
     const int first_side =
@@ -138,6 +140,13 @@ class ComparePolys {
     return signs.side();
   }
 
+  /// As the signs have it that were kept of the polygon compared last, which has so many sides.
+  bool lies_on_both_sides(std::uint32_t sides) const {
+    Signs signs;
+    for (const std::int8_t sign : signs_) signs.note(sign);
+    return signs_.size() == sides && signs.side() == PlaneSide::both;
+  }
+
   /// The half on the side of the first vertex off the plane goes to the E buffer, the other to
   /// the D buffer. Where the boundary crosses, the point goes to both: to the half that it leaves
   /// at the end of the side that is cut, to the other at the end of a side along the plane. (A
@@ -204,6 +213,7 @@ class ComparePolys {
   void adjust_original_poly(Index test) {
     auto& entry = table_[test];
     const std::uint32_t sides = table_.e.free();
+    assert(sides >= 3 || entry.sides == 2);
     if (sides <= entry.sides) {
       for (std::uint32_t j = 0; j < sides; ++j) table_.d.replace(entry.start + j, table_.e[j]);
     } else {

@@ -1,6 +1,7 @@
 #include "hidden/sort/depth_sort.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -126,6 +127,7 @@ class DepthSort {
     std::vector<std::size_t> first(cycles.count + 1, 0);
     for (const Node c : cycles.of) ++first[cycles.count - c];
     for (Node c = 0; c < cycles.count; ++c) first[c + 1] += first[c];
+    assert(first.back() == cycles.of.size());
     std::vector<Index> members(cycles.of.size());
     {
       std::vector<std::size_t> next(first.begin(), first.end() - 1);
@@ -187,6 +189,7 @@ class DepthSort {
     while (!groups_.empty()) {
       Group group = std::move(groups_.back());
       groups_.pop_back();
+      assert(!group.pieces.empty() && group.fresh.size() == group.pieces.size());
       if (group.pieces.size() == 1) {
         order_.push_back(group.pieces[0]);
         continue;
@@ -334,6 +337,7 @@ class DepthSort {
     group.fresh[k] = touched_[k] = 1;
     group.fresh.push_back(1);
     touched_.push_back(1);
+    assert(touched_.size() == group.pieces.size() && origin_.size() == table_.free());
     return true;
   }
 
@@ -356,6 +360,7 @@ class DepthSort {
           for (Node n = node; n != start; n = came_from_[n]) cycle_.push_back(n);
           cycle_.push_back(start);
           std::ranges::reverse(cycle_);
+          assert(cycle_.front() == start && cycle_.size() > 1);
           return true;
         }
         if (touched_[later] != 0 || came_from_[later] != kUnvisited) continue;

@@ -17,7 +17,8 @@ inline DrawnFirst reversed(DrawnFirst d) {
 }
 
 /// The tests of depth sort from cheap to dear: extents in z; all of one on one side of the other's
-/// plane, and the other way round. Undecided (neither) where each is cut by the other's plane.
+/// plane, and the other way round. Undecided (neither) where each is cut by the other's plane, or
+/// the other has none.
 template <class Policy>
 DrawnFirst tested_order(const SortScene<Policy>& scene, PolygonTable::Index a,
                         PolygonTable::Index b, const Extent& box_a, const Extent& box_b) {

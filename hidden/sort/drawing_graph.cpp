@@ -1,9 +1,25 @@
 #include "hidden/sort/drawing_graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace displayfile {
+
+namespace {
+
+/// True if each node is of a cycle, and nothing is of a higher one that is drawn after it.
+[[maybe_unused]] bool are_in_order(const DrawingCycles& cycles, const DrawingGraph& graph) {
+  for (DrawingGraph::Node i = 0; i < graph.size(); ++i) {
+    if (cycles.of[i] >= cycles.count) return false;
+    for (const DrawingGraph::Node later : graph.later_than(i)) {
+      if (cycles.of[later] > cycles.of[i]) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
 
 void DrawingGraph::put_in_order() {
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
@@ -19,6 +35,7 @@ DrawingCycles find_cycles(const DrawingGraph& graph) {
     Node node;
     std::size_t next;
   };
+  assert(!graph.first.empty() && graph.first.back() == graph.later.size());
   const Node n = graph.size();
   DrawingCycles cycles{std::vector<Node>(n, kUnvisited), 0};
   std::vector<Node> number(n, kUnvisited), low(n), stack;
@@ -59,6 +76,7 @@ DrawingCycles find_cycles(const DrawingGraph& graph) {
       }
     }
   }
+  assert(stack.empty() && are_in_order(cycles, graph));
   return cycles;
 }
 

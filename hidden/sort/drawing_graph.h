@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,7 @@ struct DrawingGraph {
 
   Node size() const { return static_cast<Node>(first.size() - 1); }
   std::span<const Node> later_than(Node i) const {
+    assert(i < size());
     return std::span(later).subspan(first[i], first[i + 1] - first[i]);
   }
   /// Puts what comes after each node in the order of their numbers: the cycles that are found then

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,12 +28,16 @@ class Islands {
     return Islands(scene, std::move(extents), std::move(*pairs));
   }
 
-  const Extent& extent(Index entry) const { return extents_[entry]; }
+  const Extent& extent(Index entry) const {
+    assert(entry < extents_.size());
+    return extents_[entry];
+  }
 
   /// To be called after an entry was cut in two, one of them new.
   void add_cut(Index entry, Index front, Index back) {
     origin_of_.push_back(origin_of_[entry]);
     extents_.resize(scene_->table.free());
+    assert(origin_of_.size() == extents_.size());
     extents_[front] = scene_->extent(front);
     extents_[back] = scene_->extent(back);
   }
@@ -40,6 +45,7 @@ class Islands {
   void add_node() {
     origin_of_.push_back(0);
     extents_.push_back(Extent::nothing());
+    assert(origin_of_.size() == scene_->table.free() && extents_.size() == origin_of_.size());
   }
 
   /// Parts the members of a list into islands and those that are alone; false if all are one.

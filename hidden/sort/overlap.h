@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <span>
 
 #include "hidden/convex_turning.h"
@@ -29,6 +30,7 @@ int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32
 template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, const Outline& b,
                           bool strictly = false) {
+  assert(!a.vertices.empty());
   std::uint32_t from = a.vertices.back();
   for (const std::uint32_t to : a.vertices) {
     const auto all_beyond = [&](int inside) {
@@ -81,6 +83,7 @@ EnteredTriangle entered_triangle(const VertexTable<Policy>& table, const Outline
 template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangle& a,
                           const EnteredTriangle& b) {
+  assert(a.turning != 0);
   for (std::size_t i = 0; i < 3; ++i) {
     if (table.none_turns(a.p[i], a.p[i == 2 ? 0 : i + 1], b.p, a.turning)) return true;
   }
@@ -100,9 +103,9 @@ inline std::size_t most_turns(const Outline& a, const Outline& b) {
 }
 inline constexpr std::size_t kMostTurns = 1 << 16;
 
-/// False only if no point of the projection lies inside both. Polygons of so many sides that
-/// comparing would take too long, and such as are not convex but could only be told apart by more
-/// than one straight line, are taken to overlap.
+/// False only if no point of the projection lies inside both; the same whichever of them comes
+/// first. Polygons of so many sides that comparing would take too long, and such as are not convex
+/// but could only be told apart by more than one straight line, are taken to overlap.
 template <class Policy>
 bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
   // A line is drawn where a polygon's boundary is, and then the order matters.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -23,6 +24,7 @@ class Overlaps {
   Overlaps(std::vector<Pair> pairs, std::size_t entries);
 
   std::span<const Index> with(Index entry) const {
+    assert(entry < entries());
     return std::span(others_).subspan(first_[entry], first_[entry + 1] - first_[entry]);
   }
   std::size_t entries() const { return first_.size() - 1; }

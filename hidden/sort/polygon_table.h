@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,8 +35,14 @@ struct PolygonTable {
   SideBuffer d;                      ///< the D buffer: sides of all polygons
   SideBuffer e;                      ///< the E buffer: one half of the polygon being split
 
-  Entry& operator[](Index i) { return entries[i]; }
-  const Entry& operator[](Index i) const { return entries[i]; }
+  Entry& operator[](Index i) {
+    assert(i < entries.size());
+    return entries[i];
+  }
+  const Entry& operator[](Index i) const {
+    assert(i < entries.size());
+    return entries[i];
+  }
   Index free() const { return static_cast<Index>(entries.size()); }  ///< POLY
   std::span<const std::uint32_t> vertices(Index i) const {
     return d.vertices(entries[i].start, entries[i].sides);
@@ -47,6 +54,7 @@ struct PolygonTable {
   };
   Mark mark() const { return {free(), d.free()}; }
   void take_back(const Mark& mark) {
+    assert(mark.free <= free() && mark.d_free <= d.free());
     entries.resize(mark.free);
     d.shrink(mark.d_free);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,13 +27,21 @@ class SideBuffer {
     visible_.push_back(side.visible);
   }
   void replace(std::uint32_t at, const Side& side) {
+    assert(at < free());
     vertex_[at] = side.vertex;
     line_[at] = side.line;
     visible_[at] = side.visible;
   }
-  Side operator[](std::uint32_t at) const { return {vertex_[at], line_[at], visible_[at]}; }
-  std::uint32_t vertex(std::uint32_t at) const { return vertex_[at]; }
+  Side operator[](std::uint32_t at) const {
+    assert(at < free());
+    return {vertex_[at], line_[at], visible_[at]};
+  }
+  std::uint32_t vertex(std::uint32_t at) const {
+    assert(at < free());
+    return vertex_[at];
+  }
   std::span<const std::uint32_t> vertices(std::uint32_t first, std::uint32_t sides) const {
+    assert(first <= free() && sides <= free() - first);
     return std::span(vertex_).subspan(first, sides);
   }
 

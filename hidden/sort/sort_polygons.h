@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,7 @@ class SortPolygons {
     if (options_.root == RootChoice::free)
       islands_ = Islands<Policy>::find(scene_, options_.threads);
     hidden_surface_check(list);
+    assert(order_.size() == number_of_polygons());
   }
   /// Sorts these entries only.
   void sort(std::span<const Index> polygons) {
@@ -51,6 +53,12 @@ class SortPolygons {
 
  private:
   static constexpr Index kNone = PolygonTable::kNone;
+
+  /// And pieces of polygons, in the whole table.
+  std::size_t number_of_polygons() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        table_.entries, [](const PolygonTable::Entry& entry) { return entry.sides > 0; }));
+  }
 
   /// Algorithm 9.8.
   void hidden_surface_check(Index list) {
@@ -106,6 +114,7 @@ class SortPolygons {
 
   /// The end of algorithm 9.10: hangs the polygon, or each half of it, on the root.
   void compare_polys(Index root, Index test) {
+    assert(root != test);
     const std::uint32_t plane = table_[root].plane;
     if (plane == kNoPlane) return link(table_[root].on, test, true);
     switch (roots_.compare(test, plane)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -31,6 +32,7 @@ class VertexTable {
 
   /// The number of a point as a vertex of a polygon in that plane.
   std::uint32_t enter(std::uint32_t point, std::uint32_t own) {
+    assert(point < points_.size() && (own == kNoPlane || own < planes_.size()));
     if (own == kNoPlane || planes_[own].goes_through(points_[point])) return point;
     return keep(policy_.vertex(point, own));
   }
@@ -55,10 +57,14 @@ class VertexTable {
   }
 
   /// Replaces a plane that no vertex is defined by.
-  void set_plane(std::uint32_t i, const Plane& plane) { planes_[i] = plane; }
+  void set_plane(std::uint32_t i, const Plane& plane) {
+    assert(i < planes_.size());
+    planes_[i] = plane;
+  }
 
   /// A plane counts as that one: what lies in either lies in both.
   void share_plane(std::uint32_t plane, std::uint32_t with) {
+    assert(plane < planes_.size() && with < planes_.size());
     while (counts_as_.size() < planes_.size()) {
       counts_as_.push_back(static_cast<std::uint32_t>(counts_as_.size()));
     }
@@ -146,10 +152,13 @@ class VertexTable {
   }
   bool is_entered(std::uint32_t v) const { return v < points_.size(); }
   std::size_t made() const { return made_.size(); }
-  std::size_t number_made(std::uint32_t v) const { return v - points_.size(); }
+  std::size_t number_made(std::uint32_t v) const {
+    assert(points_.size() <= v && v < points_.size() + made_.size());
+    return v - points_.size();
+  }
   const Point3& entered(std::uint32_t v) const { return points_[v]; }
   /// The direction from a to b in the projection: 1 to the right or straight up, -1 the other way;
-  /// 0 if they are the same point there.
+  /// 0 if they are the same point there. direction(a, b) = -direction(b, a).
   int direction(std::uint32_t a, std::uint32_t b) const {
     if (a == b) return 0;
     if (const auto at_hand = policy_.compare_xy_at_hand(at(b), at(a))) return *at_hand;
@@ -159,6 +168,7 @@ class VertexTable {
 
   /// Doubles close to the vertex, and how close: no coordinate is farther than `radius`.
   NearPoint near(std::uint32_t v) const {
+    assert(v < points_.size() + made_.size());
     if (v < points_.size()) return {points_[v], 0.0};
     return policy_.near(made_[v - points_.size()]);
   }
@@ -167,7 +177,10 @@ class VertexTable {
     return v < points_.size() ? points_[v] : policy_.coordinates(made_[v - points_.size()]);
   }
 
-  const Plane& plane(std::uint32_t i) const { return planes_[i]; }
+  const Plane& plane(std::uint32_t i) const {
+    assert(i < planes_.size());
+    return planes_[i];
+  }
   std::size_t bytes() const {
     return made_.capacity() * sizeof(Vertex) + planes_.capacity() * sizeof(Plane);
   }

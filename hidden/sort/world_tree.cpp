@@ -1,6 +1,7 @@
 #include "hidden/sort/world_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -116,6 +117,7 @@ void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
       planes_.push_back(plane);
     }
     if (i == 0) break;
+    assert(placed[i].parent < i);
     Node& parent = nodes_[placed[i].parent];
     (placed[i].in_front ? parent.front : parent.back) += node.front + node.here + node.back;
   }
@@ -153,12 +155,15 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
     const Index begin_of_front = back_first ? after : begin;
     const Index begin_of_back = back_first ? begin : after;
     // Next stand the nodes in front; if there are none, those in back of the last that has any.
+    assert(waiting < begins.size());
     begins[waiting] = begin_of_back;
     waiting += node.back != 0 ? 1 : 0;
     const bool has_front = node.front != 0;
+    assert(has_front || waiting > 0);
     waiting -= has_front ? 0 : 1;
     begin = has_front ? begin_of_front : begins[waiting];
   }
+  assert(first == order.size() && (nodes_.empty() || waiting == 0));
 }
 
 void WorldTree::far_to_near(const Eye& eye, std::vector<Index>& order) const {

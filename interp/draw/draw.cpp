@@ -103,9 +103,15 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
   const auto& segments = system.display_file().segments();
   const bool some_sorted = std::any_of(segments.begin(), segments.end(),
                                        [](const Segment& s) { return s.sorted() != nullptr; });
-  return some_sorted ? "hidden-line removal is off now; segments stay as they were sorted when "
-                       "they were closed"
-                     : "hidden-line removal is off";
+  if (some_sorted) {
+    return "hidden-line removal is off now; segments stay as they were sorted when they were "
+           "closed";
+  }
+  const SaidSettings& said = system.said();
+  const bool is_set =
+      said.contains(Setting::hidden_line_removal) || said.contains(Setting::hidden_method);
+  return is_set ? "hidden-line removal is off"
+                : "all points have one depth: the order of entry holds";
 }
 
 }  // namespace
@@ -113,7 +119,7 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
   PicturePlan plan{.options = options, .device = &first_device()};
-  plan.surfaces = resolve_surfaces(system, hidden_surface_options(options));
+  plan.surfaces = surfaces_of_picture(system, options);
   return choice_for(system, plan, kind);
 }
 

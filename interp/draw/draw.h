@@ -85,8 +85,9 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
 PictureKind picture_kind(const Destination& to, const DrawOptions& options = {});
 
 /// The method that draws the picture: that of the options, or else what the application set
-/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; never `automatic`, for
-/// which choose_method() picks one (interp/visibility/auto_method.h).
+/// with set_hidden_line_removal, set_hidden_method and set_z_buffer; where it set nothing, and not
+/// all points have one depth, `automatic`. Never `automatic` itself, for which choose_method()
+/// picks one (interp/visibility/auto_method.h).
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind = PictureKind::raster);
 

@@ -93,11 +93,40 @@ PicturePlan resolve(const DrawOptions& options, const Destination* to) {
   return plan;
 }
 
+namespace {
+
+bool has_one_depth(const DisplayFile& file) {
+  std::optional<double> depth;
+  for (const Segment* const segment : file.visible_segments()) {
+    const Instructions& entered = *segment->entered();
+    if (entered.points() == 0) continue;
+    if (entered.stores_z()) return false;
+    if (depth.value_or(entered.flat_depth()) != entered.flat_depth()) return false;
+    depth = entered.flat_depth();
+  }
+  return true;
+}
+
+bool sets_nothing_of_surfaces(const GraphicsSystem& system) {
+  return !system.z_buffer() && !system.hidden_line_removal() &&
+         !system.said().contains(Setting::hidden_line_removal) &&
+         !system.said().contains(Setting::hidden_method);
+}
+
+}  // namespace
+
+SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options) {
+  SurfacePlan plan = resolve_surfaces(system, hidden_surface_options(options));
+  if (!plan.is_applications() || !sets_nothing_of_surfaces(system)) return plan;
+  if (!has_one_depth(system.display_file())) plan.method = HiddenMethod::automatic;
+  return plan;
+}
+
 PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& asked, const Destination* to) {
   DrawOptions options = asked;
   if (!options.background) options.background = system.background();
   PicturePlan plan = resolve(options, to);
-  plan.surfaces = resolve_surfaces(system, hidden_surface_options(options));
+  plan.surfaces = surfaces_of_picture(system, options);
   plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
   // For pixels it is the renderer that picks a method.
   plan.method = plan.kind() == PictureKind::raster

@@ -33,6 +33,11 @@ struct PicturePlan {
   DrawOptions without_system() const;
 };
 
+/// How the surfaces of a system's picture are found. Where the application set nothing about hidden
+/// surfaces that is `automatic`, unless all points have one depth: then, as in a drawing of two
+/// dimensions, the order of entry holds.
+SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options);
+
 /// The plan of a picture without an application: of a display file that is ready, or a view of a
 /// retained scene. In memory, or if `to` is not null in that file or stream. Throws Error for an
 /// option out of its range, an unknown format or device, and what these cannot do together.

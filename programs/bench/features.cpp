@@ -250,6 +250,7 @@ void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
     system.set_cutting_plane(1, 1.0, 0.0, 0.0, -0.5);
     system.set_cutting_plane(2, 0.0, 1.0, 1.0, -1.0);
   }
+  if (!use.method) system.set_hidden_line_removal(false);  // in order of entry
   if (use.back_face_removal) system.set_back_face_removal(true);
   if (use.light) system.set_light({1.0, 2.0, 3.0});
   if (use.vertex_normals) system.set_shading(use.shading);

@@ -222,6 +222,7 @@ static void test_meshes(void) {
   mesh.polygon_count = 5;
   REFUSED(system, df_polygons(system, &mesh), "no segment open");
   DO(system, df_call(system, "set-line-style", "none"));
+  DO(system, df_call(system, "set-hidden-line-removal", "off"));
   DO(system, df_call(system, "open-segment", "4"));
   mesh.colours = kColours;
   mesh.colour_count = 5;

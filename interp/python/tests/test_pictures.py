@@ -332,6 +332,7 @@ def test_what_shows_nothing_is_warned_of_with_the_reason(tmp_path):
 def test_hidden_lines_that_nothing_finds_are_refused_or_warned_of():
     def drawn(z):
         system = System()
+        system.set_hidden_line_removal(False)
         system.open_segment(1)
         system.polygon_abs_3([(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)])
         system.move_abs_3(-0.9, 0.1, z)

@@ -52,7 +52,6 @@ double round_to_nearest(std::uint64_t q, std::int64_t exponent) {
 }  // namespace
 
 ExactNumber::ExactNumber(double value) {
-  assert(std::isfinite(value));
   const auto [mantissa, exponent] = mantissa_and_exponent(value);
   set_magnitude(mantissa);
   exponent_ += exponent;

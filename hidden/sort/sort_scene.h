@@ -147,7 +147,7 @@ struct SortScene {
   void save_outline(std::uint32_t i) {
     const Primitives::Item& item = items.items[i];
     bool drawn = false;
-    std::uint32_t from = items.point(item.first + item.sides - 1);
+    std::uint32_t from = item.sides == 0 ? 0 : items.point(item.first + item.sides - 1);
     for (std::uint32_t corner = item.first; corner < item.first + item.sides; ++corner) {
       const std::uint32_t to = items.point(corner);
       if (items.is_visible(corner)) {

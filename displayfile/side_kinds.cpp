@@ -59,22 +59,21 @@ double angle_between(const Point3& u, const Point3& v) {
 
 /// True if no corner is farther than reach from the line through two that are far apart.
 bool is_within_reach_of_line(const PointRow& polygon, double reach) {
-  const auto farthest_from = [&](const Point3& p) {
-    Point3 farthest = p;
+  const auto farthest_from = [&](const Point3& from) {
+    Point3 farthest = from;
     double most = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const double distance = glm::distance(p, polygon[k]);
-      if (distance > most) most = distance, farthest = polygon[k];
+    for (const Point3& p : polygon) {
+      const double distance = glm::distance(from, p);
+      if (distance > most) most = distance, farthest = p;
     }
     return farthest;
   };
   const Point3 from = farthest_from(polygon[0]), to = farthest_from(from);
   const Point3 unit = direction_of(to - from);
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point3 off = polygon[k] - from;
-    if (glm::distance(off, glm::dot(off, unit) * unit) > reach) return false;
-  }
-  return true;
+  return std::ranges::all_of(polygon, [&](const Point3& p) {
+    const Point3 off = p - from;
+    return glm::distance(off, glm::dot(off, unit) * unit) <= reach;
+  });
 }
 
 /// The segment's own primitives, corners and points, as the sorts have them.

@@ -122,8 +122,8 @@ SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions&
   return plan;
 }
 
-PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& asked, const Destination* to) {
-  DrawOptions options = asked;
+PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& given, const Destination* to) {
+  DrawOptions options = given;
   if (!options.background) options.background = system.background();
   PicturePlan plan = resolve(options, to);
   plan.surfaces = surfaces_of_picture(system, options);

@@ -11,8 +11,8 @@
 namespace displayfile {
 
 /// How one picture is made: a call's options, and what the application set where they leave it
-/// open, with the format and the device that they name. Made once, when a picture is asked for;
-/// whatever draws it reads this.
+/// open, with the format and the device that they name. Made once for each picture; whatever draws
+/// it reads this.
 struct PicturePlan {
   DrawOptions options;                    ///< with the background in force
   const RasterDevice* device;             ///< of pixels

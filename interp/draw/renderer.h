@@ -26,8 +26,8 @@ class Renderer {
   const Picture& draw(const GraphicsSystem& system, const DrawOptions& options = {});
   void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options = {});
 
-  /// The picture that draw made last, for who keeps it: the next one gets memory of its own, or
-  /// that of a picture that was given back. Empty if there is none.
+  /// The picture that draw made last, for a caller that keeps it: the next one gets memory of its
+  /// own, or that of a picture that was given back. Empty if there is none.
   Picture take_picture();
   void give_back(Picture picture);
 

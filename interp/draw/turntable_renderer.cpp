@@ -17,31 +17,31 @@ namespace displayfile {
 
 namespace {
 
-HiddenMethod surfaces_asked_for(const DrawOptions& options) {
+HiddenMethod surfaces_of_options(const DrawOptions& options) {
   return surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
 }
 
 /// By rays that are cast before viewing.
 bool casts_into_world(const DrawOptions& options) {
-  return surfaces_asked_for(options) == HiddenMethod::world_ray_cast;
+  return surfaces_of_options(options) == HiddenMethod::world_ray_cast;
 }
 
 /// Views without a tree: by a method that works in image space, named as such, or finds lines.
 bool draws_each_anew(const DrawOptions& options) {
-  const HiddenMethod method = surfaces_asked_for(options);
+  const HiddenMethod method = surfaces_of_options(options);
   return finds_lines(method) || (method != HiddenMethod::automatic && is_image_space(method) &&
                                  method != HiddenMethod::world_ray_cast);
 }
 
 /// With what the system set in place of what the options leave open, so far as views follow it.
-DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& asked) {
-  const PicturePlan plan = resolve(system, asked);
+DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given) {
+  const PicturePlan plan = resolve(system, given);
   const HiddenMethod method = plan.surfaces.method;
   DrawOptions options = plan.without_system();
-  options.hidden = asked.hidden;
-  options.scope = asked.scope;
+  options.hidden = given.hidden;
+  options.scope = given.scope;
   if (finds_lines(method) && !options.scope) {
-    const auto usual = asked.hidden ? HiddenScope::all : HiddenScope::segment;
+    const auto usual = given.hidden ? HiddenScope::all : HiddenScope::segment;
     options.scope = plan.surfaces.scope_of_application.value_or(usual);
   }
   if (finds_lines(method) || is_colour_rule(method)) {
@@ -54,10 +54,10 @@ DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& asked
   return options;
 }
 
+/// The options have settings already: precision and hidden lines.
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
   return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
-          options.precision.value_or(system.precision()),
-          options.hidden_lines.value_or(HiddenLines::none), options.threads, options.most_pieces};
+          *options.precision, *options.hidden_lines, options.threads, options.most_pieces};
 }
 
 Turntable turntable_of(const TakenScene& taken, const View& otherwise,
@@ -84,7 +84,7 @@ void require_turntable_views(int number) {
 }
 
 void require_turntable_method(const DrawOptions& options) {
-  const HiddenMethod method = surfaces_asked_for(options);
+  const HiddenMethod method = surfaces_of_options(options);
   if (options.pens) require_drawn_by_pens(method, *options.pens);
   if (method != HiddenMethod::automatic && is_image_space(method)) require_scope_of_view(options);
   if (method == HiddenMethod::bsp || is_image_space(method)) return;

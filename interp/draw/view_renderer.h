@@ -39,7 +39,8 @@ class ViewRenderer {
   void draw(const View& view, const Destination& to, const DrawOptions& options = {},
             const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// The picture that draw made last, for who keeps it, as of a Renderer (interp/draw/renderer.h).
+  /// The picture that draw made last, for a caller that keeps it, as of a Renderer
+  /// (interp/draw/renderer.h).
   Picture take_picture();
   void give_back(Picture picture);
 

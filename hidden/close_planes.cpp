@@ -147,6 +147,7 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
       modelling = *polygon.modelling;
       longest = std::max(longest, longest_column(modelling));
     }
+    if (!(thinnest >= kWidths * reach * longest)) return false;
     least = glm::min(least, plane.through);
     most = glm::max(most, plane.through);
     largest_size = std::max(largest_size, plane.size);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "clip/back_face.h"
 #include "clip/round_to_nearest.h"
@@ -25,9 +27,9 @@ constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Pays for the rounding of a tolerance's own computation.
 constexpr double kWider = 1.0 + 0x1p-40;
 
-/// A point near the frame, and two directions of lengths below 1, that no scene has a special
-/// relation to.
-constexpr Point3 kFrom(0.5719, -0.8327, 0.4113);
+/// A point near the frame's centre, and directions of lengths below 1 (the first one's is 1.1),
+/// that no scene has a special relation to.
+constexpr Point3 kFrom(0.0572, -0.0833, 0.0411), kToward(0.5719, -0.8327, 0.4113);
 constexpr std::array kAlong{Point3(0.6682, 0.3787, -0.6257), Point3(-0.3525, 0.6323, 0.6750)};
 
 std::vector<std::uint32_t> all_of(std::uint32_t polygons) {
@@ -70,6 +72,7 @@ class TouchingPlanes::Search {
   };
 
   std::uint32_t modelling_of(const EnteredPolygon& polygon);
+  void set_order();
   void find_frame();
   void find_keys();
   Estimate estimate(const OwnPlane& plane) const;
@@ -91,7 +94,9 @@ class TouchingPlanes::Search {
     return area_[a] > area_[b] || (area_[a] == area_[b] && a < b);
   }
   const Known& known_closely(std::uint32_t own);
-  bool passes_near(const Known& plane) const;
+  /// How close a plane passes to the corners of the polygon that is looked for.
+  enum class Passage : std::uint8_t { within_reach, near, beyond };
+  Passage passage(const Known& plane) const;
   bool touches(std::uint32_t own, std::uint32_t plane);
   const EnteredPlane& ready(std::uint32_t plane);
   void keep_members(const std::vector<std::uint32_t>& sharing);
@@ -107,7 +112,8 @@ class TouchingPlanes::Search {
   // A frame in which all points lie between -1 and 1.
   Point3 low_{kNoBound}, high_{-kNoBound}, centre_{0.0};
   double scale_ = 1.0, magnitude_ = 0.0, rounding_ = 0x1p-52;
-  double point_error_ = 0.0, reach_ = 0.0, diameter_ = 0.0, close_radius_ = 0.0;
+  double point_error_ = 0.0, reach_ = 0.0, least_reach_ = 0.0, diameter_ = 0.0, farthest_ = 0.0,
+         close_radius_ = 0.0;
 
   std::vector<KeyGrid::Keys> keys_;
   std::vector<double> wide_;  // by how much more or less the keys of what it touches may be
@@ -178,11 +184,32 @@ void TouchingPlanes::Search::find_planes() {
   find_frame();
   find_keys();
   grid_.emplace(wide_);
-  order_ = taken_;
-  std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
+  set_order();
   constexpr std::size_t kMostReady = 1024;
   ready_.resize(std::min(kMostReady, own_.size()));
   for (const std::uint32_t own : order_) find_plane(own);
+}
+
+/// By comes_before: a radix sort of the areas, whose bits rise with them, in steps that leave equal
+/// ones in order of entry.
+void TouchingPlanes::Search::set_order() {
+  constexpr int kBits = 11;
+  constexpr std::uint64_t kDigits = 1u << kBits;
+  std::vector<std::uint32_t> before(own_.size());
+  order_.resize(own_.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  for (int shift = 0; shift < 64; shift += kBits) {
+    const auto digit = [&](std::uint32_t k) {
+      return ~std::bit_cast<std::uint64_t>(area_[k]) >> shift & (kDigits - 1);
+    };
+    std::array<std::uint32_t, kDigits> next{};
+    for (const std::uint32_t k : order_) ++next[digit(k)];
+    if (next[digit(0)] == order_.size()) continue;
+    std::uint32_t first = 0;
+    for (std::uint32_t& count : next) first += std::exchange(count, first);
+    std::swap(before, order_);
+    for (const std::uint32_t k : before) order_[next[digit(k)]++] = k;
+  }
 }
 
 void TouchingPlanes::Search::find_frame() {
@@ -195,11 +222,13 @@ void TouchingPlanes::Search::find_frame() {
   for (const Modelling& modelling : result_.modellings_) {
     reach_ = std::max(reach_, modelling.reach().high);
   }
+  least_reach_ = result_.modellings_.front().reach().low * scale_ / kWider;
   reach_ *= scale_ * kWider;
   // A coordinate in the world is off by 3.01 roundings of a sum.
   const double world_error = 5.3 * rounding_ * magnitude_ * scale_;
   point_error_ = world_error + 2.0 * rounding_;
   diameter_ = 3.5 + 4.0 * world_error;
+  farthest_ = 1.875 + 4.0 * world_error;
   close_radius_ = std::max(16.0 * reach_, 0x1p-45);
 }
 
@@ -207,14 +236,14 @@ void TouchingPlanes::Search::find_frame() {
 TouchingPlanes::Search::Plane TouchingPlanes::Search::in_frame(const Point3& normal,
                                                                const Point3& through) const {
   const double distance = glm::dot(normal, in_frame(through));
-  return glm::dot(normal, kFrom) < 0.0 ? Plane(-normal, -distance) : Plane(normal, distance);
+  return glm::dot(normal, kToward) < 0.0 ? Plane(-normal, -distance) : Plane(normal, distance);
 }
 
-/// Two cosines of its normal, times the diameter as their tolerance is, and its distance.
+/// Two cosines of its normal, times `farthest_` as their tolerance is, and its distance.
 KeyGrid::Keys TouchingPlanes::Search::keys_of(const Plane& plane) const {
   const Point3 normal(plane);
-  return {diameter_ * std::abs(glm::dot(normal, kAlong[0])),
-          diameter_ * std::abs(glm::dot(normal, kAlong[1])),
+  return {farthest_ * std::abs(glm::dot(normal, kAlong[0])),
+          farthest_ * std::abs(glm::dot(normal, kAlong[1])),
           std::abs(glm::dot(normal, kFrom) - plane.w)};
 }
 
@@ -266,7 +295,7 @@ void TouchingPlanes::Search::find_keys() {
     }
     keys_.push_back(keys_of(of.plane));
     known_.push_back({of.plane, of.radius, of.radius <= close_radius_});
-    const double wide = tilt <= 0.5 ? (tilt + tilt * tilt) * diameter_ + reach_ : kNoBound;
+    const double wide = tilt <= 0.5 ? (tilt + tilt * tilt) * farthest_ + reach_ : kNoBound;
     wide_.push_back((wide + of.radius) * kWider);
     largest_radius = std::max(largest_radius, of.radius);
   }
@@ -373,9 +402,13 @@ void TouchingPlanes::Search::found(std::uint32_t own) {
 /// Takes a founded plane if it is the first so far that the polygon lies in.
 void TouchingPlanes::Search::consider(std::uint32_t plane, std::uint32_t own) {
   if (!comes_before(plane, first_plane_ == kNone ? own : first_plane_)) return;
-  if (!passes_near(known_[plane])) return;
-  if (!known_[plane].is_close && !passes_near(known_closely(plane))) return;
-  if (touches(own, plane)) first_plane_ = plane;
+  Passage passage = this->passage(known_[plane]);
+  if (passage == Passage::near && !known_[plane].is_close) {
+    passage = this->passage(known_closely(plane));
+  }
+  if (passage == Passage::beyond) return;
+  const bool is_triangle_in_reach = passage == Passage::within_reach && sides_[own] == 3;
+  if (is_triangle_in_reach || touches(own, plane)) first_plane_ = plane;
 }
 
 const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::uint32_t own) {
@@ -388,13 +421,17 @@ const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::
   return plane;
 }
 
-bool TouchingPlanes::Search::passes_near(const Known& known) const {
+/// By the estimate and its radius. Within reach only where all matrices have the same.
+TouchingPlanes::Search::Passage TouchingPlanes::Search::passage(const Known& known) const {
   const Plane& n = known.plane;
   const double near = (reach_ + known.radius) * kWider;
+  bool is_within = result_.modellings_.size() == 1;
   for (const Point3& v : corners_) {
-    if (std::abs(n.x * v.x + n.y * v.y + n.z * v.z - n.w) > near) return false;
+    const double off = std::abs(n.x * v.x + n.y * v.y + n.z * v.z - n.w);
+    if (off > near) return Passage::beyond;
+    is_within = is_within && (off + known.radius) * kWider < least_reach_;
   }
-  return true;
+  return is_within ? Passage::within_reach : Passage::near;
 }
 
 /// None of the polygon's vertices is farther from the plane than the reach, exactly.

@@ -37,6 +37,24 @@ bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
   return scene.shared_plane(item) == nullptr && !scene.plane_is_elsewhere(item);
 }
 
+/// The plane as entered that the fill shares with others, whose points are the founder's; null if
+/// there is none, or it was not looked for.
+const Primitives::PlanePoints* plane_of_founder(const ViewedScene& scene, ViewedScene::Fill fill) {
+  const ViewedScene::Item item = scene.item_of(fill);
+  if (scene.touching_radius() > 0.0 || scene.plane_is_elsewhere(item)) return nullptr;
+  return scene.shared_plane(item);
+}
+
+/// Of the plane's three points, whose combination by weights is the place in the projection: the
+/// sum of their sizes.
+double sum_of_weights(const Plane& plane, const Point2& at) {
+  const Point2 p = Point2(plane.p) - at, q = Point2(plane.q) - at, r = Point2(plane.r) - at;
+  const auto cross = [](const Point2& a, const Point2& b) {
+    return std::abs(a.x * b.y - a.y * b.x);
+  };
+  return (cross(q, r) + cross(r, p) + cross(p, q)) / std::abs(plane.normal.z);
+}
+
 /// Where fills are compared in their own planes: of those that are no steeper than kOfSlopes over
 /// the radius the rounding_error is within kOfRounding.
 constexpr double kOfSlopes = 0x1p-25, kOfRounding = 0x1p-21;
@@ -66,6 +84,13 @@ class RowFills::Triangles {
   Triangles(RowFills& fills, const ViewedScene& scene, const PictureSize& size)
       : fills_(fills), scene_(scene), size_(size) {}
 
+  /// Any fill; those that do not wait are made ready at once.
+  void add_any(Fill fill) {
+    const bool waits =
+        has_own_plane(scene_, fill) || (fills_.as_entered_ && scene_.sides(fill) == 3 &&
+                                        plane_of_founder(scene_, fill) != nullptr);
+    waits ? add(fill) : fills_.make(scene_, size_, fill);
+  }
   void add(Fill fill) {
     const auto corners = scene_.corners_of_triangle(fill);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -102,6 +127,10 @@ class RowFills::Triangles {
     made.z = made_.z[i];  // of no meaning where it is not certain
     made.dz_dx = made_.dz_dx[i];
     made.dz_dy = made_.dz_dy[i];
+    if (fills_.as_entered_) {
+      const auto* const shared = plane_of_founder(scene_, fill_[i]);
+      if (shared != nullptr) fills_.set_depth_in_common(scene_, *shared, size_, made);
+    }
     if (is(made_.has_sides, i)) take_sides(i, made);
   }
   /// Two or three of them, in places that no branch decides.
@@ -153,6 +182,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
 void RowFills::find_slack(const ViewedScene& scene, const PictureSize& size, bool as_entered) {
   const double viewing = as_entered ? scene.viewing_radius() : 0.0;
   const double radius = as_entered ? scene.plane_radius() : scene.touching_radius();
+  as_entered_ = as_entered;
   are_rounded_ = radius > 0.0;
   steepest_ = are_rounded_ ? kOfSlopes / radius : 0.0;
   slack_ = {};
@@ -180,7 +210,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, const Bat
         __builtin_prefetch(corner);
       }
     }
-    has_own_plane(scene, fill) ? triangles.add(fill) : make(scene, size, fill);
+    triangles.add_any(fill);
   }
   triangles.make();
 }
@@ -211,14 +241,19 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   made.row_begin = row_begin;
   made.row_end = row_end;
 
-  const Plane plane = scene.plane(fill);
-  const PixelDepth depth(plane, size.width, size.height);
-  const double z = depth.at(depth.row(row_begin), made.column);
-  const double largest =
-      std::abs(z) + columns * std::abs(depth.dz_dx) + (row_end - row_begin) * std::abs(depth.dz_dy);
-  const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest +
-                       rounding_error(scene, fill, depth, size);
-  set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
+  const auto* const shared = as_entered_ ? plane_of_founder(scene, fill) : nullptr;
+  if (shared != nullptr) {
+    set_depth_in_common(scene, *shared, size, made);
+  } else {
+    const Plane plane = scene.plane(fill);
+    const PixelDepth depth(plane, size.width, size.height);
+    const double z = depth.at(depth.row(row_begin), made.column);
+    const double largest = std::abs(z) + columns * std::abs(depth.dz_dx) +
+                           (row_end - row_begin) * std::abs(depth.dz_dy);
+    const double error = depth_bound(vertices, plane, depth, size).error + kDepthUnit * largest +
+                         rounding_error(scene, fill, depth, size);
+    set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
+  }
 
   if (vertices.size() > kMostSides || is_close) return;
   if (vertices.size() > 3) made.edges = scene.many_sided_corners_before(fill);
@@ -235,6 +270,34 @@ void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange&
   made.z = static_cast<float>(z);
   made.dz_dx = static_cast<float>(dz_dx);
   made.dz_dy = static_cast<float>(dz_dy);
+}
+
+/// The same of the plane that the fill lies in as it was entered, by the points that stand for it.
+/// These are off by the radius in each coordinate, and a place's depth is a combination of theirs.
+void RowFills::set_depth_in_common(const ViewedScene& scene, const Primitives::PlanePoints& shared,
+                                   const PictureSize& size, RowFill& made) const {
+  constexpr double kOfThreePoints = 8.0;
+  const Plane plane = scene.plane_through(shared);
+  const PixelDepth depth(plane, size.width, size.height);
+  const double dz_dx = std::abs(depth.dz_dx), dz_dy = std::abs(depth.dz_dy);
+  const double z = depth.at(depth.row(made.row_begin), made.column);
+  const double largest = std::abs(z) + (made.column_end - made.column) * dz_dx +
+                         (made.row_end - made.row_begin) * dz_dy;
+  double weights = 0.0, dx = 0.0, dy = 0.0;
+  for (const int column : {made.column, made.column_end}) {
+    for (const int row : {made.row_begin, made.row_end}) {
+      const Point2 at(column / static_cast<double>(size.width),
+                      row / static_cast<double>(size.height));
+      weights = std::max(weights, sum_of_weights(plane, at));
+      dx = std::max(dx, std::abs(column - depth.x0) + 1.0);
+      dy = std::max(dy, std::abs(row - depth.y0) + 1.0);
+    }
+  }
+  const double slopes = dz_dx * size.width + dz_dy * size.height;
+  const double of_viewing = kOfThreePoints * scene.plane_radius() * weights * (1.0 + slopes);
+  const double error =
+      depth.error(plane, size.width, size.height, dx, dy) + of_viewing + kDepthUnit * largest;
+  set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
 }
 
 /// What make would make of it, in less: a triangle needs no test whether it is convex, and its

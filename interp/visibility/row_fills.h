@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,14 @@ struct alignas(64) RowFill {
   std::uint32_t edges = 0;   ///< where they are stored, if there are more than kOwnEdges
   static constexpr int kOwnEdges = 3;
   RowEdge own_edges[kOwnEdges] = {};
+
+  /// Its depth at a centre; NaN, of which no comparison holds, if that is not known well.
+  float at(int picture_row, int picture_column) const {
+    if (!certain) return std::numeric_limits<float>::quiet_NaN();
+    const auto down = static_cast<float>(picture_row - row_begin);
+    const auto right_of = static_cast<float>(picture_column - column);
+    return z + down * dz_dy + right_of * dz_dx;
+  }
 };
 
 /// All fills of a scene, made ready for pictures of one size.
@@ -87,6 +96,8 @@ class RowFills {
   };
   void set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
                  const PictureSize& size, RowFill& made) const;
+  void set_depth_in_common(const ViewedScene& scene, const Primitives::PlanePoints& shared,
+                           const PictureSize& size, RowFill& made) const;
   void find_slack(const ViewedScene& scene, const PictureSize& size, bool as_entered);
   bool is_close_to_rows(const PointRow& vertices, const PictureSize& size) const;
   bool make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill);
@@ -105,6 +116,7 @@ class RowFills {
   /// by little where their slopes are no more than `steepest_`.
   bool are_rounded_ = false;
   double steepest_ = 0.0;
+  bool as_entered_ = false;
   RowSlack slack_;
 };
 

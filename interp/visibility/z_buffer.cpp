@@ -132,8 +132,7 @@ class DepthDecisions : public BandDecisions {
       const std::size_t learnt = orders_.times_learnt();
       if (is_seen(row, i, z, rows_.fill[at])) {
         rows_.fill[at] = fill_;
-        rows_.z[at] =
-            fills_[fill_].certain ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN();
+        rows_.z[at] = fills_[fill_].at(row, i);
       }
       if (orders_.times_learnt() != learnt) return true;
     }

@@ -23,9 +23,10 @@ namespace displayfile {
 /// The segments that share a tree.
 class RetainedViews::Part {
  public:
-  Part(RetainedScene world, const ImageTransformation& image, const Options& options)
+  Part(RetainedScene world, const ImageTransformation& image, const SortOptions& options,
+       HiddenScope scope)
       : image_(image),
-        together_(options.scope == HiddenScope::all),
+        together_(scope == HiddenScope::all),
         lines_{.precision = options.precision,
                .threads = options.threads,
                .intersections = world.has_intersections(),
@@ -222,9 +223,15 @@ class RetainedViews::Part {
 };
 
 RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
-                             const Options& options)
-    : taken_(scene, attributes), options_(options) {
+                             const SortOptions& options, HiddenScope scope)
+    : taken_(scene, attributes), options_(options), scope_(scope) {
   take();
+}
+
+bool RetainedViews::are_of(const SortOptions& options, HiddenScope scope) const {
+  return scope == scope_ && options.precision == options_.precision &&
+         options.hidden_lines == options_.hidden_lines &&
+         options.most_pieces == options_.most_pieces;
 }
 
 /// Sorts what is visible now. If it throws, what was taken before stays.
@@ -238,9 +245,9 @@ void RetainedViews::take() {
   };
   const auto add = [&](RetainedScene world) {
     const ImageTransformation image = image_of(world.segments().front());
-    parts.push_back(std::make_unique<Part>(std::move(world), image, options_));
+    parts.push_back(std::make_unique<Part>(std::move(world), image, options_, scope_));
   };
-  if (options_.scope == HiddenScope::segment) {
+  if (scope_ == HiddenScope::segment) {
     for (const RetainedScene::Segment& part : visible.segments()) {
       add(visible.selected([&](const auto& segment) { return segment.name == part.name; }));
     }
@@ -275,7 +282,7 @@ DisplayFile RetainedViews::view(const View& view, const glm::dmat3& lights_turne
   DisplayFile file;
   for (const auto& part : parts_) {
     const auto sorted = part->draw(view, lights_turned, file);
-    if (options_.scope == HiddenScope::segment) {
+    if (scope_ == HiddenScope::segment) {
       const int name = file.segments().back().name();
       file.segment(name).set_sorted(sorted);
     } else {

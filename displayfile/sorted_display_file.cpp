@@ -11,6 +11,18 @@
 
 namespace displayfile {
 
+SortOptions sort_options(const SurfacePlan& plan) {
+  SortOptions sort;
+  sort.precision = plan.precision;
+  sort.threads = plan.options.threads;
+  sort.most_pieces = plan.options.most_pieces;
+  sort.progress = plan.options.progress;
+  sort.shadows = plan.options.shadows;
+  sort.hidden_lines = plan.hidden_lines;
+  sort.intersections = plan.intersections;
+  return sort;
+}
+
 namespace {
 
 bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
@@ -23,18 +35,6 @@ bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& op
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
 bool draw_the_same(const Segment& a, const Segment& b) {
   return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
-}
-
-SortOptions sort_options(const SurfacePlan& plan) {
-  SortOptions sort;
-  sort.precision = plan.precision;
-  sort.threads = plan.options.threads;
-  sort.most_pieces = plan.options.most_pieces;
-  sort.progress = plan.options.progress;
-  sort.shadows = plan.options.shadows;
-  sort.hidden_lines = plan.hidden_lines;
-  sort.intersections = plan.intersections;
-  return sort;
 }
 
 /// How close-segment sorted it, or would have, had the scope not been all.

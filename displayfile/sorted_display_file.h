@@ -13,6 +13,9 @@
 
 namespace displayfile {
 
+/// A sort's part of the plan.
+SortOptions sort_options(const SurfacePlan& plan);
+
 /// Throws Error if lines are to be drawn where they are hidden, and the method is the colour rule
 /// over surfaces that are in no order: it finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);

@@ -14,7 +14,6 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/recorder.h"
 #include "displayfile/retained_scene.h"
-#include "displayfile/retained_views.h"
 #include "displayfile/shapes/shapes.h"
 #include "displayfile/text/drawing_program.h"
 #include "displayfile/text/dump.h"
@@ -25,5 +24,3 @@
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
-#include "interp/draw/view_renderer.h"
-#include "interp/draw/world_views.h"

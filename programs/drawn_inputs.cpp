@@ -10,8 +10,7 @@
 #include "clip/work_budget.h"
 #include "displayfile/input_file.h"
 #include "interp/draw/nothing_seen.h"
-#include "interp/draw/picture_plan.h"
-#include "interp/draw/view_renderer.h"
+#include "interp/draw/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/inputs.h"
 #include "programs/warnings.h"
@@ -64,10 +63,8 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
     displayfile::draw(system_, file, options, kept);
     return warned;
   }
-  const Destination to(file);
-  ViewRenderer renderer(scene_, system_.display_file());
-  renderer.draw(scene_.segments().front().view, file,
-                resolve(system_, options, &to).without_system());
+  Renderer renderer;
+  renderer.draw(in_view(system_, scene_.segments().front().view), file, options);
   return warned;
 }
 

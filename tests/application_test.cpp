@@ -89,15 +89,19 @@ TEST(Application, ViewsARetainedScene) {
   g.open_segment(1);
   g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
   g.close_segment();
-  displayfile::RetainedViews views(scene, g.display_file(), {});
-  EXPECT_EQ(views.view(g.view()).polygons(), 1u);
-  const displayfile::WorldViews world(scene, g.display_file());
-  const std::optional<displayfile::Pick> pick = world.pick(g.view(), 0.5, 0.5);
+  displayfile::Renderer renderer;
+  const displayfile::InView in = displayfile::in_view(g, g.view());
+  EXPECT_EQ(renderer.display_file(in).polygons(), 1u);
+  const std::optional<displayfile::Pick> pick = renderer.pick(in, 0.5, 0.5);
   ASSERT_TRUE(pick);
   EXPECT_EQ(pick->segment, 1);
-  displayfile::DrawOptions options{.width = 9, .height = 9};
-  EXPECT_EQ(displayfile::draw(world.view(g.view()), options).pixels,
-            displayfile::draw(g, options).pixels);
+  EXPECT_TRUE(pick->world);
+  using displayfile::HiddenMethod;
+  for (const auto method : {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::map,
+                            HiddenMethod::world_ray_cast}) {
+    const displayfile::DrawOptions options{.width = 9, .height = 9, .hidden = method};
+    EXPECT_EQ(renderer.draw(in, options).pixels, displayfile::draw(g, options).pixels);
+  }
 }
 
 /// Every way to draw says what is wrong with an option, and in a file and in memory the same.

@@ -14,7 +14,7 @@
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
 #include "interp/draw/draw.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/visibility/image_space.h"
 #include "tests/from_environment.h"
@@ -25,6 +25,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::from_environment;
 using test::ids_by;
@@ -149,7 +151,7 @@ void expect_right_in_new_views(EnterBent enter) {
     retained.system.open_segment(1);
     enter(s, retained.system);
     retained.system.close_segment();
-    ViewRenderer renderer(retained.scene, retained.system.display_file());
+    FromEyes renderer(retained.scene, retained.system.display_file());
     const Turntable turntable(retained.scene, retained.system.display_file(), {});
     for (const double degrees : {0.0, 35.0, 110.0, 245.0}) {
       SCOPED_TRACE(fmt::format("seed {}, {} degrees", seed, degrees));

@@ -12,13 +12,15 @@
 #include "clip/error.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::expect_error;
 
@@ -52,7 +54,7 @@ TEST_F(DrawAs, EveryRendererWritesToStreams) {
   Renderer().draw(retained.system, by_renderer, options);
   EXPECT_EQ(by_renderer.str(), expected);
   options.format = "png";
-  ViewRenderer views(retained.scene, retained.system.display_file());
+  FromEyes views(retained.scene, retained.system.display_file());
   views.draw(retained.system.view(), by_view, options);
   views.draw(retained.system.view(), file("view.png"), options);
   EXPECT_TRUE(by_view.str() == test::content(file("view.png").string()));

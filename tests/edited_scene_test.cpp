@@ -21,13 +21,15 @@
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
-#include "interp/draw/view_renderer.h"
 #include "interp/draw/world_views.h"
 #include "tests/error_of.h"
+#include "tests/from_eyes.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::error_of;
 using test::Retained;
@@ -64,20 +66,19 @@ Drawer drawer(std::shared_ptr<Object> object, const Draw& draw) {
 }
 
 template <HiddenMethod method>
-Drawer view_renderer(const GraphicsSystem& system, const RetainedScene& scene) {
-  return drawer(std::make_shared<ViewRenderer>(scene, system.display_file()),
-                [](ViewRenderer& renderer, const View& view) {
-                  return renderer.draw(view, options_of(method));
-                });
+Drawer in_view(const GraphicsSystem& system, const RetainedScene& scene) {
+  return drawer(
+      std::make_shared<FromEyes>(scene, system.display_file()),
+      [](FromEyes& renderer, const View& view) { return renderer.draw(view, options_of(method)); });
 }
 
 template <HiddenScope scope>
 Drawer trees(const GraphicsSystem& system, const RetainedScene& retained) {
-  const RetainedViews::Options options{.scope = scope, .precision = {}};
-  return drawer(std::make_shared<RetainedViews>(retained, system.display_file(), options),
-                [](RetainedViews& views, const View& view) {
-                  return draw(views.view(view), options_of(std::nullopt));
-                });
+  return drawer(
+      std::make_shared<RetainedViews>(retained, system.display_file(), SortOptions{}, scope),
+      [](RetainedViews& views, const View& view) {
+        return draw(views.view(view), options_of(std::nullopt));
+      });
 }
 
 Drawer rays(const GraphicsSystem& system, const RetainedScene& scene) {
@@ -106,9 +107,12 @@ Drawer renderer(const GraphicsSystem& system, const RetainedScene&) {
 
 const std::map<std::string, MakeDrawer>& makers() {
   static const std::map<std::string, MakeDrawer> all{
-      {"view renderer, z-buffer", view_renderer<HiddenMethod::z_buffer>},
-      {"view renderer, scan line", view_renderer<HiddenMethod::scan_line>},
-      {"view renderer, lines", view_renderer<HiddenMethod::franklin>},
+      {"in a view, z-buffer", in_view<HiddenMethod::z_buffer>},
+      {"in a view, scan line", in_view<HiddenMethod::scan_line>},
+      {"in a view, lines", in_view<HiddenMethod::franklin>},
+      {"in a view, bsp", in_view<HiddenMethod::bsp>},
+      {"in a view, depth sort", in_view<HiddenMethod::depth_sort>},
+      {"in a view, map", in_view<HiddenMethod::map>},
       {"one tree", trees<HiddenScope::all>},
       {"a tree of each segment", trees<HiddenScope::segment>},
       {"rays", rays},
@@ -292,31 +296,36 @@ TEST(EditedScene, WhatIsRefusedMovesNothing) {
   EXPECT_EQ(kept.changed(), changed);
 }
 
+constexpr HiddenMethod kInView[] = {HiddenMethod::z_buffer, HiddenMethod::bsp,
+                                    HiddenMethod::world_ray_cast, HiddenMethod::franklin,
+                                    HiddenMethod::map};
+
 TEST(EditedScene, AMovedSystemIsFollowed) {
   auto first = std::make_unique<GraphicsSystem>();
   first->retain();
   test::enter_two_segments(*first);
-  ViewRenderer renderer(*first->retained(), first->display_file());
+  const DrawOptions options = options_of(std::nullopt);
+  Renderer renderer;
+  renderer.draw(in_view(*first, first->view()), options);
   RetainedViews views(*first->retained(), first->display_file(), {});
   const WorldViews world(*first->retained(), first->display_file());
   GraphicsSystem system(std::move(*first));
   first.reset();
   system.delete_segment(4);
   const View view = look_at(system, *system.retained());
-  const DrawOptions options = options_of(std::nullopt);
   const RetainedScene& scene = *system.retained();
   const DisplayFile& file = system.display_file();
-  EXPECT_EQ(bytes_of(renderer.draw(view, options)),
-            bytes_of(ViewRenderer(scene, file).draw(view, options)));
+  EXPECT_EQ(bytes_of(renderer.draw(in_view(system, view), options)),
+            bytes_of(Renderer().draw(in_view(system, view), options)));
   EXPECT_EQ(bytes_of(draw(views.view(view), options)),
             bytes_of(draw(RetainedViews(scene, file, {}).view(view), options)));
   EXPECT_EQ(bytes_of(draw(world.view(view), options)),
             bytes_of(draw(WorldViews(scene, file).view(view), options)));
 }
 
-/// What has a copy goes on with it; what needs the scene says so.
+/// What has a copy goes on with it, and a renderer takes up the next scene.
 TEST(EditedScene, OfASceneThatIsGone) {
-  std::optional<ViewRenderer> renderer;
+  Renderer renderer;
   std::optional<RetainedViews> views;
   std::optional<WorldViews> world;
   std::string tree_before, rays_before;
@@ -326,15 +335,21 @@ TEST(EditedScene, OfASceneThatIsGone) {
     Retained retained;
     test::enter_two_segments(retained.system);
     const DisplayFile& file = retained.system.display_file();
-    renderer.emplace(retained.scene, file);
-    views.emplace(retained.scene, file, RetainedViews::Options());
+    views.emplace(retained.scene, file);
     world.emplace(retained.scene, file);
-    renderer->draw(view, options);
+    for (const auto method : kInView) {
+      renderer.draw(InView{retained.scene, file, view}, options_of(method));
+    }
     tree_before = bytes_of(draw(views->view(view), options));
     rays_before = bytes_of(draw(world->view(view), options));
   }
-  EXPECT_EQ(error_of([&] { renderer->draw(view, options); }),
-            "the retained scene is gone: expected it to live as long as what draws it");
+  Retained next;
+  enter_triangle(next.system, 1, 0.3);
+  const InView in{next.scene, next.system.display_file(), view};
+  for (const auto method : kInView) {
+    EXPECT_EQ(bytes_of(renderer.draw(in, options_of(method))),
+              bytes_of(Renderer().draw(in, options_of(method))));
+  }
   EXPECT_EQ(bytes_of(draw(views->view(view), options)), tree_before);
   EXPECT_EQ(bytes_of(draw(world->view(view), options)), rays_before);
 }
@@ -344,10 +359,10 @@ TEST(EditedScene, CountsOfWhatIsKeptGoOn) {
   GraphicsSystem& g = retained.system;
   g.set_light({0.2, 0.3, 1.0});
   enter_mesh(g, 1, 0.5);
-  ViewRenderer renderer(retained.scene, g.display_file());
+  FromEyes renderer(retained.scene, g.display_file());
   const DrawOptions options = options_of(HiddenMethod::z_buffer);
   renderer.draw(g.view(), options);
-  const ViewRenderer::Made before = renderer.made();
+  const Renderer::Made before = renderer.made();
   EXPECT_EQ(before.caster_trees, 1u);
   renderer.draw(g.view(), options);
   EXPECT_EQ(renderer.made().caster_trees, 1u);

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/picker.h"
@@ -23,6 +23,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::from_environment;
 using test::ids_by;
@@ -165,7 +167,7 @@ TEST(FillsAsEntered, NoPixelIsWrongInKeptViews) {
     Retained kept;
     enter(kept.system);
     for (const HiddenMethod method : {HiddenMethod::z_buffer, HiddenMethod::scan_line}) {
-      ViewRenderer views(kept.scene, kept.system.display_file());
+      FromEyes views(kept.scene, kept.system.display_file());
       Source s(of_scene);
       for (int n = 0; n < 3; ++n) {
         Retained alone;

@@ -24,7 +24,7 @@
 #include "displayfile/text/dump.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "tests/random_application.h"
 #include "tests/slower.h"
 
@@ -33,6 +33,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 constexpr std::array kOtherModes{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
@@ -194,7 +196,7 @@ TEST(HostRounding, ChangesNoOtherView) {
                                  options_with(method));
       keep(renderer.draw(2));
     }
-    ViewRenderer renderer(scene, system.display_file());
+    FromEyes renderer(scene, system.display_file());
     keep(renderer.draw(view, options_with(HiddenMethod::z_buffer)));
     all.push_back(dump(renderer.display_file(view)));
     RetainedViews trees(scene, system.display_file(), {});

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "displayfile/turntable.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"
@@ -20,6 +20,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::Retained;
 
@@ -37,7 +39,7 @@ struct Step {
   int width = kWidth, height = kHeight, threads = 1;
 };
 
-const Picture& draw(ViewRenderer& renderer, const Step& step) {
+const Picture& draw(FromEyes& renderer, const Step& step) {
   DrawOptions options;
   options.width = step.width;
   options.height = step.height;
@@ -47,7 +49,7 @@ const Picture& draw(ViewRenderer& renderer, const Step& step) {
   return renderer.draw(step.view, options, step.lights);
 }
 
-Picture entered_anew(const ViewRenderer& renderer, const Step& step) {
+Picture entered_anew(FromEyes& renderer, const Step& step) {
   RasterRequest request;
   request.width = step.width;
   request.height = step.height;
@@ -56,7 +58,7 @@ Picture entered_anew(const ViewRenderer& renderer, const Step& step) {
   return draw_with_software(renderer.display_file(step.view, step.lights), request);
 }
 
-void expect_right(ViewRenderer& renderer, const Step& step) {
+void expect_right(FromEyes& renderer, const Step& step) {
   const Picture& drawn = draw(renderer, step);
   const Picture anew = entered_anew(renderer, step);
   EXPECT_EQ(drawn.ids, anew.ids);
@@ -69,7 +71,7 @@ void expect_right(const Retained& retained) {
   const DisplayFile& file = retained.system.display_file();
   const Turntable turntable(retained.scene, file, {});
   const auto view = [&](double degrees) { return turntable.at(degrees).view; };
-  ViewRenderer renderer(retained.scene, file);
+  FromEyes renderer(retained.scene, file);
   Step step;
   for (const double degrees : {0.0, 25.0, 140.0, 25.0, 260.0}) {
     step.view = view(degrees);
@@ -175,7 +177,7 @@ View moved(View view, double x) {
 TEST(KeptViews, FollowTwoLightsClippingAndEyesThatComeClose) {
   Retained retained;
   enter_hills(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   const View view = retained.system.view();
   for (const double x : {0.2, 0.5, 1.0, 4.0, 4.5, 4.9}) expect_right(renderer, {moved(view, x)});
   View far = view;
@@ -191,7 +193,7 @@ TEST(KeptViews, FollowVisibilityAndImages) {
   Retained retained;
   GraphicsSystem& g = retained.system;
   enter_hills(g);
-  ViewRenderer renderer(retained.scene, g.display_file());
+  FromEyes renderer(retained.scene, g.display_file());
   const View view = g.view();
   const auto draw_some = [&] {
     for (const double x : {0.2, 0.3}) {
@@ -212,14 +214,14 @@ TEST(KeptViews, FollowVisibilityAndImages) {
 TEST(KeptViews, SamplesAreThoseEnteredAnew) {
   Retained retained;
   enter_hills(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   DrawOptions options{.width = kWidth, .height = kHeight};
   options.samples = 2;
   options.with_ids = true;
   for (const double angle : {0.0, 0.3, 0.3}) {
     const View view = moved(retained.system.view(), 0.2);
     const Picture drawn = renderer.draw(view, options, turned(angle));
-    ViewRenderer anew(retained.scene, retained.system.display_file());
+    FromEyes anew(retained.scene, retained.system.display_file());
     const Picture& fresh = anew.draw(view, options, turned(angle));
     EXPECT_EQ(drawn.pixels, fresh.pixels);
     EXPECT_EQ(drawn.ids, fresh.ids);
@@ -231,7 +233,7 @@ TEST(KeptViews, SamplesAreThoseEnteredAnew) {
 TEST(KeptViews, AMovingLightFindsNoSurfaces) {
   Retained retained;
   enter_hills(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   const View view = retained.system.view();
   for (int k = 0; k < 6; ++k) {
     draw(renderer, {view, turned(0.2 * k)});
@@ -254,7 +256,7 @@ TEST(KeptViews, AMovingLightFindsNoSurfaces) {
 TEST(KeptViews, AMovingEyeSearchesForNoShadowTwice) {
   Retained retained;
   enter_hills(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   const View view = retained.system.view();
   for (int k = 0; k < 8; ++k) draw(renderer, {moved(view, 0.2 + 0.05 * k)});
   const std::size_t made = renderer.made().caster_lists;
@@ -271,7 +273,7 @@ TEST(KeptViews, AMovingEyeSearchesForNoShadowTwice) {
 TEST(KeptViews, WithoutShadowsNothingIsKeptForThem) {
   Retained retained;
   enter(generated_scene("city").make(50, 2), retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   for (int k = 0; k < 3; ++k) draw(renderer, {retained.system.view()});
   EXPECT_EQ(renderer.made().caster_trees, 0u);
   EXPECT_EQ(renderer.bytes_of_casters(), 0u);

@@ -22,12 +22,14 @@
 #include "displayfile/turntable.h"
 #include "hidden/lines/line_ends.h"
 #include "interp/draw/draw.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 void enter_cube(GraphicsSystem& g, double x, double z) {
   const auto at = [&](double dx, double y, double dz) { return Point3(x + dx, y, z + dz); };
@@ -197,7 +199,7 @@ TEST(LineDrawing, IsStoppedWithNothingChanged) {
 TEST(LineDrawing, NewViewsOfARetainedSceneAreThoseOfEnteringIt) {
   test::Retained retained;
   enter_cubes(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
+  FromEyes renderer(retained.scene, retained.system.display_file());
   const Turntable turntable(retained.scene, retained.system.display_file(), {});
   DrawOptions options;
   options.width = options.height = 90;

@@ -16,11 +16,13 @@
 #include "displayfile/text/drawing_program.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/draw/world_views.h"
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 /// Nothing if something is seen.
 std::string why(std::string_view program, const SeenIn& in = {}) {
@@ -201,7 +203,7 @@ class WarnedPictures {
   /// The same of the retained scene in a view, which may be another than it was drawn in.
   void expect_in_view(const View& view, const std::string& in_pixels,
                       const std::string& in_vectors) {
-    ViewRenderer views(scene_, system_.display_file());
+    FromEyes views(scene_, system_.display_file());
     const WorldViews world(scene_, system_.display_file());
     told(in_pixels, [&] { views.draw(view, options_); });
     told(in_pixels, [&] { draw(world.view(view), options_); });

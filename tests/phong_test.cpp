@@ -437,7 +437,7 @@ TEST(PhongShading, ARetainedSceneHasItInEveryView) {
   g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(triangles(5, 60), Shading::phong, g);
-  RetainedViews views(scene, g.display_file(), {HiddenScope::segment, {}});
+  RetainedViews views(scene, g.display_file(), {}, HiddenScope::segment);
   const DisplayFile again = views.view(g.view());
   DisplayFile unsorted = again;
   unsorted.segment(1).set_sorted(nullptr);
@@ -464,7 +464,7 @@ TEST(PhongShading, MayStandBesideOthers) {
   const Instructions& entered = *g.display_file().segment(1).entered();
   EXPECT_EQ(entered.stored_normals().size(), 6u);
   EXPECT_EQ(entered.stored_intensities().size(), 3u);
-  RetainedViews views(retained, g.display_file(), {HiddenScope::segment, {}});
+  RetainedViews views(retained, g.display_file(), {}, HiddenScope::segment);
   DisplayFile again = views.view(g.view());
   again.segment(1).set_sorted(nullptr);
   EXPECT_EQ(dump(again), dump(g.display_file()));

@@ -9,7 +9,7 @@
 
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/opengl/osmesa.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
@@ -17,6 +17,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::expect_error;
 
@@ -71,7 +73,7 @@ TEST_F(PictureRowsTest, OfViewsAndOtherDevices) {
   replay_file(DISPLAYFILE_SOURCE_DIR "/programs/gears.draw", retained.system);
   DrawOptions options;
   options.width = options.height = 64;
-  ViewRenderer views(retained.scene, retained.system.display_file());
+  FromEyes views(retained.scene, retained.system.display_file());
   const Picture whole = views.draw(retained.system.view(), options);
   options.rows = PictureRows{10, 33};
   const Picture rows = views.draw(retained.system.view(), options);

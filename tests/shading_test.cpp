@@ -352,7 +352,7 @@ TEST(GouraudShading, ARetainedSceneHasItInEveryView) {
   g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(triangles(5, 60), Shading::gouraud, g);
-  RetainedViews views(scene, g.display_file(), {HiddenScope::segment, {}});
+  RetainedViews views(scene, g.display_file(), {}, HiddenScope::segment);
   const DisplayFile again = views.view(g.view());
   DisplayFile unsorted = again;
   unsorted.segment(1).set_sorted(nullptr);

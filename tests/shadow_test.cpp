@@ -551,7 +551,7 @@ TEST(Shadows, ARetainedSceneHasThemInEveryView) {
     set_style({0.5, 0.7, 1}, true, g);
     enter(crossing(5, 20), g);
     g.set_image_translation(1, 0.0625, 0.125);
-    RetainedViews views(scene, g.display_file(), {scope, {}});
+    RetainedViews views(scene, g.display_file(), {}, scope);
     const DisplayFile again = views.view(g.view());
     DisplayFile unsorted = again;
     unsorted.set_sorted(nullptr);

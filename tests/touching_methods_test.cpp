@@ -19,7 +19,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/text/drawing_program.h"
 #include "interp/draw/draw.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/draw/world_views.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
@@ -32,6 +32,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::from_environment;
 using test::ids_by;
@@ -280,7 +282,7 @@ TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
   g.polygon_abs_3({{-0.5, -0.04, -0.7}, {-0.7, -0.04, 0.7}, {0.7, -0.04, 0.7}});
   g.close_segment();
   const DisplayFile& file = g.display_file();
-  ViewRenderer renderer(retained.scene, file);
+  FromEyes renderer(retained.scene, file);
   std::size_t seen_of_last = 0;
   for (const bool is_visible : {true, false, true}) {
     SCOPED_TRACE(is_visible);

@@ -10,7 +10,6 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "displayfile/retained_views.h"
@@ -98,16 +97,19 @@ TEST_F(TurntableRendererTest, FilesAreThePicturesInMemory) {
 /// Pieces of one tree show what the display file in that view does.
 TEST_F(TurntableRendererTest, ByDefaultViewsAreOfOneTree) {
   TurntableRenderer turntable = renderer(options_of(std::nullopt));
-  ASSERT_TRUE(std::holds_alternative<RetainedViews>(turntable.source()));
   const DisplayFile& file = retained_.system.display_file();
   const Turntable turned(retained_.scene, file, {});
   RetainedViews views(retained_.scene, file, {});
   const auto [view, lights] = turned.at(72.0);
   EXPECT_EQ(turntable.draw(1).ids, draw(views.view(view, lights), options_of(std::nullopt)).ids);
-  EXPECT_TRUE(
-      std::holds_alternative<ViewRenderer>(renderer(options_of(HiddenMethod::z_buffer)).source()));
-  EXPECT_TRUE(std::holds_alternative<WorldViews>(
-      renderer(options_of(HiddenMethod::world_ray_cast)).source()));
+  EXPECT_EQ(turntable.renderer().trees().sorted, 1u);
+  TurntableRenderer anew = renderer(options_of(HiddenMethod::z_buffer));
+  anew.draw(1);
+  EXPECT_EQ(anew.renderer().trees().sorted, 0u);
+  EXPECT_EQ(anew.renderer().made().surfaces, 1u);
+  TurntableRenderer rays = renderer(options_of(HiddenMethod::world_ray_cast));
+  rays.draw(1);
+  EXPECT_GT(rays.renderer().trees().polygons_in_boxes, 0u);
 }
 
 TEST_F(TurntableRendererTest, NumbersItsFiles) {

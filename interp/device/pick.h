@@ -8,8 +8,7 @@
 namespace displayfile {
 
 /// What is seen at a place of a picture: the nearest solid polygon, of equally near ones the one
-/// entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
-/// WorldViews (interp/draw/world_views.h) in a scene before viewing.
+/// entered later, or a line. A Renderer (interp/draw/renderer.h) finds it.
 struct Pick {
   enum class Kind {
     polygon,  ///< the fill of one
@@ -21,7 +20,7 @@ struct Pick {
   std::int32_t id;
   int segment;   ///< the name of the segment that it is in
   double depth;  ///< normalised: 0 on the back plane, 1 on the front plane, larger is nearer
-  /// Where it is seen, in world coordinates: the exact point, rounded. From WorldViews alone.
+  /// Where it is seen, in world coordinates: the exact point, rounded. Of a retained scene alone.
   std::optional<Point3> world;
 };
 

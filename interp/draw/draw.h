@@ -16,7 +16,6 @@
 #include "interp/device/paper.h"
 #include "interp/device/picture.h"
 #include "interp/device/vector_options.h"
-#include "interp/device/viewed_world.h"
 
 namespace displayfile {
 
@@ -124,14 +123,6 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 /// drawing a system into a file does.
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
 Picture draw(const DisplayFile& display_file, const DrawOptions& options = {});
-
-/// Draws a retained scene in a view (interp/draw/world_views.h): pixels by rays cast in world
-/// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
-/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF, scope `segment`,
-/// and a method that is drawn by no rays: in pixels another than `automatic` and world_ray_cast,
-/// the colour rule by these too; in vectors one that is neither the map nor works in image space.
-void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options);
-Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 
 /// What a picture can be drawn as, or what can draw it: a name, and a few words about it.
 struct Choice {

@@ -14,7 +14,7 @@
 #include "displayfile/text/program_in_view.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_plan.h"
-#include "interp/draw/view_renderer.h"
+#include "interp/draw/renderer.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -37,7 +37,7 @@ struct OtherEye::Kept {
   decltype(settings_of(std::declval<const GraphicsSystem&>())) settings;
   std::string program;
   View drawn_in, view;
-  ViewRenderer renderer;
+  Renderer renderer = {};
   std::optional<GraphicsSystem> replayed = std::nullopt;
 
   /// The program is that of the system as it was.
@@ -55,8 +55,8 @@ OtherEye::OtherEye(const GraphicsSystem& system, const RetainedScene& scene, std
   const View view = scene_in_one_view(scene, file, system.view()).view;
   TakenScene taken(scene, file);
   taken.take();
-  kept_ = std::make_unique<Kept>(Kept{system, &file, std::move(taken), settings_of(system),
-                                      std::move(program), view, view, ViewRenderer(scene, file)});
+  kept_ = std::make_unique<Kept>(
+      Kept{system, &file, std::move(taken), settings_of(system), std::move(program), view, view});
 }
 OtherEye::OtherEye(OtherEye&& other) noexcept = default;
 OtherEye& OtherEye::operator=(OtherEye&& other) noexcept = default;
@@ -99,10 +99,7 @@ bool OtherEye::draws(const DrawOptions& options) const {
 const Picture& OtherEye::draw(const DrawOptions& options) {
   Kept& kept = *kept_;
   kept.require_same();
-  const PicturePlan plan = resolve(kept.told, options);
-  DrawOptions settled = plan.without_system();
-  settled.hidden = choice_for(kept.told, plan, PictureKind::raster).method;
-  return kept.renderer.draw(kept.view, settled);
+  return kept.renderer.draw(in_view(kept.told, kept.view), options);
 }
 
 }  // namespace displayfile

@@ -11,7 +11,7 @@
 namespace displayfile {
 
 /// A system as if its application had set another view, for one view after another. Methods that
-/// work in image space draw what was retained (interp/draw/view_renderer.h); for all else, and
+/// work in image space draw what was retained (interp/draw/renderer.h); for all else, and
 /// where cut faces are hatched, which is done anew in each view, the application's calls are
 /// replayed in that view, once for each.
 class OtherEye {

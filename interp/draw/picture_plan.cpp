@@ -122,16 +122,46 @@ SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions&
   return plan;
 }
 
-PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& given, const Destination* to) {
+namespace {
+
+/// All but the method.
+PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given,
+                          const Destination* to) {
   DrawOptions options = given;
   if (!options.background) options.background = system.background();
   PicturePlan plan = resolve(options, to);
   plan.surfaces = surfaces_of_picture(system, options);
   plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
+  return plan;
+}
+
+}  // namespace
+
+PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& options,
+                    const Destination* to) {
+  PicturePlan plan = with_settings(system, options, to);
   // For pixels it is the renderer that picks a method.
   plan.method = plan.kind() == PictureKind::raster
                     ? plan.surfaces.method
                     : choice_for(system, plan, PictureKind::vector).method;
+  return plan;
+}
+
+PicturePlan resolve_in_view(const GraphicsSystem* system, const DrawOptions& options,
+                            const Destination* to) {
+  PicturePlan plan = system != nullptr ? with_settings(*system, options, to) : resolve(options, to);
+  SurfacePlan& surfaces = plan.surfaces;
+  const auto usual =
+      surfaces.is_applications() && system != nullptr ? HiddenScope::segment : HiddenScope::all;
+  surfaces.options.precision = surfaces.precision;
+  surfaces.options.hidden_lines = surfaces.hidden_lines;
+  if (!surfaces.options.scope) {
+    surfaces.options.scope = surfaces.scope_of_application.value_or(usual);
+  }
+  plan.method = surfaces.method;
+  if (options.pens && plan.method == HiddenMethod::automatic) {
+    plan.method = options.pens->hatching ? HiddenMethod::map : HiddenMethod::franklin;
+  }
   return plan;
 }
 

@@ -47,4 +47,10 @@ PicturePlan resolve(const DrawOptions& options, const Destination* to = nullptr)
 PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& options,
                     const Destination* to = nullptr);
 
+/// The same of what a system retained, in another view, for which there is no display file to
+/// choose a method by: `automatic` stays, but for pens. What the application set stands in the
+/// plan's options for surfaces. `system` may be null: nothing was set.
+PicturePlan resolve_in_view(const GraphicsSystem* system, const DrawOptions& options,
+                            const Destination* to = nullptr);
+
 }  // namespace displayfile

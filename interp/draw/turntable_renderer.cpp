@@ -21,18 +21,6 @@ HiddenMethod surfaces_of_options(const DrawOptions& options) {
   return surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
 }
 
-/// By rays that are cast before viewing.
-bool casts_into_world(const DrawOptions& options) {
-  return surfaces_of_options(options) == HiddenMethod::world_ray_cast;
-}
-
-/// Views without a tree: by a method that works in image space, named as such, or finds lines.
-bool draws_each_anew(const DrawOptions& options) {
-  const HiddenMethod method = surfaces_of_options(options);
-  return finds_lines(method) || (method != HiddenMethod::automatic && is_image_space(method) &&
-                                 method != HiddenMethod::world_ray_cast);
-}
-
 /// With what the system set in place of what the options leave open, so far as views follow it.
 DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given) {
   const PicturePlan plan = resolve(system, given);
@@ -48,16 +36,12 @@ DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given
     options.hidden = method;
     require_turntable_method(options);
   }
-  if (draws_each_anew(options) || casts_into_world(options)) {
-    require_hidden_lines_drawn(*options.hidden_lines, *options.hidden, plan);
+  if (!options.scope && !(options.hidden && is_image_space(*options.hidden))) {
+    options.scope = plan.surfaces.scope_of_application.value_or(HiddenScope::all);
   }
+  require_hidden_lines_drawn(*options.hidden_lines, options.hidden.value_or(HiddenMethod::bsp),
+                             plan);
   return options;
-}
-
-/// The options have settings already: precision and hidden lines.
-RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
-  return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
-          *options.precision, *options.hidden_lines, options.threads, options.most_pieces};
 }
 
 Turntable turntable_of(const TakenScene& taken, const View& otherwise,
@@ -68,11 +52,12 @@ Turntable turntable_of(const TakenScene& taken, const View& otherwise,
   return turntable;
 }
 
-TurntableRenderer::Source source_of(const GraphicsSystem& system, const RetainedScene& scene,
-                                    const DisplayFile& display_file, const DrawOptions& options) {
-  if (draws_each_anew(options)) return ViewRenderer(scene, display_file);
-  if (casts_into_world(options)) return WorldViews(scene, display_file);
-  return RetainedViews(scene, display_file, tree_options(system, options));
+/// By one tree, where nothing else is set.
+DrawOptions by_tree(DrawOptions options) {
+  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  if (surfaces_of(method) != HiddenMethod::automatic) return options;
+  options.hidden = is_colour_rule(method) ? colour_rule_by(HiddenMethod::bsp) : HiddenMethod::bsp;
+  return options;
 }
 
 }  // namespace
@@ -128,44 +113,22 @@ struct TurntableRenderer::Kept {
   TurntableViews turned;
   Turntable turntable;
   DrawOptions options;
-  Source source;
-  int views = turned.number;
+  Renderer renderer = {};
 
-  /// The sources do it too.
   void bring_up_to_date() {
-    if (taken.is_gone() || taken.is_same()) return;
+    if (taken.is_same()) return;
     turntable = turntable_of(taken, otherwise, turned);
     taken.take();
   }
 
-  void require_view(int view) const {
-    if (view >= 0 && view < views) return;
-    throw Error(fmt::format("view {}: expected 0 to {}", view, views - 1));
-  }
-
-  /// What by_renderer(renderer, view, lights) returns, or of_scene(scene): the scene in that view.
-  template <class ByRenderer, class OfScene>
-  auto in_view(int view, const ByRenderer& by_renderer, const OfScene& of_scene) {
-    require_view(view);
+  InView in_view(int view) {
+    if (view < 0 || view >= turned.number) {
+      throw Error(fmt::format("view {}: expected 0 to {}", view, turned.number - 1));
+    }
     const BudgetInForce in_force(options.budget);
     bring_up_to_date();
-    const auto [seen, lights] = turntable.at(360.0 * view / views);
-    if (auto* const renderer = std::get_if<ViewRenderer>(&source)) {
-      return by_renderer(*renderer, seen, lights);
-    }
-    if (const auto* const world = std::get_if<WorldViews>(&source)) {
-      return of_scene(world->view(seen, lights));
-    }
-    return of_scene(std::get<RetainedViews>(source).view(seen, lights));
-  }
-
-  void draw(int view, const Destination& to, const DrawOptions& asked) {
-    in_view(
-        view,
-        [&](ViewRenderer& renderer, const View& seen, const glm::dmat3& lights) {
-          renderer.draw(seen, to, asked, lights);
-        },
-        [&](const auto& scene) { displayfile::draw(scene, to, asked); });
+    const auto [seen, lights] = turntable.at(360.0 * view / turned.number);
+    return {taken.scene(), taken.attributes(), seen, lights};
   }
 };
 
@@ -179,43 +142,35 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
   TakenScene taken(scene, display_file);
   Turntable turntable = turntable_of(taken, system.view(), views);
   taken.take();
-  kept_ = std::make_unique<Kept>(Kept{std::move(taken), system.view(), views, std::move(turntable),
-                                      settled, source_of(system, scene, display_file, settled)});
+  kept_ = std::make_unique<Kept>(
+      Kept{std::move(taken), system.view(), views, std::move(turntable), settled});
 }
 TurntableRenderer::TurntableRenderer(TurntableRenderer&& other) noexcept = default;
 TurntableRenderer& TurntableRenderer::operator=(TurntableRenderer&& other) noexcept = default;
 TurntableRenderer::~TurntableRenderer() = default;
 
-int TurntableRenderer::views() const { return kept_->views; }
+int TurntableRenderer::views() const { return kept_->turned.number; }
 const DrawOptions& TurntableRenderer::options() const { return kept_->options; }
-const TurntableRenderer::Source& TurntableRenderer::source() const { return kept_->source; }
+const Renderer& TurntableRenderer::renderer() const { return kept_->renderer; }
 
 Picture TurntableRenderer::draw(int view) {
-  const DrawOptions& options = kept_->options;
-  return kept_->in_view(
-      view,
-      [&](ViewRenderer& renderer, const View& seen, const glm::dmat3& lights) {
-        renderer.draw(seen, options, lights);
-        return renderer.take_picture();
-      },
-      [&](const auto& scene) { return displayfile::draw(scene, options); });
+  kept_->renderer.draw(kept_->in_view(view), by_tree(kept_->options));
+  return kept_->renderer.take_picture();
 }
 
 void TurntableRenderer::draw(int view, const Destination& to) {
-  kept_->draw(view, to, kept_->options);
+  kept_->renderer.draw(kept_->in_view(view), to, by_tree(kept_->options));
 }
 
 std::filesystem::path TurntableRenderer::draw_numbered(int view,
                                                        const std::filesystem::path& file) {
-  std::filesystem::path name = numbered(file, view, kept_->views);
-  kept_->draw(view, name, of_view(kept_->options, view, kept_->views));
+  std::filesystem::path name = numbered(file, view, views());
+  kept_->renderer.draw(kept_->in_view(view), name, by_tree(of_view(kept_->options, view, views())));
   return name;
 }
 
 void TurntableRenderer::give_back(Picture picture) {
-  if (auto* const renderer = std::get_if<ViewRenderer>(&kept_->source)) {
-    renderer->give_back(std::move(picture));
-  }
+  kept_->renderer.give_back(std::move(picture));
 }
 
 }  // namespace displayfile

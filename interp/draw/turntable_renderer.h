@@ -3,13 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <variant>
 
-#include "displayfile/retained_views.h"
 #include "displayfile/turntable.h"
-#include "interp/draw/draw.h"
-#include "interp/draw/view_renderer.h"
-#include "interp/draw/world_views.h"
+#include "interp/draw/renderer.h"
 
 namespace displayfile {
 
@@ -44,20 +40,17 @@ void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path
                             const DrawOptions& options);
 
 /// Draws a retained scene turned about an axis through its middle (displayfile/turntable.h), in any
-/// of some views evenly around: all from one BSP tree in world coordinates
-/// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
-/// each anew by a method that works in image space or finds lines (interp/draw/view_renderer.h). A
-/// view is the same, bit for bit, whichever others are drawn. Where the application edited the
-/// scene, it is taken up anew, with its middle and what the window is fitted to. For one thread,
-/// which shares the work among as many as the options say.
+/// of some views evenly around, each by a Renderer: where no method is set all from one BSP tree in
+/// world coordinates. A view is the same, bit for bit, whichever others are drawn. Where the
+/// application edited the scene, it is taken up anew, with its middle and what the window is fitted
+/// to. For one thread, which shares the work among as many as the options say.
 class TurntableRenderer {
  public:
   /// What is to be drawn: `scene`, which a system retained, and the display file of that system,
   /// which says which segments are visible and how their images are transformed. Both must live on,
   /// and may be edited and moved. What the options do not say is as `system` has it; it need not
   /// live on. Throws Error as require_turntable_views and require_turntable_method do, for options
-  /// out of their range, if the segments were drawn in several views, and as RetainedViews and
-  /// WorldViews do.
+  /// out of their range, and if the segments were drawn in several views.
   TurntableRenderer(const GraphicsSystem& system, const RetainedScene& scene,
                     const DisplayFile& display_file, const TurntableViews& views,
                     const DrawOptions& options);
@@ -79,9 +72,8 @@ class TurntableRenderer {
   /// The memory of a picture that is no longer needed, for the next.
   void give_back(Picture picture);
 
-  /// From what views are drawn.
-  using Source = std::variant<RetainedViews, WorldViews, ViewRenderer>;
-  const Source& source() const;
+  /// That views are drawn by.
+  const Renderer& renderer() const;
 
  private:
   struct Kept;

@@ -11,6 +11,7 @@
 #include "displayfile/retained_scene.h"
 #include "interp/device/pick.h"
 #include "interp/device/viewed_world.h"
+#include "interp/draw/draw.h"
 
 namespace displayfile {
 
@@ -49,5 +50,13 @@ class WorldViews {
   std::shared_ptr<const WorldRays> rays() const;
   std::shared_ptr<Kept> kept_;  // by copies too
 };
+
+/// Draws a retained scene in a view: pixels by rays cast in world
+/// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
+/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF, scope `segment`,
+/// and a method that is drawn by no rays: in pixels another than `automatic` and world_ray_cast,
+/// the colour rule by these too; in vectors one that is neither the map nor works in image space.
+void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options);
+Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 
 }  // namespace displayfile

@@ -51,7 +51,7 @@ class TreeWalkDrawing : public Drawing {
   }
   void draw_anew() override {
     trees_ =
-        std::make_unique<RetainedViews>(scene_, system_.display_file(), RetainedViews::Options{});
+        std::make_unique<RetainedViews>(scene_, system_.display_file(), SortOptions{});
     draw_again();
   }
   void draw_again() override {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <variant>
 
 #include "clip/error.h"
 #include "programs/inputs.h"
@@ -20,8 +19,20 @@ std::string polygons_entered(const GraphicsSystem& system) {
                      system.polygons_entered(), system.polygons_triangulated());
 }
 
-std::string statistics(const GraphicsSystem& system, const RetainedViews& trees, int views) {
-  const SortCounts& counts = trees.counts();
+std::string statistics(const GraphicsSystem& system, const Renderer& renderer, int views) {
+  const Renderer::Trees trees = renderer.trees();
+  if (trees.polygons_in_boxes > 0) {
+    return polygons_entered(system) +
+           fmt::format(
+               "views              {}, from 1 tree of boxes in world coordinates\n"
+               "polygons cast at   {}\n",
+               views, trees.polygons_in_boxes);
+  }
+  if (trees.sorted == 0) {
+    return polygons_entered(system) +
+           fmt::format("views              {}, each viewed anew and not sorted\n", views);
+  }
+  const SortCounts& counts = trees.counts;
   return polygons_entered(system) +
          fmt::format(
              "views              {}, from {} tree{} in world coordinates\n"
@@ -30,21 +41,8 @@ std::string statistics(const GraphicsSystem& system, const RetainedViews& trees,
              "comparisons        {}\n"
              "depth of the tree  {}\n"
              "walks              {}, and {} needless: the eye crossed no plane\n",
-             views, trees.trees(), trees.trees() == 1 ? "" : "s", counts.pieces, counts.cuts,
-             counts.comparisons, counts.depth, trees.walks(), trees.reused());
-}
-
-std::string statistics(const GraphicsSystem& system, const WorldViews& trees, int views) {
-  return polygons_entered(system) +
-         fmt::format(
-             "views              {}, from 1 tree of boxes in world coordinates\n"
-             "polygons cast at   {}\n",
-             views, trees.polygons());
-}
-
-std::string statistics(const GraphicsSystem& system, const ViewRenderer&, int views) {
-  return polygons_entered(system) +
-         fmt::format("views              {}, each viewed anew and not sorted\n", views);
+             views, trees.sorted, trees.sorted == 1 ? "" : "s", counts.pieces, counts.cuts,
+             counts.comparisons, counts.depth, trees.walks, trees.reused);
 }
 
 std::string explanation(const DrawOptions& options) {
@@ -110,10 +108,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   int empty = 0;
   for (int k = views.first; k < views.end; ++k) {
     turntable.draw_numbered(k, output);
-    const auto* const lines = std::get_if<ViewRenderer>(&turntable.source());
-    if (lines != nullptr && pens_draw_nothing(lines->lines_for_pens(), turntable.options())) {
-      ++empty;
-    }
+    if (pens_draw_nothing(turntable.renderer().drawn_by_pens(), turntable.options())) ++empty;
     progress.update(static_cast<std::size_t>(k - views.first) + 1, static_cast<std::size_t>(count));
   }
   if (empty > 0) {
@@ -122,8 +117,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   }
   std::string text = report.explanation ? explanation(turntable.options()) : "";
   if (!report.statistics) return text;
-  return text + std::visit([&](const auto& source) { return statistics(system, source, count); },
-                           turntable.source());
+  return text + statistics(system, turntable.renderer(), count);
 }
 
 }  // namespace displayfile

@@ -23,7 +23,7 @@ struct TurntableReport {
 /// Draws the inputs turned about the view-up axis through their middle, before a camera and lights
 /// that stay, in views evenly around, all from one BSP tree in world coordinates
 /// (hidden/sort/world_tree.md), by rays from one tree of boxes (interp/visibility/ray_cast.md), or
-/// each anew by a method that works in image space or finds lines (interp/draw/view_renderer.h).
+/// each anew by a method that works in image space or finds lines (interp/draw/renderer.h).
 /// What was fitted to a mesh is fitted to all views: the window, or the eye's distance.
 ///
 /// The files are numbered: OUT-000.png, OUT-001.png and so on for OUT.png, and likewise the item

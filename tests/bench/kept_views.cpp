@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "displayfile/scene_viewer.h"
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "programs/bench/side_by_side.h"
 
 namespace displayfile::bench {
 
 namespace {
+
+using test::FromEyes;
 
 /// As Turntable turns, in world coordinates.
 glm::dmat3 turned(double degrees) {
@@ -82,7 +84,7 @@ class Comparison {
 
   Views of_;
   DrawOptions options_;
-  ViewRenderer kept_;
+  FromEyes kept_;
   SceneViewer viewer_;
   SoftwareRenderer renderer_, renderer_of_files_;
   std::vector<double> of_kept_, of_memory_, anew_;

@@ -1,7 +1,7 @@
 // New views of a retained scene without a sort: the picture of a view is that of the display file
 // which entering it would have made, whatever the scene, the method and the number of threads.
 
-#include "interp/draw/view_renderer.h"
+#include "tests/from_eyes.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +27,8 @@
 
 namespace displayfile {
 namespace {
+
+using test::FromEyes;
 
 using test::Retained;
 
@@ -58,7 +60,7 @@ void expect_same(const Picture& a, const Picture& b) {
 }
 
 /// By every method, in that view.
-void expect_right(ViewRenderer& renderer, const View& view, const glm::dmat3& lights) {
+void expect_right(FromEyes& renderer, const View& view, const glm::dmat3& lights) {
   const DisplayFile file = renderer.display_file(view, lights);
   for (const ImageSpaceEntry& entry : image_space_methods()) {
     SCOPED_TRACE(name_of(entry.method));
@@ -72,7 +74,7 @@ void expect_right(ViewRenderer& renderer, const View& view, const glm::dmat3& li
 /// In the view that it was drawn in, and in others.
 void expect_right(const Retained& retained) {
   const DisplayFile& file = retained.system.display_file();
-  ViewRenderer renderer(retained.scene, file);
+  FromEyes renderer(retained.scene, file);
   const Turntable turntable(retained.scene, file, {});
   for (const double degrees : {0.0, 35.0, 110.0, 245.0}) {
     SCOPED_TRACE(degrees);
@@ -82,7 +84,7 @@ void expect_right(const Retained& retained) {
 }
 
 /// Lines, light, shadows, smooth shading, clipping, image transformations, texts.
-TEST(ViewRenderer, DrawsTheGalleryFromOtherEyes) {
+TEST(InView, DrawsTheGalleryFromOtherEyes) {
   int drawn = 0;
   test::for_each_in_gallery([&](const std::string&, const Retained& retained) {
     if (!test::is_of_one_view(retained.scene)) return;
@@ -92,7 +94,7 @@ TEST(ViewRenderer, DrawsTheGalleryFromOtherEyes) {
   EXPECT_GE(drawn, 12);
 }
 
-TEST(ViewRenderer, DrawsGeneratedScenes) {
+TEST(InView, DrawsGeneratedScenes) {
   for (const GeneratedScene& scene : generated_scenes()) {
     SCOPED_TRACE(scene.name);
     Retained retained;
@@ -125,7 +127,7 @@ void enter_field(bool shared, GraphicsSystem& g) {
   }
 }
 
-TEST(ViewRenderer, DrawsFineMeshesOfEveryLook) {
+TEST(InView, DrawsFineMeshesOfEveryLook) {
   using Set = void (*)(GraphicsSystem&);
   for (const Set set :
        {Set([](GraphicsSystem&) {}), Set([](GraphicsSystem& g) {
@@ -159,7 +161,7 @@ TEST(ViewRenderer, DrawsFineMeshesOfEveryLook) {
 
 /// What segments are drawn with may change between views.
 /// A polygon that covers no centre hides lines and texts all the same.
-TEST(ViewRenderer, WhatCoversNoCentreHidesLinesAndTexts) {
+TEST(InView, WhatCoversNoCentreHidesLinesAndTexts) {
   for (const bool with_text : {false, true}) {
     Retained retained;
     GraphicsSystem& g = retained.system;
@@ -178,7 +180,7 @@ TEST(ViewRenderer, WhatCoversNoCentreHidesLinesAndTexts) {
     g.surface_3({-0.9, 0.9, 121, -0.9, 0.9, 121, flat});
     g.close_segment();
     expect_right(retained);
-    ViewRenderer renderer(retained.scene, g.display_file());
+    FromEyes renderer(retained.scene, g.display_file());
     for (const ImageSpaceEntry& entry : image_space_methods()) {
       const DrawOptions options = options_of(entry.method);
       expect_same(renderer.draw(g.view(), options), draw(g, options));
@@ -186,12 +188,12 @@ TEST(ViewRenderer, WhatCoversNoCentreHidesLinesAndTexts) {
   }
 }
 
-TEST(ViewRenderer, FollowsVisibilityAndImages) {
+TEST(InView, FollowsVisibilityAndImages) {
   Retained retained;
   GraphicsSystem& g = retained.system;
   test::enter_two_segments(g);
   const DisplayFile& file = g.display_file();
-  ViewRenderer renderer(retained.scene, file);
+  FromEyes renderer(retained.scene, file);
   const View view = Turntable(retained.scene, file, {}).at(20.0).view;
   ASSERT_NO_FATAL_FAILURE(expect_right(renderer, view, glm::dmat3(1.0)));
   const int first = retained.scene.segments().front().name;
@@ -204,7 +206,7 @@ TEST(ViewRenderer, FollowsVisibilityAndImages) {
 }
 
 /// The display file of a view is, to the last bit, the one that entering it would have made.
-TEST(ViewRenderer, WritesTheDisplayFileThatEnteringMakes) {
+TEST(InView, WritesTheDisplayFileThatEnteringMakes) {
   for (const bool shared : {false, true}) {
     const auto enter = [&](GraphicsSystem& g) {
       g.set_light({0.3, 0.4, 1.0});
@@ -217,13 +219,13 @@ TEST(ViewRenderer, WritesTheDisplayFileThatEnteringMakes) {
     GraphicsSystem anew;
     anew.set_perspective({0.9, 0.4, 3.0});
     enter(anew);
-    const ViewRenderer renderer(retained.scene, retained.system.display_file());
+    FromEyes renderer(retained.scene, retained.system.display_file());
     EXPECT_EQ(test::entered_text(renderer.display_file(anew.view())),
               test::entered_text(anew.display_file()));
   }
 }
 
-TEST(ViewRenderer, ThreadsDoNotChangeTheScene) {
+TEST(InView, ThreadsDoNotChangeTheScene) {
   Retained retained;
   enter(generated_scene("city").make(3000, 2), retained.system);
   const View view = Turntable(retained.scene, retained.system.display_file(), {}).at(70.0).view;
@@ -241,7 +243,7 @@ TEST(ViewRenderer, ThreadsDoNotChangeTheScene) {
 
 /// From the third view on the same memory serves, but where centres lie on sides, as they do in
 /// views along the axes.
-TEST(ViewRenderer, AsksForNoMemoryFromTheThirdViewOn) {
+TEST(InView, AsksForNoMemoryFromTheThirdViewOn) {
   Retained retained;
   GraphicsSystem& g = retained.system;
   g.set_line_style({LineStyle::Kind::none});
@@ -251,7 +253,7 @@ TEST(ViewRenderer, AsksForNoMemoryFromTheThirdViewOn) {
   enter_field(true, g);
   g.close_segment();
   const Turntable turntable(retained.scene, g.display_file(), {});
-  ViewRenderer renderer(retained.scene, g.display_file());
+  FromEyes renderer(retained.scene, g.display_file());
   for (int k = 0; k < 12; ++k) {
     const auto [view, lights] = turntable.at(30.0 * k + 7.0);
     const DrawOptions options = options_of(HiddenMethod::z_buffer);
@@ -263,12 +265,37 @@ TEST(ViewRenderer, AsksForNoMemoryFromTheThirdViewOn) {
   }
 }
 
-TEST(ViewRenderer, RefusesWhatDrawsNoView) {
+/// In the view of the application what draw draws of the system.
+TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
+  Retained retained;
+  GraphicsSystem& g = retained.system;
+  test::enter_two_segments(g);
+  g.set_background({Background::Kind::solid, {0.1, 0.2, 0.3}});
+  Renderer renderer;
+  for (const auto& [method, name] : hidden_methods()) {
+    SCOPED_TRACE(name);
+    DrawOptions options{.width = 60, .height = 50};
+    options.hidden = method;
+    for (const char* const format : {"ppm", "svg"}) {
+      options.format = format;
+      std::ostringstream bytes;
+      renderer.draw(in_view(g, g.view()), bytes, options);
+      const bool is_of_world_tree = surfaces_of(method) == HiddenMethod::bsp;
+      if (is_of_world_tree && options.format == "svg") continue;  // other pieces
+      EXPECT_EQ(bytes.str(), draw_as(g, format, options)) << format;
+    }
+  }
+  EXPECT_EQ(renderer.trees().sorted, 1u);
+  g.set_z_buffer(true);
+  const DrawOptions options{.width = 60, .height = 50, .with_ids = true};
+  EXPECT_EQ(renderer.draw(in_view(g, g.view()), options).ids, draw(g, options).ids);
+}
+
+TEST(InView, RefusesWhatDrawsNoView) {
   Retained retained;
   test::enter_two_segments(retained.system);
-  ViewRenderer renderer(retained.scene, retained.system.display_file());
-  EXPECT_THROW(renderer.draw({}, options_of(HiddenMethod::bsp)), Error);
-  EXPECT_THROW(renderer.draw({}, options_of(HiddenMethod::world_ray_cast)), Error);
+  FromEyes renderer(retained.scene, retained.system.display_file());
+  EXPECT_THROW(in_view(GraphicsSystem(), {}), Error);
   DrawOptions options = options_of(HiddenMethod::z_buffer);
   options.width = 0;
   EXPECT_THROW(renderer.draw({}, options), Error);

@@ -1,0 +1,502 @@
+#include "interp/draw/renderer.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "clip/error.h"
+#include "clip/memory.h"
+#include "clip/round_to_nearest.h"
+#include "clip/work_budget.h"
+#include "displayfile/collected_text.h"
+#include "displayfile/hidden_lines_left.h"
+#include "displayfile/hidden_surface_check.h"
+#include "displayfile/retained_views.h"
+#include "displayfile/scene_viewer.h"
+#include "displayfile/taken_scene.h"
+#include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_source.h"
+#include "interp/draw/world_views.h"
+#include "interp/raster/software.h"
+#include "interp/visibility/image_space.h"
+#include "interp/visibility/picker.h"
+#include "interp/visibility/world_rays.h"
+
+namespace displayfile {
+
+InView in_view(const GraphicsSystem& system, const View& view) {
+  if (system.retained() == nullptr) {
+    throw Error("a scene in another view: expected the system to retain it");
+  }
+  return {.scene = *system.retained(),
+          .attributes = system.display_file(),
+          .view = view,
+          .settings = &system};
+}
+
+namespace {
+
+constexpr WorkDone kDrawing{
+    "the drawing",
+    "for pixels a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
+
+RasterRequest raster_request(const DisplayFile& file, const PicturePlan& plan) {
+  RasterRequest request = raster_request(plan);
+  request.sorted = has_exact_order(file);
+  return request;
+}
+
+/// What is drawn in the order that the display file has.
+PicturePlan in_its_order(PicturePlan plan) {
+  const bool colour_rule = is_colour_rule(plan.surfaces.method);
+  plan.method = colour_rule ? colour_rule_by(HiddenMethod::none) : HiddenMethod::none;
+  plan.surfaces.precision = {};
+  plan.surfaces.hidden_lines = HiddenLines::none;
+  return plan;
+}
+
+PicturePlan by_rays(const ViewedWorld& world, PicturePlan plan) {
+  require_drawn_by_rays(plan);
+  const bool colour_rule = is_colour_rule(plan.surfaces.method);
+  plan.method =
+      colour_rule ? colour_rule_by(HiddenMethod::world_ray_cast) : HiddenMethod::world_ray_cast;
+  require_hidden_lines_drawn(plan.surfaces.hidden_lines, plan.method, plan);
+  plan.surfaces.intersections = world.rays->scene().has_intersections();
+  return plan;
+}
+
+RasterRequest raster_request(const ViewedWorld& world, const PicturePlan& plan) {
+  RasterRequest request = raster_request(world.display_file, plan);
+  request.world = &world;
+  return request;
+}
+
+void require_drawn(const PicturePlan& plan) {
+  require_drawable_by(plan.method, plan);
+  require_hidden_lines_drawn(plan.surfaces.hidden_lines, plan.method, plan);
+}
+
+/// Lines are to be drawn where they are hidden, and the method draws in order of entry.
+bool may_leave_hidden_lines(const PicturePlan& plan) {
+  return plan.surfaces.hidden_lines != HiddenLines::none && !is_image_space(plan.method) &&
+         !is_object_space(plan.method);
+}
+
+/// What the options ask for is refused, and what the application set is left out with a warning.
+/// The display file has been brought up to date.
+void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  if (!options.hidden_lines && !options.warn) return;
+  if (!may_leave_hidden_lines(plan)) return;
+  if (options.hidden_lines) {
+    if (leaves_hidden_lines(drawn, true, options.threads)) {
+      throw Error(words_of_hidden_lines_left(plan.method));
+    }
+    return;
+  }
+  try {
+    if (!leaves_hidden_lines(drawn, true, options.threads)) return;
+  } catch (const LimitReached&) {  // of what is not drawn
+    return;
+  } catch (const std::bad_alloc&) {
+    return;
+  }
+  options.warn({DrawWarning::Kind::hidden_lines, words_of_hidden_lines_left(plan.method)});
+}
+
+}  // namespace
+
+void require_drawable(const GraphicsSystem& system, const DrawOptions& options) {
+  const PicturePlan plan = resolve(system, options);
+  require_drawn(plan);
+  if (options.hidden_lines && may_leave_hidden_lines(plan) &&
+      leaves_hidden_lines(system.display_file(), !options.hidden, options.threads)) {
+    throw Error(words_of_hidden_lines_left(plan.method));
+  }
+}
+
+namespace {
+
+/// What tells why nothing is seen, if the display file is what is drawn.
+EnteredScene retained_beside(const GraphicsSystem& system) {
+  return {.scene = system.retains_alone() ? nullptr : system.retained()};
+}
+
+DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,
+                            SoftwareRenderer& software) {
+  const View* const view = world.views.size() == 1 ? &world.views.front() : nullptr;
+  return {world.display_file, true, plan, software, {&world.rays->scene(), view}};
+}
+
+/// What is made of a retained scene for all its views, each when it is first needed.
+class KeptOfScene {
+ public:
+  /// Lets go of what was made of another scene.
+  void take(const RetainedScene& scene, const DisplayFile& attributes) {
+    const bool is_same = taken_ && !taken_->is_gone() && &taken_->scene() == &scene &&
+                         &taken_->attributes() == &attributes;
+    if (is_same) return;
+    viewer_.reset();
+    drop_casters();
+    world_.reset();
+    trees_.reset();
+    taken_.emplace(scene, attributes);
+  }
+
+  SceneViewer& viewer() {
+    if (!viewer_) viewer_.emplace(taken_->scene(), taken_->attributes());
+    if (viewer_->bring_up_to_date()) drop_casters();  // they are those of the scene as it was
+    return *viewer_;
+  }
+  /// Null where no shadows are seen.
+  RetainedCasters* casters(int threads) {
+    if (viewer_->shows_shadows() && casters_ == nullptr) {
+      casters_ = std::make_unique<RetainedCasters>(viewer_->scene(), threads);
+      ++caster_trees_;
+    }
+    return casters_.get();
+  }
+  const WorldViews& world() {
+    if (!world_) world_.emplace(taken_->scene(), taken_->attributes());
+    return *world_;
+  }
+  RetainedViews& trees(const SortOptions& options, HiddenScope scope) {
+    if (!trees_ || !trees_->are_of(options, scope)) {
+      trees_.reset();
+      trees_.emplace(taken_->scene(), taken_->attributes(), options, scope);
+    }
+    return *trees_;
+  }
+
+  Renderer::Made made(std::size_t surfaces) const {
+    return {surfaces, caster_trees_,
+            caster_lists_ + (casters_ != nullptr ? casters_->lists_made() : 0u)};
+  }
+  DisplayFile drawn_by_pens;
+  std::size_t bytes_of_casters() const { return casters_ == nullptr ? 0 : casters_->bytes(); }
+  Renderer::Trees of_trees() const {
+    Renderer::Trees all;
+    if (trees_) {
+      all = {.sorted = trees_->trees(),
+             .counts = trees_->counts(),
+             .walks = trees_->walks(),
+             .reused = trees_->reused()};
+    }
+    if (world_) all.polygons_in_boxes = world_->polygons();
+    return all;
+  }
+
+ private:
+  void drop_casters() {
+    if (casters_ != nullptr) caster_lists_ += casters_->lists_made();
+    casters_.reset();
+  }
+
+  std::optional<TakenScene> taken_;
+  std::optional<SceneViewer> viewer_;
+  std::unique_ptr<RetainedCasters> casters_;
+  std::size_t caster_trees_ = 0, caster_lists_ = 0;  // that were made; lists of former casters
+  std::optional<WorldViews> world_;
+  std::optional<RetainedViews> trees_;
+};
+
+}  // namespace
+
+/// What is kept from one picture to the next.
+struct Renderer::Kept {
+  SortedDisplayFile sorted;
+  SoftwareRenderer software;
+  Picture picture;  ///< where the software renderer has not the whole of it
+  std::optional<Picker> picker;
+  KeptOfScene of_scene;
+};
+
+namespace {
+
+struct KeptForPictures {
+  SortedDisplayFile& sorted;
+  SoftwareRenderer& software;
+  KeptOfScene& of_scene;
+};
+
+/// What the application drew, where the method in force casts rays before viewing.
+std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMethod method,
+                                          KeptOfScene& kept) {
+  if (surfaces_of(method) != HiddenMethod::world_ray_cast) return std::nullopt;
+  if (system.retained() == nullptr) {
+    throw Error(
+        "hidden-surface method 'world-ray-cast' needs world coordinates: expected it to be set, or "
+        "the scene to be retained, before the first segment");
+  }
+  kept.take(*system.retained(), system.display_file());
+  return kept.world().as_drawn();
+}
+
+/// What draw(source, request, plan) returns: of the display file, brought up to date, or of the
+/// retained scene in its views.
+template <class Draw>
+auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
+                     const KeptForPictures& kept, const Draw& draw) {
+  require_drawn(plan);
+  const DisplayFile& sorted =
+      kept.sorted.update(system, plan.surfaces, unsorted_if_automatic(plan.method));
+  look_for_hidden_lines_left(sorted, plan);
+  if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
+    const PicturePlan cast = by_rays(*world, plan);
+    return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);
+  }
+  const bool by_depth = plan.kind() == PictureKind::vector && is_image_space(plan.method);
+  return draw(DisplayFileSource(sorted, by_depth, plan, kept.software, retained_beside(system)),
+              raster_request(sorted, plan), plan);
+}
+
+Picture draw_in_memory(const GraphicsSystem& system, const PicturePlan& plan,
+                       const KeptForPictures& kept) {
+  const BudgetInForce in_force(plan.options.budget);
+  const NamedWork named(kDrawing);
+  return with_memory_of_picture(plan, kept.software,
+                                [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
+}
+
+void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
+             const KeptForPictures& kept) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  const PicturePlan plan = resolve(system, options, &to);
+  require_writable(to, plan);
+  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+  with_memory_of_drawing(system.display_file().bytes(), to, plan, [&] {
+    draw_up_to_date(system, plan, kept,
+                    [&](const PictureSource& source, const RasterRequest& request,
+                        const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
+  });
+}
+
+// ---- In a view -----------------------------------------------------------------------------
+
+bool works_in_image_space(HiddenMethod method) {
+  return is_image_space(method) && surfaces_of(method) != HiddenMethod::world_ray_cast;
+}
+
+/// The one of a picture of a retained scene in a view.
+PicturePlan plan_of(const InView& scene, const DrawOptions& options,
+                    const Destination* to = nullptr) {
+  const PicturePlan plan = resolve_in_view(scene.settings, options, to);
+  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+  if (is_image_space(plan.method)) require_scope_of_view(options);
+  require_drawn(plan);
+  return plan;
+}
+
+/// What draw(source, request, plan) returns, of the scene in that view.
+template <class Draw>
+auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept,
+                  SoftwareRenderer& software, const Draw& draw) {
+  kept.take(in.scene, in.attributes);
+  plan.surfaces.intersections = plan.surfaces.options.intersections = in.scene.has_intersections();
+  if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
+    const ViewedWorld world = kept.world().view(in.view, in.lights_turned);
+    const PicturePlan cast = by_rays(world, plan);
+    return draw(source_of(world, cast, software), raster_request(world, cast), cast);
+  }
+  if (works_in_image_space(plan.method)) {
+    SceneViewer& viewer = kept.viewer();
+    return draw(ViewSource(viewer, in.view, in.lights_turned, plan, software,
+                           kept.casters(plan.options.threads)),
+                raster_request(plan), plan);
+  }
+  if (surfaces_of(plan.method) == HiddenMethod::bsp) {
+    RetainedViews& trees = kept.trees(sort_options(plan.surfaces), *plan.surfaces.options.scope);
+    const DisplayFile seen = trees.view(in.view, in.lights_turned);
+    const PicturePlan ordered = in_its_order(plan);
+    return draw(DisplayFileSource(seen, false, ordered, software, {&in.scene, &in.view}),
+                raster_request(seen, ordered), ordered);
+  }
+  const DisplayFile whole = kept.viewer().display_file(in.view, in.lights_turned);
+  SortedDisplayFile sorted;
+  const DisplayFile& seen =
+      is_object_space(plan.method)
+          ? sorted.update(whole, surfaces_of(plan.method), plan.surfaces.options)
+          : whole;
+  look_for_hidden_lines_left(seen, plan);
+  if (plan.options.pens) kept.drawn_by_pens = seen;
+  return draw(DisplayFileSource(seen, false, plan, software, {&in.scene, &in.view}),
+              raster_request(seen, plan), plan);
+}
+
+}  // namespace
+
+// ---- Free functions ------------------------------------------------------------------------
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
+  SoftwareRenderer software;
+  KeptOfScene of_scene;
+  return draw_in_memory(system, resolve(system, options), {kept, software, of_scene});
+}
+
+Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
+  SortedDisplayFile kept;
+  return draw(system, options, kept);
+}
+
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
+          SortedDisplayFile& kept) {
+  SoftwareRenderer software;
+  KeptOfScene of_scene;
+  draw_to(system, to, options, {kept, software, of_scene});
+}
+
+void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options) {
+  SortedDisplayFile kept;
+  draw(system, to, options, kept);
+}
+
+std::string draw_as(const GraphicsSystem& system, std::string_view format,
+                    const DrawOptions& options) {
+  DrawOptions in_format = options;
+  in_format.format = format;
+  if (format.empty()) format_named("");  // refuses
+  CollectedText bytes;
+  bytes.exceptions(std::ios::badbit);  // that of memory, where it is written
+  draw(system, bytes, in_format);
+  return std::move(bytes).str();
+}
+
+void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  const PicturePlan plan = in_its_order(resolve(options, &to));
+  require_writable(to, plan);
+  require_order_as_it_is(display_file, options);
+  SoftwareRenderer software;
+  write_picture(DisplayFileSource(display_file, false, plan, software),
+                raster_request(display_file, plan), to, plan);
+}
+
+Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  const PicturePlan plan = in_its_order(resolve(options));
+  SoftwareRenderer software;
+  return with_memory_of_picture(plan, software, [&] {
+    require_order_as_it_is(display_file, options);
+    return draw_pixels(DisplayFileSource(display_file, false, plan, software),
+                       raster_request(display_file, plan), plan);
+  });
+}
+
+void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  const PicturePlan plan = by_rays(world, resolve(options, &to));
+  require_writable(to, plan);
+  require_scope_of_view(options);
+  SoftwareRenderer software;
+  write_picture(source_of(world, plan, software), raster_request(world, plan), to, plan);
+}
+
+Picture draw(const ViewedWorld& world, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  SoftwareRenderer software;
+  const PicturePlan plan = by_rays(world, resolve(options));
+  return with_memory_of_picture(plan, software, [&] {
+    require_scope_of_view(options);
+    return draw_pixels(source_of(world, plan, software), raster_request(world, plan), plan);
+  });
+}
+
+// ---- Renderer ------------------------------------------------------------------------------
+
+Renderer::Renderer() : kept_(std::make_unique<Kept>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&& other) noexcept = default;
+Renderer& Renderer::operator=(Renderer&& other) noexcept = default;
+
+const Picture& Renderer::draw(const GraphicsSystem& system, const DrawOptions& options) {
+  const PicturePlan plan = resolve(system, options);
+  Kept& kept = *kept_;
+  kept.software.give_back(std::exchange(kept.picture, Picture()));  // none, if drawing fails
+  kept.picture = draw_in_memory(system, plan, {kept.sorted, kept.software, kept.of_scene});
+  return kept.picture;
+}
+
+void Renderer::draw(const GraphicsSystem& system, const Destination& to,
+                    const DrawOptions& options) {
+  draw_to(system, to, options, {kept_->sorted, kept_->software, kept_->of_scene});
+}
+
+const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
+  const PicturePlan plan = plan_of(scene, options);
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  Kept& kept = *kept_;
+  kept.software.give_back(std::exchange(kept.picture, Picture()));
+  kept.picture = with_memory_of_picture(
+      plan, kept.software, [&] { return draw_in_view(scene, plan, kept.of_scene, kept.software, draw_pixels); });
+  return kept.picture;
+}
+
+void Renderer::draw(const InView& scene, const Destination& to, const DrawOptions& options) {
+  const PicturePlan plan = plan_of(scene, options, &to);
+  require_writable(to, plan);
+  const BudgetInForce in_force(options.budget);
+  const NamedWork named(kDrawing);
+  with_memory_of_drawing(scene.scene.size() * sizeof(Point3), to, plan, [&] {
+    draw_in_view(scene, plan, kept_->of_scene, kept_->software,
+                 [&](const PictureSource& source, const RasterRequest& request,
+                     const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
+  });
+}
+
+DisplayFile Renderer::display_file(const InView& scene) {
+  const RoundToNearest nearest;
+  kept_->of_scene.take(scene.scene, scene.attributes);
+  return kept_->of_scene.viewer().display_file(scene.view, scene.lights_turned);
+}
+
+Picture Renderer::take_picture() { return std::exchange(kept_->picture, Picture()); }
+
+void Renderer::give_back(Picture picture) { kept_->picture = std::move(picture); }
+
+const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.drawn_by_pens; }
+
+std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
+                                   const DrawOptions& options, double reach) {
+  resolve(options);  // refuses
+  const BudgetInForce in_force(options.budget);
+  const PictureSize size{options.width, options.height};
+  Kept& kept = *kept_;
+  std::optional<Picker>& picker = kept.picker;
+  const bool same_scene = picker && picker->scene().is_of(system.display_file());
+  if (!same_scene || !(picker->size() == size)) {
+    picker.reset();
+    const std::size_t polygons = system.display_file().polygons();
+    with_memory(
+        system.display_file().bytes(),
+        [&] { return fmt::format("picking among {} polygons", polygons); },
+        [&] {
+          picker.emplace(kept.software.scene_of(system.display_file()), size, options.threads);
+        });
+  }
+  return picker->pick(x, y, reach);
+}
+
+std::optional<Pick> Renderer::pick(const InView& scene, double x, double y) {
+  kept_->of_scene.take(scene.scene, scene.attributes);
+  return kept_->of_scene.world().pick(scene.view, x, y);
+}
+
+Renderer::Made Renderer::made() const {
+  return kept_->of_scene.made(kept_->software.surfaces_found());
+}
+
+std::size_t Renderer::bytes_of_casters() const { return kept_->of_scene.bytes_of_casters(); }
+
+Renderer::Trees Renderer::trees() const { return kept_->of_scene.of_trees(); }
+
+}  // namespace displayfile

@@ -50,7 +50,8 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                    options.hidden_lines,
                                                    options.intersections,
                                                    options.shadows,
-                                                   moved});
+                                                   moved,
+                                                   options.root});
 }
 
 /// What `sort` returns, which has every point in its tables at least.

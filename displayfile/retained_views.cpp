@@ -36,6 +36,7 @@ class RetainedViews::Part {
         shared_planes_(of_items(shared_planes(world_))),
         any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
         tree_(sorted_in_world(), SortOptions{.precision = options.precision,
+                                             .root = options.root,
                                              .names_sides = world_.selects_lines(),
                                              .most_pieces = options.most_pieces}),
         moving_eye_(tree_) {
@@ -230,7 +231,7 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
 
 bool RetainedViews::are_of(const SortOptions& options, HiddenScope scope) const {
   return scope == scope_ && options.precision == options_.precision &&
-         options.hidden_lines == options_.hidden_lines &&
+         options.hidden_lines == options_.hidden_lines && options.root == options_.root &&
          options.most_pieces == options_.most_pieces;
 }
 

@@ -19,6 +19,7 @@ SortOptions sort_options(const SurfacePlan& plan) {
   sort.progress = plan.options.progress;
   sort.shadows = plan.options.shadows;
   sort.hidden_lines = plan.hidden_lines;
+  sort.root = plan.options.root;
   sort.intersections = plan.intersections;
   return sort;
 }
@@ -27,7 +28,7 @@ namespace {
 
 bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
   return sorted.method == method && sorted.precision == options.precision &&
-         sorted.hidden_lines == options.hidden_lines &&
+         sorted.root == options.root && sorted.hidden_lines == options.hidden_lines &&
          sorted.intersections == options.intersections &&
          (sorted.shadows == options.shadows || !sorted.has_shadows());
 }
@@ -56,7 +57,9 @@ std::shared_ptr<const SortedScene> joined(
                                                        {},
                                                        options.hidden_lines,
                                                        options.intersections,
-                                                       options.shadows});
+                                                       options.shadows,
+                                                       0.0,
+                                                       options.root});
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;

@@ -72,6 +72,7 @@ struct SortedScene {
   /// a cut's own coordinates: by viewing, and where the cuts were made before it. Device
   /// coordinates.
   double boundary_error = 0.0;
+  RootChoice root = RootChoice::free;  ///< SortOptions::root
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,

@@ -33,6 +33,7 @@ struct HiddenSurfaceOptions {
   /// (displayfile/lit_parts.md). Segments are then looked at together, unless the application or
   /// scope says otherwise, since each may darken any other.
   bool shadows = false;
+  RootChoice root = RootChoice::free;  ///< of the trees of `bsp`
 };
 
 /// How the surfaces of one picture are found: a call's options, and what the application set where

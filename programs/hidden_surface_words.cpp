@@ -11,7 +11,7 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   for (const auto& entry : hidden_methods()) {
     methods.append(" ").append(entry.name);
   }
-  methods.append(" colour-rule=METHOD");
+  methods.append(" colour-rule=METHOD bsp=last|first|sample|free (the root of a tree)");
   command
       .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
       ->type_name("METHOD")
@@ -69,7 +69,13 @@ std::optional<Touching> HiddenSurfaceWords::touching_in_force() const {
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   HiddenSurfaceOptions read;
   read.threads = threads;
-  if (!hidden.empty()) read.method = hidden_method(hidden);
+  constexpr std::string_view kOfTree = "bsp=";
+  if (hidden.starts_with(kOfTree)) {
+    read.method = HiddenMethod::bsp;
+    read.root = root_choice(std::string_view(hidden).substr(kOfTree.size()));
+  } else if (!hidden.empty()) {
+    read.method = hidden_method(hidden);
+  }
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);
   if (!hidden_lines.empty()) read.hidden_lines = displayfile::hidden_lines(hidden_lines);

@@ -34,12 +34,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   has_size_ = !inputs.size.size.empty();
   if (has_size_) inputs.size.read(options_.width, options_.height);
   meshes_ = inputs.meshes;
-  const HiddenSurfaceOptions& hidden_surfaces = inputs.hidden_surfaces;
-  options_.hidden = hidden_surfaces.method;
-  options_.scope = hidden_surfaces.scope;
-  options_.precision = hidden_surfaces.precision;
-  options_.hidden_lines = hidden_surfaces.hidden_lines;
-  options_.threads = hidden_surfaces.threads;
+  set_hidden_surfaces(options_, inputs.hidden_surfaces);
   return true;
 }
 

@@ -572,21 +572,6 @@ TEST_F(Command, OptionsOfVectorsOutOfTheirRangesAreRefused) {
   EXPECT_EQ(run("draw t.draw -o t.svg --seams butted --vector-precision 0.05 --pick-ids"), 0);
 }
 
-TEST_F(Command, StatisticsCountWhatTouches) {
-  const std::string rug =
-      "rotate-x-3 33.3\nrotate-y-3 21.7\nset-line-style none\nopen-segment 1\n"
-      "polygon-abs-3 -0.8 -0.8 0.1  0.8 -0.8 0.1  0.8 0.8 0.1  -0.8 0.8 0.1\n"
-      "polygon-abs-3 -0.7 -0.61 0.1  0.63 -0.6 0.1  0.67 0.7 0.1\n"
-      "polygon-abs-3 -0.7 -0.61 0.5  0.63 -0.6 0.5  0.67 0.7 0.5\nclose-segment\n";
-  write("rug.draw", rug);
-  ASSERT_EQ(run("draw rug.draw -o rug.ppm --stats"), 0) << err_;
-  EXPECT_NE((out_ + err_).find("touching           2 polygons, in 1 plane\n"), std::string::npos)
-      << out_ << err_;
-  ASSERT_EQ(run("draw rug.draw -o rug.ppm --stats --touching off"), 0) << err_;
-  EXPECT_NE((out_ + err_).find("touching           2 polygons, in 1 plane\n"), std::string::npos)
-      << out_ << err_;
-}
-
 TEST_F(Command, EpsIsAFormatOfVectors) {
   write("t.draw", kTriangle);
   EXPECT_EQ(run("draw t.draw -o t.eps --hidden bsp --size 64x48"), 0) << err_;

@@ -92,7 +92,7 @@ TEST_P(EveryWay, ManyCoincident) {
 }
 
 TEST_P(EveryWay, ADeepStackOfSheets) {
-  const bool chain = GetParam().root == RootChoice::last && GetParam().method == HiddenMethod::bsp;
+  const bool chain = GetParam().is_chain();
   const int n = (chain ? 4000 : larger(200000)) / (kSlower * (chain ? 1 : kSlower));
   ItemList list;
   for (int k = 0; k < n; ++k) {
@@ -111,7 +111,7 @@ TEST_P(EveryWay, ADeepStackOfSheets) {
 }
 
 TEST_P(EveryWay, AChainAsDeepAsItsPolygonsAreMany) {  // entered in order: nothing to balance
-  const bool chain = GetParam().root == RootChoice::last && GetParam().method == HiddenMethod::bsp;
+  const bool chain = GetParam().is_chain();
   const int n = (chain ? 4000 : larger(50000)) / (kSlower * (chain ? 1 : kSlower));
   ItemList list;
   for (int k = 0; k < n; ++k) {

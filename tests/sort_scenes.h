@@ -420,10 +420,16 @@ struct Way {
   std::string name;
   HiddenMethod method;
   RootChoice root = RootChoice::free;
+  /// Trees may be as deep as polygons are many.
+  bool is_chain() const {
+    const bool by_order = root == RootChoice::last || root == RootChoice::first;
+    return method == HiddenMethod::bsp && by_order;
+  }
 };
 inline const std::vector<Way>& ways() {
   static const std::vector<Way> all = {
       {"bsp, last", HiddenMethod::bsp, RootChoice::last},
+      {"bsp, first", HiddenMethod::bsp, RootChoice::first},
       {"bsp, sample", HiddenMethod::bsp, RootChoice::sample},
       {"bsp, free", HiddenMethod::bsp, RootChoice::free},
       {"depth sort", HiddenMethod::depth_sort},

@@ -37,6 +37,7 @@ class RootChooser {
     assert(!members.empty());
     across_.reset();
     if (choice_ == RootChoice::last) return last_with_plane(members);
+    if (choice_ == RootChoice::first) return first_with_plane(members);
     candidates_.clear();
     for (const Index i : members) {
       if (scene_.hides(i)) candidates_.push_back(i);
@@ -77,6 +78,15 @@ class RootChooser {
       if (table_[i].plane != kNoPlane) return {i, kNoPlane};
     }
     return {kNone, kNoPlane};
+  }
+
+  Root first_with_plane(std::span<const Index> members) const {
+    Root first{kNone, kNoPlane};
+    for (const Index i : members) {
+      if (table_[i].plane == kNoPlane) continue;
+      if (first.entry == kNone || table_[i].item < table_[first.entry].item) first.entry = i;
+    }
+    return first;
   }
 
   /// A plane across an axis; its front is where the coordinate is larger.

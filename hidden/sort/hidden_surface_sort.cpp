@@ -12,6 +12,15 @@
 
 namespace displayfile {
 
+RootChoice root_choice(std::string_view name) {
+  if (name == "last") return RootChoice::last;
+  if (name == "first") return RootChoice::first;
+  if (name == "sample") return RootChoice::sample;
+  if (name == "free") return RootChoice::free;
+  throw Error("root '" + std::string(name) +
+              "' of a BSP tree: expected last, first, sample or free");
+}
+
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options) {
   constexpr const char* kInstead =

@@ -84,7 +84,7 @@ WorldTree::WorldTree(const Primitives& world, const SortOptions& options) {
 template <class Policy>
 void WorldTree::build(const Primitives& world, const Policy& policy, const SortOptions& asked) {
   SortOptions options;
-  options.root = RootChoice::sample;
+  options.root = asked.root == RootChoice::free ? RootChoice::sample : asked.root;
   SortScene scene(world, policy, SortSpace::world);
   scene.table.most_entries = most_pieces_of_sort(asked, world.items.size());
   SortPolygons sorting(scene, options);

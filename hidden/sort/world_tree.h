@@ -21,8 +21,8 @@ class WorldTree {
  public:
   using Index = std::uint32_t;
 
-  /// The options give the precision and how many pieces there may be; the root is chosen by
-  /// RootChoice::sample, since overlaps in a projection belong to one view.
+  /// The options give the precision, how many pieces there may be, and how a root is chosen: `free`
+  /// is `sample` here, since overlaps in a projection belong to one view.
   WorldTree(const Primitives& world, const SortOptions& options);
 
   /// The pieces that the orders are of, in world coordinates; each item is one piece or more. The

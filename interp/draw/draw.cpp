@@ -18,7 +18,18 @@ HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
           .most_pieces = options.most_pieces,
           .progress = options.progress,
           .budget = options.budget,
-          .hidden_lines = options.hidden_lines};
+          .hidden_lines = options.hidden_lines,
+          .root = options.root};
+}
+
+void set_hidden_surfaces(DrawOptions& options, const HiddenSurfaceOptions& surfaces) {
+  options.hidden = surfaces.method;
+  options.scope = surfaces.scope;
+  options.precision = surfaces.precision;
+  options.hidden_lines = surfaces.hidden_lines;
+  options.root = surfaces.root;
+  options.threads = surfaces.threads;
+  options.most_pieces = surfaces.most_pieces;
 }
 
 PictureKind picture_kind(const Destination& to, const DrawOptions& options) {

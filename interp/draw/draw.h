@@ -43,6 +43,7 @@ struct DrawOptions {
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
+  RootChoice root = RootChoice::free;  ///< of the trees of `bsp`
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
   /// own; if there is neither, it is .png for "-", standard output, or .ppm in a build without
   /// libpng, and an error for a stream.
@@ -79,6 +80,8 @@ struct DrawOptions {
 
 /// The part of the options that says how hidden surfaces are found.
 HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
+/// Sets that part, but for progress and the budget.
+void set_hidden_surfaces(DrawOptions& options, const HiddenSurfaceOptions& surfaces);
 
 /// The kind of picture that is drawn into that file. Error: an unknown extension.
 PictureKind picture_kind(const Destination& to, const DrawOptions& options = {});

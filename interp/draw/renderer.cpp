@@ -294,8 +294,8 @@ PicturePlan plan_of(const InView& scene, const DrawOptions& options,
 
 /// What draw(source, request, plan) returns, of the scene in that view.
 template <class Draw>
-auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept,
-                  SoftwareRenderer& software, const Draw& draw) {
+auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, SoftwareRenderer& software,
+                  const Draw& draw) {
   kept.take(in.scene, in.attributes);
   plan.surfaces.intersections = plan.surfaces.options.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
@@ -436,8 +436,9 @@ const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
   const NamedWork named(kDrawing);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
-  kept.picture = with_memory_of_picture(
-      plan, kept.software, [&] { return draw_in_view(scene, plan, kept.of_scene, kept.software, draw_pixels); });
+  kept.picture = with_memory_of_picture(plan, kept.software, [&] {
+    return draw_in_view(scene, plan, kept.of_scene, kept.software, draw_pixels);
+  });
   return kept.picture;
 }
 

@@ -160,12 +160,7 @@ DrawOptions DrawCommand::all_options() const {
     const NumberRange range = number_range("--rows", *rows, all.height, "rows");
     all.rows = PictureRows{range.first, range.end};
   }
-  const HiddenSurfaceOptions sorting = hidden_surfaces.options(options.threads);
-  all.hidden = sorting.method;
-  all.scope = sorting.scope;
-  all.precision = sorting.precision;
-  all.most_pieces = sorting.most_pieces;
-  all.hidden_lines = sorting.hidden_lines;
+  set_hidden_surfaces(all, hidden_surfaces.options(options.threads));
   all.background = background.background();
   all.vectors = vectors.options();
   paper.read(all);

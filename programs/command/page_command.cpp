@@ -98,13 +98,7 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
 DrawOptions PageCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
-  const HiddenSurfaceOptions hiding = hidden_surfaces.options(threads);
-  drawing.hidden = hiding.method;
-  drawing.scope = hiding.scope;
-  drawing.precision = hiding.precision;
-  drawing.hidden_lines = hiding.hidden_lines;
-  drawing.most_pieces = hiding.most_pieces;
-  drawing.threads = threads;
+  set_hidden_surfaces(drawing, hidden_surfaces.options(threads));
   if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.hidden = HiddenMethod::automatic;  // as `draw` draws bare meshes
   }

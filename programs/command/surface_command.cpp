@@ -174,13 +174,8 @@ SurfaceLook SurfaceCommand::look() const {
 DrawOptions SurfaceCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
-  const HiddenSurfaceOptions hiding = hidden_surfaces.options(threads);
-  drawing.hidden = hiding.method;
-  drawing.scope = hiding.scope.value_or(HiddenScope::all);
-  drawing.precision = hiding.precision;
-  drawing.most_pieces = hiding.most_pieces;
-  drawing.hidden_lines = hiding.hidden_lines;
-  drawing.threads = threads;
+  set_hidden_surfaces(drawing, hidden_surfaces.options(threads));
+  if (!drawing.scope) drawing.scope = HiddenScope::all;
   drawing.samples = samples;
   drawing.background = background.background();
   drawing.vectors = vectors.options();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <sstream>
 #include <string>
@@ -333,6 +334,31 @@ TEST_F(MeshTest, EnteringIsAllOrNothing) {
   system.open_segment(9);
   EXPECT_THROW(enter_mesh(mesh, system, 10), Error) << "a segment is open";
   EXPECT_THROW(import_mesh(file("b.obj", cube()), system), Error);
+}
+
+/// By the light that meshes have where none was set, from in front of three faces of a cube: each
+/// is more than a third as light as its colour, and no two are alike.
+TEST(Meshes, FacesOfACubeAreLightAndDiffer) {
+  Mesh cube;
+  cube.objects = {{"cube", 0, 6}};
+  for (int k = 0; k < 8; ++k) cube.vertices.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+  cube.corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  cube.first_corner = {0, 4, 8, 12, 16, 20, 24};
+  for (const Point3 eye : {Point3(1, 1, 1), Point3(-2, 1, 2), Point3(1, 2, -1), Point3(-1, 1.5, -2),
+                           Point3(2, 1, 3), Point3(-3, 2, -2)}) {
+    GraphicsSystem g;
+    g.set_view_plane_normal(eye);
+    g.set_parallel(-eye);
+    g.set_window(-3, 3, -3, 3);
+    enter_meshes(std::span(&cube, 1), g, {});
+    const Picture picture = draw(g, {.width = 60, .height = 60, .with_ids = true});
+    std::set<std::uint32_t> greens;
+    for (std::size_t k = 0; k < picture.ids.size(); ++k) {
+      if (picture.ids[k] >= 0) greens.insert(picture.pixels[k] >> 8 & 255);
+    }
+    EXPECT_EQ(greens.size(), 3u) << eye.x << ' ' << eye.y << ' ' << eye.z;
+    EXPECT_GT(*greens.begin(), 85u) << eye.x << ' ' << eye.y << ' ' << eye.z;
+  }
 }
 
 }  // namespace

@@ -208,11 +208,12 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
 
 namespace {
 
-/// Over the viewer's left shoulder.
+/// Over the viewer's left shoulder, with so much from all around that no face that is seen is nearly
+/// black, and the three of a cube that are seen differ.
 void set_mesh_light(GraphicsSystem& system) {
   // The rows of the view-plane transformation are the viewer's right, up and back.
   const glm::dmat4 axes = glm::transpose(ViewVolume(system.view()).view_plane());
-  system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.5 * Point3(axes[0]), 0.25);
+  system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.4 * Point3(axes[0]), 0.45);
 }
 
 /// Removed faces would hide no light, and have no sides that are drawn where they are hidden.

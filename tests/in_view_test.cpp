@@ -21,6 +21,7 @@
 #include "programs/bench/counted_memory.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/error_of.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
 #include "tests/slower.h"
@@ -28,6 +29,7 @@
 namespace displayfile {
 namespace {
 
+using test::error_of;
 using test::FromEyes;
 
 using test::Retained;
@@ -278,11 +280,16 @@ TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
     options.hidden = method;
     for (const char* const format : {"ppm", "svg"}) {
       options.format = format;
-      std::ostringstream bytes;
-      renderer.draw(in_view(g, g.view()), bytes, options);
+      std::string drawn, expected;
+      const std::string error = error_of([&] {
+        std::ostringstream bytes;
+        renderer.draw(in_view(g, g.view()), bytes, options);
+        drawn = bytes.str();
+      });
+      EXPECT_EQ(error, error_of([&] { expected = draw_as(g, format, options); })) << format;
       const bool is_of_world_tree = surfaces_of(method) == HiddenMethod::bsp;
       if (is_of_world_tree && options.format == "svg") continue;  // other pieces
-      EXPECT_EQ(bytes.str(), draw_as(g, format, options)) << format;
+      EXPECT_EQ(drawn, expected) << format;
     }
   }
   EXPECT_EQ(renderer.trees().sorted, 1u);

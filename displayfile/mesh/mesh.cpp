@@ -213,7 +213,7 @@ namespace {
 void set_mesh_light(GraphicsSystem& system) {
   // The rows of the view-plane transformation are the viewer's right, up and back.
   const glm::dmat4 axes = glm::transpose(ViewVolume(system.view()).view_plane());
-  system.set_light(Point3(axes[2]) + 0.6 * Point3(axes[1]) - 0.4 * Point3(axes[0]), 0.45);
+  system.set_light(Point3(axes[2]) + 0.55 * Point3(axes[1]) - 0.45 * Point3(axes[0]), 0.45);
 }
 
 /// Removed faces would hide no light, and have no sides that are drawn where they are hidden.

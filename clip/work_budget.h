@@ -1,14 +1,14 @@
 #pragma once
 
+/// What work may use at most, how it is stopped, and how it reports its progress.
+
 #include <atomic>
-#include <cassert>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 
 #include "clip/error.h"
-#include "clip/round_to_nearest.h"
 
 namespace displayfile {
 
@@ -69,7 +69,7 @@ class WorkBudget {
   WorkLimits limits_;
   std::atomic<bool> stopped_{false};
   std::atomic<std::uint64_t> comparisons_{0};
-  std::chrono::steady_clock::time_point started_;
+  std::int64_t started_ = 0;  // nanoseconds, by the steady clock
 };
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may stop work");
 
@@ -84,7 +84,6 @@ struct WorkInForce {
   WorkBudget* budget = nullptr;
   WorkDone done;
 };
-WorkInForce work_in_force() noexcept;
 
 /// While it lives, the calls of this thread have that budget, and so have the threads that help it.
 /// A null pointer leaves the one in force. They round to nearest, whatever mode the host has set.
@@ -100,89 +99,12 @@ class BudgetInForce {
 
  private:
   WorkInForce before_;
-  RoundToNearest nearest_;
+  const int rounding_before_;
 };
 
-/// While it lives, messages of this thread say that this is being done.
-class NamedWork {
- public:
-  explicit NamedWork(const WorkDone& done) noexcept;
-  ~NamedWork();
-  NamedWork(const NamedWork&) = delete;
-  NamedWork& operator=(const NamedWork&) = delete;
-
-  /// What was being done on this thread when the last exception left it; nothing if other work has
-  /// begun since.
-  static WorkDone left_by_exception() noexcept;
-  /// Other work begins, that need not have a name.
-  static void begin_other() noexcept;
-
- private:
-  WorkDone before_;
-};
-
-/// Asks the budget in force, if there is one.
-void ask_budget();
-/// Throws LimitReached if there is a budget in force that does not allow so many bytes, which
-/// of_tables() counts.
-template <class Count>
-void require_bytes(const Count& of_tables) {
-  if (const WorkBudget* const budget = work_in_force().budget) {
-    budget->require_bytes(of_tables());
-  }
-}
-
-/// Counts the pieces that several threads make of one work, and what they take.
-class PieceCount {
- public:
-  /// So many are always allowed, as many as there would be if nothing were cut.
-  PieceCount(std::uint64_t allowed, std::size_t bytes_of_piece)
-      : allowed_(allowed), bytes_of_piece_(bytes_of_piece) {}
-  void add(std::uint64_t more);
-
- private:
-  const std::uint64_t allowed_;
-  const std::size_t bytes_of_piece_;
-  std::atomic<std::uint64_t> pieces_{0};
-};
-
-/// Counts the steps of a loop, each of which takes a while, and asks the budget in force now and
-/// then. One thread uses it.
-class WorkSteps {
- public:
-  static constexpr std::uint32_t kAtATime = 1024;
-
-  void step() {
-    assert(left_ > 0);
-    if (--left_ == 0) ask();
-  }
-  void step(std::size_t steps) {
-    if (steps >= left_) return ask_of(steps);
-    left_ -= static_cast<std::uint32_t>(steps);
-  }
-
- private:
-  void ask();
-  void ask_of(std::size_t steps);
-
-  std::uint32_t left_ = kAtATime;
-};
-
-/// Counts rows of pixels that are painted, however many polygons lie over each other there, and
-/// asks the budget in force now and then for its time. One thread uses it.
-class RowsPainted {
- public:
-  static constexpr std::size_t kAtATime = 256;
-
-  void add(std::size_t rows) {
-    if (rows >= left_) return ask();
-    left_ -= rows;
-  }
-
- private:
-  void ask();
-
-  std::size_t left_ = kAtATime;
-};
+/// Told how much of long work is done, out of all: by one thread at a time, with counts that do not
+/// fall, and with all of it last. What it throws stops the work on every thread and comes out of
+/// the routine that was called, which then has changed nothing.
+using WorkProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 }  // namespace displayfile

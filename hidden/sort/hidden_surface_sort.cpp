@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/bsp_sort.h"

@@ -7,11 +7,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_cuts.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 
@@ -23,9 +19,6 @@ enum class RootChoice {
   sample,  ///< of a sample of polygons the one with the lowest cost of cuts and balance
   free,    ///< also of planes that belong to no polygon; and only among polygons that overlap
 };
-
-/// Into how many pieces a sort may cut polygons, if nobody says otherwise.
-inline constexpr std::size_t kMostPieces = 10'000'000;
 
 struct SortOptions {
   Precision precision;

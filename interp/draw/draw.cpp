@@ -6,12 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"
 #include "displayfile/collected_text.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/hidden_surface_check.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
@@ -99,7 +102,8 @@ namespace {
 
 /// Why it is a method that was not picked.
 std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
-  if (options.hidden || system.z_buffer() || system.hidden_line_removal()) return "as asked for";
+  if (options.hidden || system.hidden_surfaces().z_buffer || system.hidden_surfaces().removal)
+    return "as asked for";
   const auto& segments = system.display_file().segments();
   const bool some_sorted = std::any_of(segments.begin(), segments.end(),
                                        [](const Segment& s) { return s.sorted() != nullptr; });
@@ -199,7 +203,7 @@ namespace {
 
 /// What tells why nothing is seen, if the display file is what is drawn.
 EnteredScene retained_beside(const GraphicsSystem& system) {
-  return {.scene = system.retains_alone() ? nullptr : system.retained()};
+  return {.scene = SystemInside::retains_alone(system) ? nullptr : system.retained()};
 }
 
 DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "displayfile/destination.h"
-#include "interp/device/pick.h"
+#include "displayfile/files.h"
+#include "interp/device/picture.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {

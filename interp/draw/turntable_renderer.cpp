@@ -56,7 +56,7 @@ DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given
 
 /// The options have settings already: precision and hidden lines.
 RetainedViews::Options tree_options(const GraphicsSystem& system, const DrawOptions& options) {
-  return {options.scope.value_or(system.hidden_scope().value_or(HiddenScope::all)),
+  return {options.scope.value_or(system.hidden_surfaces().scope.value_or(HiddenScope::all)),
           *options.precision, *options.hidden_lines, options.threads, options.most_pieces};
 }
 

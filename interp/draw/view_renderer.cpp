@@ -8,6 +8,8 @@
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
 #include "displayfile/scene_viewer.h"
+#include "displayfile/sorted_display_file.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/software.h"

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "clip/view.h"
-#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/retained_scene.h"
 #include "interp/draw/draw.h"
 

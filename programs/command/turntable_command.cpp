@@ -17,7 +17,7 @@ namespace {
 /// What of the statistics does not depend on the kind of tree.
 std::string polygons_entered(const GraphicsSystem& system) {
   return fmt::format("polygons entered   {} ({} not flat, triangulated)\n",
-                     system.polygons_entered(), system.polygons_triangulated());
+                     system.counts().polygons, system.counts().triangulated);
 }
 
 std::string statistics(const GraphicsSystem& system, const RetainedViews& trees, int views) {
@@ -83,7 +83,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
         "a turntable's views are not hatched: expected --pens without --hatch, or no --turntable");
   }
   require_turntable_method(options);
-  for (const auto& file : {output, options.ids, options.depth}) {
+  for (const auto& file : {output.string(), options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
   }
   require_views_drawable(views, output, options);

@@ -1,11 +1,31 @@
-#include "hidden/exact/precision.h"
+#include "clip/surfaces.h"
 
 #include <charconv>
-#include <string>
+#include <system_error>
 
 #include "clip/error.h"
+#include "clip/words.h"
 
 namespace displayfile {
+
+namespace {
+
+constexpr Word<HiddenScope> kScopes[] = {{HiddenScope::segment, "segment"},
+                                         {HiddenScope::all, "all"}};
+constexpr Word<HiddenLines> kHiddenLines[] = {{HiddenLines::none, "none"},
+                                              {HiddenLines::dashed, "dashed"}};
+
+}  // namespace
+
+HiddenScope hidden_scope(std::string_view text) {
+  return value_of(kScopes, text, "the scope of hidden surfaces is");
+}
+std::string_view name_of(HiddenScope scope) { return word_of(kScopes, scope); }
+
+HiddenLines hidden_lines(std::string_view text) {
+  return value_of(kHiddenLines, text, "hidden lines are");
+}
+std::string_view name_of(HiddenLines lines) { return word_of(kHiddenLines, lines); }
 
 Precision precision(std::string_view text) {
   constexpr std::string_view kWithValue = "roundoff=";

@@ -51,7 +51,7 @@ constexpr HiddenMethod colour_rule_by(HiddenMethod surfaces) {
                                    static_cast<int>(surfaces));
 }
 constexpr bool is_colour_rule(HiddenMethod method) { return method >= HiddenMethod::colour_rule; }
-/// What finds the surfaces of a colour rule; of another method, that method.
+/// The method by which a colour rule finds surfaces; of another method, that method.
 constexpr HiddenMethod surfaces_of(HiddenMethod method) {
   if (!is_colour_rule(method)) return method;
   return static_cast<HiddenMethod>(static_cast<int>(method) -
@@ -98,13 +98,13 @@ enum class HiddenScope {
 HiddenScope hidden_scope(std::string_view text);
 std::string_view name_of(HiddenScope scope);
 
-/// What the command and the programs may ask for: `exact`, or `roundoff` with ROUNDOFF as a
+/// The precision of a method that finds hidden surfaces: `exact`, or `roundoff` with ROUNDOFF as a
 /// part of the scene's size.
 struct Precision {
   static constexpr double kUsualRoundoff = 1e-9;
   bool exact = true;
   double roundoff = kUsualRoundoff;
-  /// Whether both find the same: what is exact has no use for its roundoff.
+  /// True if both find the same: an exact one has no use for its roundoff.
   bool operator==(const Precision& o) const {
     return exact == o.exact && (exact || roundoff == o.roundoff);
   }
@@ -114,7 +114,7 @@ struct Precision {
 /// 0 <= EPS < 1.
 Precision precision(std::string_view text);
 
-/// What becomes of lines where they are hidden.
+/// How lines are drawn where they are hidden.
 enum class HiddenLines {
   none,    ///< they are not drawn
   dashed,  ///< they are drawn dashed, before the visible ones (hidden/lines/hidden_pieces.md)
@@ -142,12 +142,12 @@ enum class LineKind : std::uint8_t {
 
 /// Kinds of a line, together. Where sides carry them, 0 is a side that is not drawn.
 using LineKinds = std::uint8_t;
-/// A line of which nobody asked what kind it is.
+/// A line whose kind was not looked for.
 inline constexpr LineKinds kDrawn = 1;
 
 constexpr LineKinds kinds_of(LineKind kind) { return static_cast<LineKinds>(kind); }
 constexpr bool contains(LineKinds kinds, LineKind kind) { return (kinds & kinds_of(kind)) != 0; }
-/// True if it was asked what kind it is.
+/// True if its kind was looked for.
 constexpr bool has_kind(LineKinds kinds) { return kinds > kDrawn; }
 
 struct LineKindEntry {
@@ -166,13 +166,13 @@ struct LineSelection {
   LineKinds kinds = kinds_of(LineKind::all);
   double crease_degrees = 30.0;  ///< a crease turns by more, 0 to 180
 
-  /// What the line style shows and no more: then nothing needs to be found out.
+  /// True if all that the line style shows is selected, and no more: then no kinds are looked for.
   bool is_all_alone() const { return kinds == kinds_of(LineKind::all); }
   bool operator==(const LineSelection&) const = default;
 };
 
-/// Adds what a word asks for, `all`, `outline`, `boundary`, `crease`, `crease=DEGREES`,
-/// `intersection` or `material`, to a selection. Throws Error for another word, or for degrees that
+/// Adds a word to a selection, `all`, `outline`, `boundary`, `crease`, `crease=DEGREES`,
+/// `intersection` or `material`. Throws Error for another word, or for degrees that
 /// are not a number from 0 to 180.
 void add_line_kind(std::string_view word, LineSelection& selection);
 /// Reads words with commas between them. Throws Error if there are none, too.
@@ -221,7 +221,7 @@ inline constexpr double kUnitOfDoubles = 0x1p-52, kUnitOfSingles = 0x1p-24;
 /// The reach before the modelling transformation. `largest` is the largest magnitude of a
 /// coordinate that was entered, of polygons and lines; `unit` is that of these numbers.
 double entered_reach(const Touching& touching, double largest, double unit = kUnitOfDoubles);
-/// What holds unless it is set.
+/// The default.
 inline constexpr Touching kUnlessSet{Touching::Kind::automatic};
 
 /// Throws Error unless a length is above 0 and at most kCoordinateLimit.

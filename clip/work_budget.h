@@ -1,6 +1,6 @@
 #pragma once
 
-/// What work may use at most, how it is stopped, and how it reports its progress.
+/// Limits of work, how it is stopped, and how it reports its progress.
 
 #include <atomic>
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace displayfile {
 
-/// What work may use at most; what is not said is not limited (clip/work_budget.md).
+/// Limits of work; by default there are none (clip/work_budget.md).
 struct WorkLimits {
   static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
   /// Into which polygons are cut, that lines are seen in, or edges of a map. What is not cut is
   /// always allowed.
   std::uint64_t pieces = kNone;
   /// Comparisons of a polygon or a line with a polygon or a plane, in sorts, lines and maps. They
-  /// are counted in lumps: so many more may be done by each thread as WorkSteps says.
+  /// are counted in lumps: each thread may do up to 1,024 more.
   std::uint64_t comparisons = kNone;
   /// That one operation's tables take, as it knows before it begins or counts while they grow. What
   /// the allocator adds is not counted, nor what other threads of the process have.
@@ -28,14 +28,14 @@ struct WorkLimits {
   double seconds = std::numeric_limits<double>::infinity();
 };
 
-/// What is thrown where a limit is reached, or the work told to stop: the state is then what it was
-/// before the call.
+/// Thrown where a limit is reached, or the work was stopped: the state is then what it was before
+/// the call.
 class LimitReached : public Error {
  public:
   using Error::Error;
 };
 
-/// What work may use, and a way to stop it. One budget may be in force on several threads, and for
+/// Limits in force, and a way to stop work. One budget may be in force on several threads, and for
 /// several operations, which then share it.
 class WorkBudget {
  public:
@@ -43,13 +43,13 @@ class WorkBudget {
   WorkBudget(const WorkBudget&) = delete;
   WorkBudget& operator=(const WorkBudget&) = delete;
 
-  /// Seconds and comparisons are counted from now on, and nothing is told to stop. Not while work
-  /// goes on.
+  /// Seconds and comparisons are counted from now on, and no work is to stop. Not to be called
+  /// while work goes on.
   void start();
   void start(const WorkLimits& limits);  ///< that are in force from now on
   const WorkLimits& limits() const { return limits_; }
 
-  /// Tells all work under this budget to stop, soon, with LimitReached; also what begins later.
+  /// Stops all work under this budget soon, with LimitReached; also work that begins later.
   /// Any thread may call it, and a signal handler: it is one lock-free store.
   void stop() noexcept { stopped_.store(true, std::memory_order_relaxed); }
   bool is_stopped() const noexcept { return stopped_.load(std::memory_order_relaxed); }
@@ -59,8 +59,8 @@ class WorkBudget {
     return comparisons_.load(std::memory_order_relaxed);
   }
 
-  // For whoever works: they throw LimitReached, with what was reached, the limit, and what would
-  // serve instead.
+  // For the code that works: they throw LimitReached, which names the work, the limit, and a method
+  // that would do instead.
   void ask(std::uint64_t more_comparisons = 0);
   void require_pieces(std::uint64_t pieces) const;
   void require_bytes(std::uint64_t bytes) const;
@@ -73,13 +73,13 @@ class WorkBudget {
 };
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may stop work");
 
-/// What is being done, for messages, and what may be done instead. Both must stay.
+/// The name of the work, for messages, and of what may be done instead. Both must stay.
 struct WorkDone {
   const char* what = nullptr;     ///< such as "sorting by bsp"
   const char* instead = nullptr;  ///< such as "hidden-surface method map"; none if nothing is
 };
 
-/// What is in force on a thread.
+/// The budget of a thread, and its work.
 struct WorkInForce {
   WorkBudget* budget = nullptr;
   WorkDone done;
@@ -102,9 +102,9 @@ class BudgetInForce {
   const int rounding_before_;
 };
 
-/// Told how much of long work is done, out of all: by one thread at a time, with counts that do not
-/// fall, and with all of it last. What it throws stops the work on every thread and comes out of
-/// the routine that was called, which then has changed nothing.
+/// Called with how much of long work is done, out of all: by one thread at a time, with counts that
+/// do not fall, and with all of it last. An exception of it stops the work on every thread and
+/// comes out of the routine that was called, which then has changed nothing.
 using WorkProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 }  // namespace displayfile

@@ -66,8 +66,8 @@ void replay_file(const std::string& path, GraphicsSystem& system);
 /// program makes the same display file, bit for bit: numbers are written in the shortest
 /// form that reads back to the same double.
 ///
-/// A stream that fails loses lines and tells so itself. If it throws then, as its exceptions() say,
-/// that comes out of the routine, which has been carried out, or out of all_or_nothing and
+/// A stream that fails loses lines; its state says so. If it throws then, by its exceptions(), that
+/// comes out of the routine, which has been carried out, or out of all_or_nothing and
 /// enter_segments, which leave the state as it was.
 class Recorder {
  public:
@@ -162,7 +162,7 @@ void call_user_routine(GraphicsSystem& system, std::string_view name, std::strin
 /// With `fills`, all solid fills have that colour, without shadows and intensities, as the colour
 /// rule draws them (interp/raster/colour_rule.md).
 ///
-/// The stream tells by its state if it could not be written.
+/// The stream's state is bad if it could not be written.
 void dump(const DisplayFile& display_file, std::ostream& out,
           const std::optional<Colour>& fills = {});
 std::string dump(const DisplayFile& display_file, const std::optional<Colour>& fills = {});

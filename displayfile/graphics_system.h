@@ -171,7 +171,7 @@ struct HiddenSurfaceSettings {
   std::optional<HiddenScope> scope = std::nullopt;
   /// Error: a ROUNDOFF outside of [0,1).
   std::optional<Precision> precision = std::nullopt;
-  /// Whether lines are drawn dashed where they are hidden, by the methods that find lines
+  /// Lines are drawn dashed where they are hidden, or not at all, by the methods that find lines
   /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
   std::optional<HiddenLines> hidden_lines = std::nullopt;
   /// The sides of polygons that are lines (displayfile/line_kinds.md), of the segments that are
@@ -406,7 +406,7 @@ class GraphicsSystem {
   /// is within the view volume and, where hidden surfaces are removed, nothing hides it
   /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
   /// letters. Errors: more than kLongestText bytes; not UTF-8, or what cannot be drawn
-  /// (control characters; what Unicode says is no character).
+  /// (control characters; noncharacters of Unicode).
   void text(std::string_view characters);
 
   // ---- Looks: attributes of the primitives that follow ------------------------------------------

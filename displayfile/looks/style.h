@@ -102,7 +102,7 @@ struct Attributes {
   bool operator==(const Attributes&) const = default;
 };
 
-/// What is seen where nothing is drawn: a colour, or nothing at all, so that a picture laid over
+/// Seen where nothing is drawn: a colour, or nothing at all, so that a picture laid over
 /// another shows that one there.
 struct Background {
   enum class Kind { solid, none };

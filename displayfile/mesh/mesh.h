@@ -32,8 +32,8 @@ struct Upright {
 /// negative y, and x still runs to the right. Throws Error for anything else.
 Upright upright(std::string_view axis);
 
-/// Who says which axis is up, if the application does not. Of meshes that stand by different axes
-/// none is followed: then y is up.
+/// By what the axis that is up is found, if the application does not set it. Of meshes that stand
+/// by different axes none is followed: then y is up.
 enum class UprightBy {
   file,        ///< the file, or what its format lays down (up_axis.h); y where neither says it
   convention,  ///< or else the custom of its format
@@ -67,7 +67,7 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// What the import library may take to read one mesh, in the process of its own in which it runs
+/// Limits of the import library for one mesh, in the process of its own in which it runs
 /// (import_process.md). OBJ, OFF, PLY and STL are read in this process, and need none of it.
 struct ImportLimits {
   std::size_t memory = std::size_t{2} << 30;  ///< bytes, beside what the library itself takes
@@ -82,7 +82,7 @@ struct MeshOptions {
   Camera camera;                   ///< of the fitted view
   std::optional<Colour> colour{};  ///< of all faces, whatever files and programs say
   bool file_colours = true;        ///< the colours that files give faces are taken
-  /// Faces' sides are drawn, unless the application said how: with a method that shows lines only,
+  /// Faces' sides are drawn, unless the application set how: with a method that shows lines only,
   /// and where lines are selected.
   bool sides_drawn = false;
   bool hidden_sides_drawn = false;  ///< and dashed where they are hidden: no back face is removed
@@ -102,14 +102,14 @@ struct Mesh {
     std::string name;
     std::size_t first_face, faces;
   };
-  /// What faces of a file look like, as far as it is drawn.
+  /// The look of faces of a file, as far as it is drawn.
   struct Material {
     std::optional<Colour> colour;  ///< nothing: the file does not say
     bool textured = false;         ///< drawn in the colour alone
     bool transparent = false;      ///< drawn opaque
     bool operator==(const Material&) const = default;
   };
-  /// What a file held and the mesh leaves out.
+  /// Contents of a file that the mesh leaves out.
   struct Skipped {
     std::size_t points_and_lines = 0;
     std::size_t degenerate_faces = 0;   ///< of fewer than 3 different positions
@@ -155,11 +155,11 @@ struct Mesh {
   }
 };
 
-/// What was left out, in words: "3 points and lines", each kind that there was some of.
+/// The parts left out, in words: "3 points and lines", each kind that there was some of.
 std::vector<std::string> left_out(const Mesh::Skipped& skipped);
 
 /// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
-/// import library in a process of its own (import_process.h); README.md tells what is read of each.
+/// import library in a process of its own (import_process.h); README.md lists what is read of each.
 /// An object is an object or a group of OBJ, a solid of an STL text, a node of the library's scene,
 /// or else the whole file. Throws Error, naming the file and, where known, line and column:
 /// unreadable, unknown format, truncated, an index out of range, a coordinate that is not finite or
@@ -197,7 +197,7 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
                 const MeshOptions& options = {});
 
 /// Enters meshes in the view in force, in segments named from the first number that follows all in
-/// use. What the application said holds for them; where it did not, they bring a light over the
+/// use. Settings that the application made hold for them; otherwise they bring a light over the
 /// viewer's left shoulder, a neutral fill style, no lines, and hidden-line removal, with back-face
 /// removal for those meshes that are closed_and_consistently_oriented. Light and hidden-line
 /// removal stay; styles are then what they were. Throws Error if a segment is open.
@@ -208,10 +208,11 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 /// for programs that name them. Throws Error as open_segment.
 void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system);
 
-/// What came of meshes that were imported.
+/// The result of an import of meshes.
 struct ImportedMeshes {
   std::vector<Mesh::Skipped> skipped;  ///< of each mesh: what was left out
-  /// What is up in the camera of the view that was fitted to them; nothing if no camera was fitted.
+  /// The upright of the camera of the view that was fitted to them; nothing if no camera was
+  /// fitted.
   std::optional<Upright> fitted;
 };
 

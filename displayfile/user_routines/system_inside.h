@@ -26,7 +26,7 @@ class SystemInside {
   static void with_automatic_reach(GraphicsSystem& system, double reach,
                                    const std::function<void()>& enter);
 
-  /// Whether the call that enters a closed solid makes more of it than its polygons alone.
+  /// True if the call that enters a closed solid makes more of it than its polygons alone.
   static bool takes_whole_solids(const GraphicsSystem& system);
   /// Calls enter(), which enters the polygons of a closed solid: if takes_whole_solids(), as a
   /// solid of one part. If enter() throws, or end_solid(), the solid is discarded.

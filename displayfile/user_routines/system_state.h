@@ -30,7 +30,7 @@ struct GraphicsSystem::State {
     Point3 world{0.0};   ///< the same after the modelling transformation of that time
   };
 
-  /// What entering primitives changes beside the segments, and what may be set meanwhile.
+  /// All that entering primitives changes beside the segments, and settings made meanwhile.
   struct Entered {
     std::size_t segments;
     Pen pen;
@@ -88,7 +88,7 @@ struct GraphicsSystem::State {
                             std::size_t corners, std::size_t fills);
   void enter_shared(const RetainedScene::SharedVertices& vertices,
                     std::span<const std::uint32_t> corners, Segment& segment);
-  /// What is entered goes into the retained scene alone, at least until the segment is closed.
+  /// Primitives go into the retained scene alone, at least until the segment is closed.
   bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
   const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }

@@ -34,7 +34,8 @@ struct DrawnPolygon {
   /// colour is to be multiplied by the intensity, linear over the picture. Empty if the polygon is
   /// flat.
   std::span<const double> intensities = {};
-  /// The kinds of line that the sides are, 0 of those that are not drawn. Empty if nobody asked.
+  /// The kinds of line that the sides are, 0 of those that are not drawn. Empty if they were not
+  /// looked for.
   std::span<const LineKinds> kinds = {};
   /// With Phong shading (displayfile/looks/phong.md) the normals of the vertices too, and the light
   /// that they are seen in, for a device that lights each pixel: to others it is Gouraud shading.
@@ -90,14 +91,14 @@ enum class Order { drawn, entered };
 
 /// Walks the visible segments in order of creation, applies their image transformations and
 /// hands each instruction to the device. Where all visible segments were sorted together, a
-/// segment may begin and end several times. The widths and dashes of lines are so many times as
-/// large: they are in pixels, and a pixel may have several samples across.
+/// segment may begin and end several times. The widths and dashes of lines are `line_scale` times
+/// as large: they are in pixels, and a pixel may have several samples across.
 void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
                Order order = Order::drawn, double line_scale = 1.0);
 
 // Pieces.
 
-/// What the visible segments of a display file draw, in the order in which it is drawn, as arrays:
+/// All that the visible segments of a display file draw, in the order of drawing, as arrays:
 /// for programs that draw it by other means. Of a display file whose hidden surfaces were sorted
 /// (sorted_display_file.h) they are
 ///  - by bsp or depth_sort all polygons from back to front, also those that others hide,
@@ -133,7 +134,7 @@ struct DrawnPieces {
   std::vector<std::int32_t> segments;  ///< names
 
   std::size_t size() const { return kinds.size(); }
-  /// What piece k is, but for its points.
+  /// Piece k but for its points.
   struct Looks {
     Kind kind;
     Colour fill;

@@ -16,10 +16,10 @@ namespace displayfile {
 
 // Pixels.
 
-/// What becomes of a display file: pixels, or vectors.
+/// The two kinds of pictures: pixels, or vectors.
 enum class PictureKind { raster, vector };
 
-/// A raster picture, top row first. ids and depth are empty unless they were asked for.
+/// A raster picture, top row first. ids and depth are empty unless the options want them.
 struct Picture {
   int width = 0, height = 0;
   /// 0xAABBGGRR, colours not multiplied by A (in_bytes gives R, G, B, A in memory). Opaque, unless
@@ -70,8 +70,8 @@ void require_picture_size(long long width, long long height);
 
 // Picking.
 
-/// What is seen at a place of a picture: the nearest solid polygon, of equally near ones the one
-/// entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
+/// The primitive seen at a place of a picture: the nearest solid polygon, of equally near ones the
+/// one entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
 /// WorldViews (interp/draw/world_views.h) in a scene before viewing.
 struct Pick {
   enum class Kind {
@@ -110,7 +110,7 @@ inline constexpr double kLargestSheet = 10'000.0;
 
 inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
 
-/// Where a picture of so many pixels lies on a sheet.
+/// The place of a picture on a sheet.
 struct PaperFit {
   double width, height;  ///< of the sheet as it lies
   double left, top;      ///< the picture's upper left corner, from that of the sheet
@@ -125,7 +125,7 @@ struct Hatching {
   double spacing = 1.0;  ///< of lines where the fill is as dark as the pen
   double angle = 45.0;   ///< degrees, counterclockwise from the horizontal
   bool cross = false;    ///< what is darker than the middle tone gets lines at right angles too
-  std::optional<Colour> colour{};  ///< of the pen; black if not said, white on dark paper
+  std::optional<Colour> colour{};  ///< of the pen; black by default, white on dark paper
   double width = 0.3;              ///< of the pen's line
   bool operator==(const Hatching&) const = default;
 };
@@ -150,9 +150,10 @@ enum class Seams {
   butted    ///< side to side, in a smaller file; where it is antialiased, what is behind shows
 };
 
-/// What is asked of disjoint fills in vectors.
+/// How vectors are written.
 struct VectorOptions {
-  /// Vertices are rounded to multiples of so many pixels, kFinestPrecision to kCoarsestPrecision.
+  /// Vertices are rounded to multiples of this part of a pixel, kFinestPrecision to
+  /// kCoarsestPrecision.
   double precision = 0.01;
   Seams seams = Seams::trapped;
   /// The picture as large as fits, on a sheet of this size; none: in pixels, or points.

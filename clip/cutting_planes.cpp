@@ -9,6 +9,7 @@
 
 #include "clip/clip_stage.h"
 #include "clip/error.h"
+#include "clip/unit.h"
 
 namespace displayfile {
 

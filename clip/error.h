@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-/// What every routine throws when the application's call cannot be carried out.
+/// Thrown by every routine when the application's call cannot be carried out.
 /// The message holds the textbook's words; the state is what it was before the call.
 class Error : public std::runtime_error {
  public:

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 
 namespace displayfile {

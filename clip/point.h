@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <glm/mat4x4.hpp>
+/// Points, vectors and rectangles, in doubles.
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 
 namespace displayfile {
 
@@ -19,16 +19,28 @@ inline constexpr double kCoordinateLimit = 1e100;
 
 /// True for a point that is finite and within kCoordinateLimit.
 inline bool in_range(const Point3& p) {
-  return std::abs(p.x) <= kCoordinateLimit && std::abs(p.y) <= kCoordinateLimit &&
-         std::abs(p.z) <= kCoordinateLimit;  // false for NaN too
+  const auto is_within = [](double c) { return -kCoordinateLimit <= c && c <= kCoordinateLimit; };
+  return is_within(p.x) && is_within(p.y) && is_within(p.z);  // false for NaN too
 }
 
-/// A vector of length 1 along v, which is not zero; unit(-v) = -unit(v). Scaled first, so that no
-/// square overflows or vanishes.
-inline Point3 unit(const Point3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const Point3 scaled = v / largest;
-  return scaled / std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
-}
+/// A rectangle, in doubles: of the view plane (window), of normalised device coordinates
+/// (viewport), or around a polygon in the projection. (clip/bounds.h has boxes in space.)
+struct Rectangle {
+  double x_min, x_max, y_min, y_max;
+  bool operator==(const Rectangle&) const = default;
+
+  /// The rectangle around no point: turned inside out.
+  static constexpr Rectangle nothing() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, -kInfinity, kInfinity, -kInfinity};
+  }
+  bool is_nothing() const { return x_min > x_max; }
+  void include(const Point2& p) {
+    if (p.x < x_min) x_min = p.x;
+    if (p.x > x_max) x_max = p.x;
+    if (p.y < y_min) y_min = p.y;
+    if (p.y > y_max) y_max = p.y;
+  }
+};
 
 }  // namespace displayfile

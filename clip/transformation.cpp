@@ -4,7 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <numbers>
+
+#include "clip/unit.h"
 
 namespace displayfile {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/mat4x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "clip/point.h"

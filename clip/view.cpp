@@ -1,8 +1,14 @@
 #include "clip/view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
 
 #include "clip/error.h"
+#include "clip/round_to_nearest.h"
+#include "clip/transformation.h"
+#include "clip/unit.h"
 
 namespace displayfile {
 
@@ -85,6 +91,35 @@ void View::set_viewport(const Rectangle& device) {
     throw Error("viewport leaves the display: expected values within 0 to 1");
   }
   viewport = device;
+}
+
+View look_at(const Point3& eye, const Point3& target, const Point3& up, double angle_of_view) {
+  constexpr double kAlongUp = 1e-9;        // the sine of an angle
+  constexpr double kBeforeTarget = 0.999;  // of the front plane, in the eye's distance
+  const RoundToNearest nearest;
+  require_in_range(eye, "eye");
+  View view;
+  view.set_reference_point(target);
+  view.set_up(up);
+  const Point3 along = target - eye;
+  if (along == Point3(0.0)) throw Error("the eye is at what it looks at: expected another point");
+  require_in_range(along, "line of sight");
+  if (glm::length(glm::cross(unit(along), unit(up))) <= kAlongUp) {
+    throw Error("view up is along the line of sight: expected another direction");
+  }
+  if (!(angle_of_view > 0.0 && angle_of_view < 180.0)) {
+    throw Error("angle of view " + std::to_string(angle_of_view) +
+                ": expected degrees, more than 0 and less than 180");
+  }
+  const double largest = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+  const double distance = largest * glm::length(along / largest);
+  const auto [sine, cosine] = sine_cosine_of_degrees(0.5 * angle_of_view);
+  const double half = distance * (sine / cosine);
+  view.set_plane_normal(along);
+  view.set_perspective(eye);
+  view.set_depth(-kBeforeTarget * distance, distance);
+  view.set_window({-half, half, -half, half});
+  return view;
 }
 
 }  // namespace displayfile

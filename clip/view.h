@@ -1,7 +1,8 @@
 #pragma once
 
+#include <string_view>
+
 #include "clip/point.h"
-#include "clip/rectangle.h"
 
 namespace displayfile {
 
@@ -43,5 +44,26 @@ class View {
 
   bool operator==(const View&) const = default;
 };
+
+/// A perspective view from an eye toward a target, in world coordinates, with a world direction
+/// that appears upright. The view plane goes through the target, which is in the middle of the
+/// picture. The window is a square that shows an angle of view, in degrees, from its bottom to its
+/// top; displayfile::fit makes one that shows a scene whole. The front plane is before the target
+/// by 0.999 of the eye's distance, the back plane behind it by that distance; neither clips. With
+/// View::set_parallel(target - eye) it becomes a parallel view.
+/// Errors: a coordinate that is not finite or exceeds kCoordinateLimit; the eye is at the target;
+/// `up` is zero or along the line of sight; an angle that is not above 0 and below 180.
+View look_at(const Point3& eye, const Point3& target, const Point3& up = {0.0, 1.0, 0.0},
+             double angle_of_view = 45.0);
+
+/// How a window is mapped to a viewport of another shape, width over height, in the picture.
+enum class WindowFit {
+  widen,    ///< it is made wider or higher about its middle: the picture is not distorted
+  stretch,  ///< it is mapped to the viewport as it is
+};
+
+/// Reads `widen` or `stretch`; throws Error for anything else.
+WindowFit window_fit(std::string_view text);
+std::string_view name_of(WindowFit fit);
 
 }  // namespace displayfile

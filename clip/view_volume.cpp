@@ -4,8 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 
 #include "clip/error.h"
+#include "clip/unit.h"
 
 namespace displayfile {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat4x4.hpp>
 
 #include "clip/view.h"
 

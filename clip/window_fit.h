@@ -1,21 +1,8 @@
 #pragma once
 
-#include <string_view>
-
 #include "clip/view.h"
 
 namespace displayfile {
-
-/// What becomes of a window whose shape, width over height, is not that of its viewport in the
-/// picture.
-enum class WindowFit {
-  widen,    ///< it is made wider or higher about its middle: the picture is not distorted
-  stretch,  ///< it is mapped to the viewport as it is
-};
-
-/// Reads `widen` or `stretch`; throws Error for anything else.
-WindowFit window_fit(std::string_view text);
-std::string_view name_of(WindowFit fit);
 
 /// Width over height.
 double shape_of(const Rectangle& rectangle);

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cfenv>
+#include <chrono>
 #include <exception>
 #include <string>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/without_choice.h"
 
 namespace displayfile {
@@ -24,12 +27,24 @@ thread_local bool has_choice = true;
       reached, limit, instead == nullptr ? "" : ", or ", instead == nullptr ? "" : instead));
 }
 
+std::int64_t steady_nanoseconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+/// Returns the mode in which the thread rounded before.
+int round_to_nearest() {
+  const int before = std::fegetround();
+  if (before != FE_TONEAREST) std::fesetround(FE_TONEAREST);
+  return before;
+}
+
 }  // namespace
 
 // ---- The budget ---------------------------------------------------------------------------------
 
 void WorkBudget::start() {
-  started_ = std::chrono::steady_clock::now();
+  started_ = steady_nanoseconds();
   comparisons_.store(0);
   stopped_.store(false);
 }
@@ -40,7 +55,7 @@ void WorkBudget::start(const WorkLimits& limits) {
 }
 
 double WorkBudget::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return static_cast<double>(steady_nanoseconds() - started_) * 1e-9;
 }
 
 void WorkBudget::ask(std::uint64_t more_comparisons) {
@@ -78,13 +93,18 @@ void WorkBudget::require_bytes(std::uint64_t bytes) const {
 
 WorkInForce work_in_force() noexcept { return in_force; }
 
-BudgetInForce::BudgetInForce(WorkBudget* budget) noexcept : before_(in_force) {
+BudgetInForce::BudgetInForce(WorkBudget* budget) noexcept
+    : before_(in_force), rounding_before_(round_to_nearest()) {
   NamedWork::begin_other();
   if (budget != nullptr) in_force.budget = budget;
 }
 BudgetInForce::BudgetInForce(const WorkInForce& as_on_another_thread) noexcept
-    : before_(std::exchange(in_force, as_on_another_thread)) {}
-BudgetInForce::~BudgetInForce() { in_force = before_; }
+    : before_(std::exchange(in_force, as_on_another_thread)),
+      rounding_before_(round_to_nearest()) {}
+BudgetInForce::~BudgetInForce() {
+  in_force = before_;
+  if (rounding_before_ != FE_TONEAREST) std::fesetround(rounding_before_);
+}
 
 WithoutChoice::WithoutChoice() noexcept : before_(std::exchange(has_choice, false)) {}
 WithoutChoice::~WithoutChoice() { has_choice = before_; }

@@ -10,12 +10,15 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clip/error.h"
 #include "clip/paper_box.h"
 #include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "clip/point_row.h"
+#include "clip/surfaces.h"
 #include "clip/view_volume.h"
 #include "displayfile/retained_polygons.h"
 #include "hidden/exact/entered_polygon.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

@@ -1,55 +1,264 @@
 #pragma once
 
+#include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
-#include "clip/cutting_planes.h"
-#include "clip/transformation.h"
+#include "clip/surfaces.h"
 #include "clip/view.h"
-#include "clip/window_fit.h"
 #include "clip/work_budget.h"
-#include "displayfile/display_file.h"
-#include "displayfile/hidden_scope.h"
-#include "displayfile/looks/attributes.h"
-#include "displayfile/looks/background.h"
-#include "displayfile/looks/shading.h"
 #include "displayfile/looks/style.h"
-#include "displayfile/picture_windows.h"
-#include "displayfile/recorder.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/said_settings.h"
-#include "displayfile/solids/cut_faces.h"
-#include "displayfile/solids/open_solids.h"
-#include "displayfile/solids/solid_operation.h"
-#include "displayfile/surface_grid.h"
-#include "displayfile/view_stage.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_kinds.h"
-#include "hidden/sort/hidden_surface_sort.h"
-#include "hidden/triangulation.h"
 
 namespace displayfile {
 
+class DisplayFile;
+class ModellingTransformation;
+class Recorder;
+class RetainedScene;
+
+// What the user routines take and return.
+
+/// Points in a row: a vector, an array, a span or a list in braces. It refers to them.
+template <class Point>
+class PointList : public std::span<const Point> {
+ public:
+  PointList() = default;
+  PointList(std::initializer_list<Point> list)
+      : std::span<const Point>(list.begin(), list.size()) {}
+  template <class Points>
+  requires std::is_convertible_v<const Points&, std::span<const Point>> PointList(
+      const Points& points)
+      : std::span<const Point>(points) {}
+};
+
+/// Polygons that may share vertices. Fields other than the first two may be empty.
+struct ManyPolygons {
+  std::span<const Point3> vertices = {};
+  std::span<const std::uint32_t> corners = {};  ///< indices into vertices, polygon after polygon
+  std::span<const std::uint32_t> sides = {};    ///< of each polygon; empty: 3 of each
+  std::span<const FillStyle> fills = {};        ///< one for all, or one each; empty: that in force
+  std::span<const std::int32_t> picks = {};     ///< one each; 0 or more
+  std::span<const Point3> normals = {};         ///< one each vertex, as in set_vertex_normals
+};
+
+/// A surface z = F(x, y) over a grid: points (x, y, z) with x at `x_points` even steps from x_min
+/// to x_max, y likewise. In world coordinates, before the modelling transformation.
+struct SurfaceGrid {
+  double x_min, x_max;
+  int x_points;
+  double y_min, y_max;
+  int y_points;
+  std::span<const double> heights;  ///< z, x fastest; NaN where there is no surface
+
+  std::size_t cells() const {
+    return static_cast<std::size_t>(x_points - 1) * static_cast<std::size_t>(y_points - 1);
+  }
+  /// True if the heights of the four corners of cell (i, j) are known.
+  bool has_cell(int i, int j) const {
+    assert(0 <= i && i + 1 < x_points && 0 <= j && j + 1 < y_points);
+    const auto width = static_cast<std::size_t>(x_points);
+    const std::size_t at = static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i);
+    const auto is_known = [&](std::size_t k) { return heights[k] == heights[k]; };  // not NaN
+    return is_known(at) && is_known(at + 1) && is_known(at + width) && is_known(at + width + 1);
+  }
+  /// The ends of the range are met exactly.
+  double x(int i) const { return at(x_min, x_max, x_points, i); }
+  double y(int j) const { return at(y_min, y_max, y_points, j); }
+
+ private:
+  static double at(double low, double high, int points, int k) {
+    const double part = static_cast<double>(k) / (points - 1);
+    return k == points - 1 ? high : low + (high - low) * part;
+  }
+};
+
+/// Throws Error unless there are 2 points or more each way, ranges are finite and rise, there is a
+/// height for each point, and none of them is infinite.
+void require_surface(const SurfaceGrid& grid);
+
+/// Which curves of a surface are drawn as lines: those of x run along x, with y the same.
+enum class SurfaceCurves { x, y, both };
+
+/// The sides of a surface whose curves are drawn: the upper one is that which z grows toward.
+enum class SurfaceSides { upper, lower, both };
+
+/// Reads `x`, `y` or `both`; throws Error for anything else.
+SurfaceCurves surface_curves(std::string_view text);
+std::string_view name_of(SurfaceCurves curves);
+
+/// Reads `upper`, `lower` or `both`; throws Error for anything else.
+SurfaceSides surface_sides(std::string_view text);
+std::string_view name_of(SurfaceSides sides);
+
+/// How surfaces over grids are drawn.
+struct SurfaceLooks {
+  SurfaceCurves curves = SurfaceCurves::both;
+  SurfaceSides sides = SurfaceSides::both;
+  std::optional<LineStyle> lower_line = std::nullopt;  ///< none: as on the upper side
+};
+
+/// Combinations of solids: of the first one with the second, of the result with the third, and so
+/// on.
+enum class SolidOperation {
+  unite,       ///< all that is in any of them
+  intersect,   ///< all that is in each of them
+  difference,  ///< all that is in the first, but in none of the others
+};
+
+/// Reads `union`, `intersection` or `difference`; throws Error for anything else.
+SolidOperation solid_operation(std::string_view text);
+std::string_view name_of(SolidOperation operation);
+
+/// The faces where cutting planes cut solids that are entered whole
+/// (displayfile/solids/cut_solid.md).
+struct CutFaces {
+  enum class Kind {
+    open,     ///< there are none: the inside is seen
+    closed,   ///< polygons, in the styles in force
+    hatched,  ///< the same, and lines on them
+  };
+  Kind kind = Kind::open;
+  /// Between hatching lines, in world units; none: a twenty-fourth of the longest side of the box
+  /// around the solid.
+  std::optional<double> spacing{};
+  /// The angle of hatching lines, in degrees, counterclockwise from where the plane is level, seen
+  /// from the side that is cut away.
+  double angle = 45.0;
+};
+
+/// The word for a spacing that is not given.
+inline constexpr std::string_view kUsualSpacing = "usual";
+
+/// Reads `open`, `closed` or `hatched`; throws Error for anything else.
+CutFaces::Kind cut_faces_kind(std::string_view text);
+std::string_view name_of(CutFaces::Kind kind);
+
+/// How hidden surfaces are found, as an application has set it.
+struct HiddenSurfaces {
+  bool removal = false;   ///< set-hidden-line-removal
+  bool z_buffer = false;  ///< set-z-buffer
+  HiddenMethod method = HiddenMethod::automatic;
+  std::optional<HiddenScope> scope = std::nullopt;  ///< none: `segment` as segments are closed
+  Precision precision = {};
+  HiddenLines hidden_lines = HiddenLines::none;
+  LineSelection lines = {};
+  Touching touching = kUnlessSet;
+};
+
+/// The settings to be made of how hidden surfaces are found; those without a value stay as they
+/// are. Each is a routine of drawing programs, and recorded as such.
+struct HiddenSurfaceSettings {
+  /// Also turns back-face removal on or off, as in the textbook. Off, pictures are in order of
+  /// entry. Where neither this nor `method` was ever set, segments are entered as they are, and
+  /// pictures are those of `automatic`, unless all points have one depth.
+  std::optional<bool> removal = std::nullopt;
+  /// The z-buffer draws, whatever the method.
+  std::optional<bool> z_buffer = std::nullopt;
+  /// Ray casting in object space, world_ray_cast, reads what was drawn in world coordinates: where
+  /// no scene is retained, it is retained in the system from now on. Errors: an unknown method;
+  /// world_ray_cast, if there are segments that were not retained.
+  std::optional<HiddenMethod> method = std::nullopt;
+  /// A segment closed while it is `all` is sorted by itself when it is drawn, if it is `segment`
+  /// then.
+  std::optional<HiddenScope> scope = std::nullopt;
+  /// Error: a ROUNDOFF outside of [0,1).
+  std::optional<Precision> precision = std::nullopt;
+  /// Lines are drawn dashed where they are hidden, or not at all, by the methods that find lines
+  /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
+  std::optional<HiddenLines> hidden_lines = std::nullopt;
+  /// The sides of polygons that are lines (displayfile/line_kinds.md), of the segments that are
+  /// closed from now on, whatever the method: those selected, of those with a line style. Unless
+  /// that is `all` alone, where no scene is retained, it is retained in the system from now on.
+  /// Errors: no kind, a crease outside of 0 to 180 degrees; there are segments that were not
+  /// retained.
+  std::optional<LineSelection> lines = std::nullopt;
+  /// Within which distance polygons touch, of segments that are opened from now on
+  /// (hidden/touching_planes.md): a polygon that touches another's plane lies in it. Error: a
+  /// length that is not above 0 and at most kCoordinateLimit.
+  std::optional<Touching> touching = std::nullopt;
+};
+
+/// A window that is mapped to a viewport of another shape, width over height, in the picture.
+struct StretchedWindow {
+  int segment;  ///< that was opened with it
+  double window, viewport;
+};
+
+/// Counts of a system.
+struct SystemCounts {
+  std::int64_t polygons = 0;      ///< calls of the polygon routines, and cells of surfaces
+  std::int64_t triangulated = 0;  ///< polygons cut into triangles, since they are not flat
+  std::size_t solids_open = 0;    ///< one within another
+  std::int64_t empty_solids = 0;  ///< calls of end_solid that left nothing of the outermost solid
+  std::size_t transformations_saved = 0;
+  /// Some segment may have hatching, whose directions are those of the view in which it was
+  /// entered.
+  bool has_hatching = false;
+};
+
+/// Settings that have a default, which holds until the application sets them; a mesh brings
+/// defaults of its own (displayfile/mesh/mesh.h).
+enum class Setting {
+  camera,  ///< reference point, normal, distance and up of the view plane, and the projection
+  view_depth,
+  front_plane_clipping,
+  back_plane_clipping,
+  window,
+  viewport,
+  window_fit,
+  fill_style,
+  line_style,
+  light,
+  hidden_line_removal,
+  hidden_method,
+  back_face_removal,
+  lines,
+};
+
+/// Those settings that an application has set explicitly.
+class SaidSettings {
+ public:
+  bool contains(Setting setting) const { return (bits_ & bit(setting)) != 0; }
+  void insert(Setting setting) { bits_ |= bit(setting); }
+  /// True if some of the view's is set: of camera to viewport.
+  bool contains_view() const { return (bits_ & (bit(Setting::window_fit) - 1u)) != 0; }
+
+ private:
+  static constexpr unsigned bit(Setting setting) { return 1u << static_cast<unsigned>(setting); }
+  unsigned bits_ = 0;
+};
+
 /// The application API: the textbook's user routines, under their names in drawing programs
-/// with underscores for hyphens. One object that the caller owns; no globals.
+/// with underscores for hyphens. One object that the caller owns; no globals. A copy has all
+/// segments and settings; after a move the source may only be assigned to or destroyed.
 ///
 /// Every routine throws Error for a call that cannot be carried out; the state is then what
 /// it was before the call. Coordinates are world coordinates (before the modelling
-/// transformation) unless said otherwise, angles degrees, colours in [0,1].
+/// transformation) unless another space is named, angles degrees, colours in [0,1].
 class GraphicsSystem {
  public:
-  static constexpr std::size_t kLongestText = 65535;
+  static constexpr std::size_t kLongestText = 65535;  ///< bytes
+  static constexpr std::size_t kMostSaved = 1024;
+  static constexpr double kMostHatchingLines = 100000.0;
 
-  // View parameters (clip/view.h says what each means and refuses). They take effect when a
+  GraphicsSystem();
+  GraphicsSystem(const GraphicsSystem& other);
+  GraphicsSystem(GraphicsSystem&& other) noexcept;
+  GraphicsSystem& operator=(const GraphicsSystem& other);
+  GraphicsSystem& operator=(GraphicsSystem&& other) noexcept;
+  ~GraphicsSystem();
+
+  // ---- Views ------------------------------------------------------------------------------------
+
+  // View parameters (clip/view.h has their meanings and errors). They take effect when a
   // segment is opened; setting one while a segment is open is an error.
   void set_view_reference_point(const Point3& p);
   void set_view_plane_normal(const Point3& n);
@@ -62,14 +271,29 @@ class GraphicsSystem {
   void set_back_plane_clipping(bool on);
   void set_window(double x_min, double x_max, double y_min, double y_max);
   void set_viewport(double x_min, double x_max, double y_min, double y_max);
-  /// What becomes of a window whose shape is not that of its viewport in the picture. As long as
-  /// this was not said, a window is widened unless the application set it, or the viewport: then
-  /// it is stretched. view() tells the window as it was set.
+  /// Sets all of these but the viewport to those of a view, such as look_at's (clip/view.h), each
+  /// as by its own routine. Errors, before any is set: those of the routines.
+  void set_view(const View& view);
+  /// How a window is mapped to a viewport of another shape in the picture. Until this is set, a
+  /// window is widened unless the application has set it, or the viewport: then it is stretched.
+  /// view() has the window as it was set.
   void set_window_fit(WindowFit fit);
   /// The width over the height of the pictures that segments opened from now on will be drawn as
-  /// [1]. It is a matter of the device and not recorded: whoever replays says it again. Errors: not
-  /// a positive number up to kCoordinateLimit, a segment is open.
+  /// [1]. It belongs to the device and is not recorded: a caller that replays sets it again.
+  /// Errors: not a positive number up to kCoordinateLimit, a segment is open.
   void set_aspect_ratio(double aspect);
+
+  const View& view() const;
+  double aspect_ratio() const;
+  /// The worst of the windows that were stretched although the application did not set that they
+  /// should be.
+  const std::optional<StretchedWindow>& stretched_window() const;
+  /// Where a point of the model is, in the modelling transformation and the view in force: in
+  /// normalised device coordinates, before a segment's image transformation, as set_image_centre
+  /// takes it and the pixel_at of a picture (interp/device/picture.h). Points outside of the view
+  /// volume have a place too; none if it is not before the eye, or beyond kCoordinateLimit. Errors:
+  /// those of a coordinate, and of a view that open_segment refuses.
+  std::optional<Point3> to_device(const Point3& p) const;
 
   // The modelling transformation (clip/transformation.h).
   void create_transformation_3();
@@ -78,37 +302,34 @@ class GraphicsSystem {
   void rotate_x_3(double angle);
   void rotate_y_3(double angle);
   void rotate_z_3(double angle);
-  /// What is in force is saved, on a stack. It stays in force, and what is called next acts before
-  /// it: in a part's own coordinates. The stack does not know segments: a part's may be several,
-  /// and what is not restored stays saved. Error: kMostSaved are saved.
+  /// Saves the transformation in force on a stack. It stays in force, and what is called next acts
+  /// before it: in a part's own coordinates. The stack does not know segments: a part's may be
+  /// several, and what is not restored stays saved. Error: kMostSaved are saved.
   void save_transformation_3();
   /// The transformation is again what it was when it was saved last. Error: none is saved.
   void restore_transformation_3();
-  static constexpr std::size_t kMostSaved = 1024;
+  const ModellingTransformation& modelling_transformation() const;
 
-  // Segments. Names are positive integers.
-  /// CREATE-SEGMENT. Errors: a segment is open, the name is in use or not positive, the view
-  /// parameters do not fit together (clip/view_volume.h).
+  // ---- Segments ---------------------------------------------------------------------------------
+
+  /// CREATE-SEGMENT. Names are positive integers. Errors: a segment is open, the name is in use or
+  /// not positive, the view parameters do not fit together (clip/view_volume.h).
   void open_segment(int name);
   /// Sorts the segment's hidden surfaces if hidden-line removal is on, by a method that sorts
-  /// and with a scope that is not `all`. Error: no segment open.
+  /// and with a scope that is not `all`; it may use what the budget in force allows (BudgetInForce,
+  /// clip/work_budget.h). Errors: no segment open; LimitReached, after which it is still open, with
+  /// all that is in it.
   void close_segment();
+  /// The open segment's name.
+  std::optional<int> open_segment_name() const;
   /// Calls enter(), which opens segments, enters primitives into them and closes them, while none
   /// is open. If it throws, nothing of that is left: no segment, and the current position, the
   /// ordinals, the attributes, the modelling transformation, the background and what is recorded
   /// are those of before. It is no place to set other things, which would stay.
-  template <class Enter>
-  void enter_segments(Enter&& enter) {
-    const Entered before = entered();
-    Recorder::Hold recorded(recorder_);
-    try {
-      enter();
-      recorded.end();
-    } catch (...) {
-      take_back(before);
-      throw;
-    }
-  }
+  void enter_segments(const std::function<void()>& enter);
+  /// Calls change(), which may call any routines. If it throws, all is as before, and nothing of it
+  /// is recorded. What the application retains in a scene of its own stays there.
+  void all_or_nothing(const std::function<void()>& change);
   /// Errors: no such segment, segment still open.
   void delete_segment(int name);
   /// Error: segment still open.
@@ -124,9 +345,14 @@ class GraphicsSystem {
   void set_image_scale(int name, double sx, double sy);
   void set_image_rotation(int name, double angle);
   void set_image_centre(int name, double x, double y);  ///< Error: more than 1e9 in magnitude.
+  /// The segments, to be drawn (interp/draw/draw.h), dumped (displayfile/files.h) or handed to a
+  /// device of the application's own (interp/device/output_device.h).
+  const DisplayFile& display_file() const;
 
-  // Primitives. Error: no segment open; a coordinate that is not finite or exceeds
-  // kCoordinateLimit in world coordinates. The 2D routines keep the current position's z.
+  // ---- Primitives -------------------------------------------------------------------------------
+
+  // Error: no segment open; a coordinate that is not finite or exceeds kCoordinateLimit in world
+  // coordinates. The 2D routines keep the current position's z.
   void move_abs_3(double x, double y, double z);
   void line_abs_3(double x, double y, double z);
   void move_rel_3(double dx, double dy, double dz);
@@ -139,39 +365,16 @@ class GraphicsSystem {
   /// leaves the current position, at its last vertex. In the _rel routines each vertex is
   /// given relative to the one before, the first to the current position. Error: fewer than
   /// 3 sides.
-  void polygon_abs_3(std::span<const Point3> vertices);
-  void polygon_abs_3(std::initializer_list<Point3> vertices) { polygon_abs_3(span(vertices)); }
-  void polygon_rel_3(std::span<const Point3> steps);
-  void polygon_rel_3(std::initializer_list<Point3> steps) { polygon_rel_3(span(steps)); }
-  void polygon_abs_2(std::span<const Point2> vertices);
-  void polygon_abs_2(std::initializer_list<Point2> vertices) { polygon_abs_2(span(vertices)); }
-  void polygon_rel_2(std::span<const Point2> steps);
-  void polygon_rel_2(std::initializer_list<Point2> steps) { polygon_rel_2(span(steps)); }
-
-  /// Many polygons at once, as so many calls of polygon_abs_3 enter them, one after another, but
-  /// several times as fast. `corners` are indices into `vertices`, polygon after polygon: sides[k]
-  /// of polygon k, or 3 of each if `sides` is empty. Polygons may share vertices. `fills` are of
-  /// one style for all or of one for each; if empty, the style in force. The style in force stays
-  /// what it was. Errors, before any polygon is entered: those of polygon_abs_3 and
-  /// set_fill_style, an index that is not of a vertex, counts that do not agree, normals that
+  void polygon_abs_3(PointList<Point3> vertices);
+  void polygon_rel_3(PointList<Point3> steps);
+  void polygon_abs_2(PointList<Point2> vertices);
+  void polygon_rel_2(PointList<Point2> steps);
+  /// Many polygons at once, as polygon_abs_3 enters them one after another, but several times as
+  /// fast. The fill style and the pick identifier in force stay what they were. Errors, before any
+  /// polygon is entered: those of polygon_abs_3, set_fill_style and set_vertex_normals, an index
+  /// that is not of a vertex, counts that do not agree, a pick identifier below 0, normals that
   /// set_vertex_normals has set.
-  void polygons_abs_3(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
-                      std::span<const std::uint32_t> sides = {},
-                      std::span<const FillStyle> fills = {});
-
-  /// The same with more of each polygon: what is not empty is of one for each polygon, or for each
-  /// vertex.
-  struct ManyPolygons {
-    std::span<const Point3> vertices;
-    std::span<const std::uint32_t> corners, sides;  ///< as above, and the fills
-    std::span<const FillStyle> fills;
-    std::span<const std::int32_t> picks;  ///< one each; 0 or more
-    std::span<const Point3> normals;      ///< one each vertex, as set_vertex_normals has them
-  };
-  /// Errors too: a pick identifier below 0, picks or normals that are not so many, those of
-  /// set_vertex_normals. The pick identifier in force stays what it was.
   void polygons_abs_3(const ManyPolygons& polygons);
-
   /// A surface over a grid, as cells of two triangles each, with an invisible diagonal from the
   /// least corner to the greatest. Its curves are the triangles' other sides, in the line style;
   /// those of the other family are as invisible as diagonals, and hide what is behind all the same.
@@ -182,17 +385,17 @@ class GraphicsSystem {
   /// set_vertex_normals has set.
   void surface_3(const SurfaceGrid& grid);
 
-  /// What is entered from here to end_solid is one closed solid, made of its parts in their order
-  /// (displayfile/solids/README.md). A part is a shape, closed polygons that one call enters, a
-  /// solid within it, or else the polygons between two of these, together. Solids may stand
-  /// one within another, OpenSolids::kDeepest deep. Until the outermost ends, nothing is in the
-  /// display file. The modelling transformation and the styles are those in force at each polygon,
-  /// the cutting planes those in force at the end. Errors: no segment open, too deep.
+  /// All that is entered from here to end_solid is one closed solid, made of its parts in their
+  /// order (displayfile/solids/README.md). A part is a shape, closed polygons that one call enters,
+  /// a solid within it, or else the polygons between two of these, together. Solids may stand one
+  /// within another, 32 deep. Until the outermost ends, nothing is in the display file. The
+  /// modelling transformation and the styles are those in force at each polygon, the cutting planes
+  /// those in force at the end. Errors: no segment open, too deep.
   void begin_solid(SolidOperation operation = SolidOperation::unite);
-  /// Combines the parts; one part alone is the solid as it is. What is left is entered as polygons,
+  /// Combines the parts; one part alone is the solid as it is. The result is entered as polygons,
   /// in the styles and with the pick identifiers of those that they are parts of; if that is
-  /// nothing, empty_solids counts it. Errors, after which the solid is still open: none is, it has
-  /// no part, a part is not closed; and with several parts, one that passes through itself, a
+  /// nothing, counts().empty_solids grows. Errors, after which the solid is still open: none is, it
+  /// has no part, a part is not closed; and with several parts, one that passes through itself, a
   /// result that is no solid, no library that combines (ExactSolid); cut faces with more than
   /// kMostHatchingLines.
   void end_solid();
@@ -203,10 +406,11 @@ class GraphicsSystem {
   /// is within the view volume and, where hidden surfaces are removed, nothing hides it
   /// (interp/truth/truth.md); an image transformation moves it, but does not scale or turn its
   /// letters. Errors: more than kLongestText bytes; not UTF-8, or what cannot be drawn
-  /// (control characters; what Unicode says is no character).
+  /// (control characters; noncharacters of Unicode).
   void text(std::string_view characters);
 
-  // Attributes of the primitives that follow.
+  // ---- Looks: attributes of the primitives that follow ------------------------------------------
+
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
   /// Errors: a colour outside of [0,1], width, dash or gap not positive.
   void set_line_style(const LineStyle& style);
@@ -232,22 +436,18 @@ class GraphicsSystem {
   /// the polygon's own normal. No normals: takes back what was set. With flat shading they have no
   /// effect. Errors: one or two normals; a component that is not finite or exceeds
   /// kCoordinateLimit. A polygon of another number of sides is then an error.
-  void set_vertex_normals(std::span<const Point3> normals);
-  void set_vertex_normals(std::initializer_list<Point3> normals) {
-    set_vertex_normals(span(normals));
-  }
-  /// Cutting plane n, 1 to 6: of the primitives that follow, in any view, what has
+  void set_vertex_normals(PointList<Point3> normals);
+  /// Cutting plane n, 1 to 6: of the primitives that follow, in any view, all that has
   /// a x + b y + c z + d < 0 is cut away, x y z being world coordinates after the modelling
   /// transformation (clip/cutting_planes.md). Sides that it makes are not drawn, and what it cuts
   /// open stays open but for set_cut_faces. Errors: those of CuttingPlanes::set.
   void set_cutting_plane(int n, double a, double b, double c, double d);
   void set_cutting_plane_off(int n);  ///< Error: n is not 1 to 6.
-  /// What becomes of the faces where cutting planes cut closed solids that follow, if a call enters
-  /// them whole: shapes, end_solid, polygons_abs_3, meshes [open]. Polygons that are entered one by
-  /// one, and what is not closed, stay cut open. A cut face has the styles and, as a polygon, the
-  /// pick identifier in force. Errors: a spacing that is not above 0, an angle that is not finite.
+  /// The faces where cutting planes cut closed solids that follow, if a call enters them whole:
+  /// shapes, end_solid, polygons_abs_3, meshes [open]. Polygons that are entered one by one, and
+  /// what is not closed, stay cut open. A cut face has the styles and, as a polygon, the pick
+  /// identifier in force. Errors: a spacing that is not above 0, an angle that is not finite.
   void set_cut_faces(const CutFaces& faces);
-  static constexpr double kMostHatchingLines = 100000.0;
   /// Which curves of the surfaces that follow are drawn [both].
   void set_surface_curves(SurfaceCurves curves);
   /// The side whose curves are drawn: where the other one is seen, they hide all the same [both].
@@ -257,361 +457,123 @@ class GraphicsSystem {
   /// The line style of their lower side; none given: that of set_line_style, which is the upper
   /// side's, in force for the surface. Errors: those of set_line_style.
   void set_lower_line_style(const std::optional<LineStyle>& style);
+  void set_back_face_removal(bool on);
   /// The pick identifier of the polygons and lines that follow, 0 or more; -1 gives each polygon
   /// its ordinal in the program again, and lines none. Ordinals count from 0 all that is entered,
   /// also what was deleted since, and after 2147483647 from 0 again.
   void set_pick_id(int id);
-
-  /// What the pictures show where nothing is drawn, of all segments. Error: a colour outside of
-  /// [0,1].
+  /// Where nothing is drawn, pictures show this, of all segments. Error: a colour outside of [0,1].
   void set_background(const Background& background);
 
-  // Hidden surfaces.
-  /// Also turns back-face removal on or off, as in the textbook. Off, pictures are in order of
-  /// entry. Where neither this nor set_hidden_method was called, segments are entered as they are,
-  /// and pictures are those of `automatic`, unless all points have one depth.
-  void set_hidden_line_removal(bool on);
-  void set_back_face_removal(bool on);
-  /// Ray casting in object space, world_ray_cast, reads what was drawn in world coordinates: where
-  /// no scene is retained, it is retained in the system from now on. Errors: a method that is not
-  /// built yet; that one, if there are segments that were not retained.
-  void set_hidden_method(HiddenMethod method);
-  /// A scope that is not set is `segment` for segments as they are closed. A segment closed while
-  /// it is `all` is sorted by itself when it is drawn, if it is `segment` then.
-  void set_hidden_scope(HiddenScope scope);
-  /// The precision of the method that finds hidden surfaces. Error: a ROUNDOFF outside of [0,1).
-  void set_precision(const Precision& precision);
-  /// Whether lines are drawn dashed where they are hidden, by the methods that find lines
-  /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
-  void set_hidden_lines(HiddenLines lines);
-  void set_z_buffer(bool on);
-  /// Within which distance polygons touch, of segments that are opened from now on
-  /// (hidden/touching_planes.md): what touches another's plane lies in it. Error: a length that is
-  /// not above 0 and at most kCoordinateLimit.
-  void set_touching(const Touching& touching);
-  /// Does what set_touching does, and from now on set_touching has no effect, but that its errors
-  /// are reported: for what decides in place of the application. It is not recorded.
-  void replace_touching(const Touching& touching);
+  const Attributes& attributes() const;
+  const CutFaces& cut_faces() const;
+  const SurfaceLooks& surface_looks() const;
+  const Background& background() const;
 
-  /// Which sides of polygons are lines (displayfile/line_kinds.md), of the segments that are closed
-  /// from now on, whatever the method: what is selected, of what has a line style. Unless that is
-  /// `all` alone, where no scene is retained, it is retained in the system from now on. Errors: no
-  /// kind, a crease outside of 0 to 180 degrees; there are segments that were not retained.
-  void set_lines(const LineSelection& selection);
-  /// Does what set_lines does, and from now on set_lines has no effect, but that its errors are
-  /// told: for who selects lines in place of the application. It is not recorded.
-  void replace_lines(const LineSelection& selection);
+  // ---- How hidden surfaces are found ------------------------------------------------------------
 
-  // What the application and the interpreter may ask.
-  const DisplayFile& display_file() const { return display_file_; }
-  const View& view() const { return view_; }
-  const SaidSettings& said() const { return said_; }
-  /// By any view-parameter routine.
-  bool view_was_set() const;
-  double aspect_ratio() const { return windows_.aspect(); }
-  /// The worst of the windows that were stretched although the application did not say that they
-  /// should be.
-  const std::optional<StretchedWindow>& stretched_window() const { return windows_.stretched(); }
-  const ModellingTransformation& modelling_transformation() const { return modelling_; }
-  /// Where a point of the model is, in the modelling transformation and the view in force: in
-  /// normalised device coordinates, before a segment's image transformation, as set_image_centre
-  /// takes it and the pixel_at of a picture (interp/device/picture.h). What is outside of the view
-  /// volume is told too; nothing if it is not before the eye, or too far out to be told. Errors:
-  /// those of a coordinate, and of a view that open_segment refuses.
-  std::optional<Point3> to_device(const Point3& p) const;
-  const Attributes& attributes() const { return attributes_; }
-  const Background& background() const { return background_; }
-  std::optional<int> open_segment_name() const { return open_; }
-  bool hidden_line_removal() const { return hidden_; }
-  bool back_face_removal() const { return attributes_.back_face_removal; }
-  Shading shading() const { return attributes_.shading; }
-  const CuttingPlanes& cutting_planes() const { return cutting_planes_; }
-  SurfaceCurves surface_curves() const { return surface_curves_; }
-  SurfaceSides surface_sides() const { return surface_sides_; }
-  const std::optional<LineStyle>& lower_line_style() const { return lower_line_; }
-  const CutFaces& cut_faces() const { return cut_faces_; }
-  /// How many solids are open, one within another.
-  std::size_t solids_open() const { return solids_.depth(); }
-  /// Calls of end_solid that left nothing of the outermost solid.
-  std::int64_t empty_solids() const { return empty_solids_; }
-  /// Some segment may have hatching, whose directions are those of the view in which it was
-  /// entered.
-  bool has_hatching() const { return has_hatching_; }
-  /// Whether the call that enters a closed solid makes more of it than its polygons alone.
-  bool takes_whole_solids() const {
-    return !solids_.empty() || (cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any());
-  }
-  /// Calls enter(), which enters the polygons of a closed solid: if takes_whole_solids(), as a
-  /// solid of one part. If enter() throws, or end_solid(), the solid is discarded.
-  template <class Enter>
-  void as_solid(Enter&& enter) {
-    if (!takes_whole_solids()) return enter();
-    const std::size_t depth = solids_open();
-    begin_solid();
-    try {
-      enter();
-      end_solid();
-    } catch (...) {
-      if (solids_open() > depth) discard_solid();
-      throw;
-    }
-  }
-  bool shadows() const { return attributes_.shadows; }
-  HiddenMethod hidden_method() const { return method_; }
-  std::optional<HiddenScope> hidden_scope() const { return scope_; }  ///< if it was set
-  const Precision& precision() const { return sort_options_.precision; }
-  HiddenLines hidden_lines() const { return sort_options_.hidden_lines; }
-  bool z_buffer() const { return z_buffer_; }
-  const Touching& touching() const { return touching_; }
-  const LineSelection& lines() const { return lines_; }
-  std::size_t transformations_saved() const { return modelling_.saved(); }
-  /// Calls of the polygon routines, and cells of surfaces.
-  std::int64_t polygons_entered() const { return ordinal_; }
-  std::int64_t polygons_triangulated() const { return triangulated_; }  ///< for not being flat
+  /// Errors: those of each setting, before any is made.
+  void set_hidden_surfaces(const HiddenSurfaceSettings& settings);
+  const HiddenSurfaces& hidden_surfaces() const;
 
-  /// Sets something for the case that the application does not say it: calls set() unless it was
-  /// said before, and what set() sets counts as not said.
-  template <class Set>
-  void by_default(Setting setting, Set&& set) {
-    if (said_.contains(setting)) return;
-    const SaidSettings said = said_;
-    set();
-    said_ = said;
-  }
-  /// Calls enter(), which opens and closes segments. Where touching is automatic the reach of what
-  /// they hold is this one, in the coordinates of the input: that of numbers which are less exact
-  /// than doubles.
-  template <class Enter>
-  void with_automatic_reach(double reach, Enter&& enter) {
-    if (touching_.kind != Touching::Kind::automatic) return enter();
-    put_touching_in_force({Touching::Kind::length, reach});
-    try {
-      enter();
-    } catch (...) {
-      touching_ = {Touching::Kind::automatic};
-      throw;
-    }
-    put_touching_in_force({Touching::Kind::automatic});
-  }
-  /// Calls enter(), which may set fill styles for what it enters; the one in force before is in
-  /// force afterwards, also if enter() throws, and counts as said if it did.
-  template <class Enter>
-  void keep_fill_style(Enter&& enter) {
-    const FillStyle in_force = attributes_.fill;
-    const SaidSettings said = said_;
-    const auto restore = [&] {
-      if (attributes_.fill != in_force) set_fill_style(in_force);
-      said_ = said;
-    };
-    try {
-      enter();
-    } catch (...) {
-      restore();
-      throw;
-    }
-    restore();
-  }
-
-  /// Calls change(), which may call any routines. If it throws, all is as before, and nothing of it
-  /// is recorded. What the application retains in a scene of its own stays there.
-  template <class Change>
-  auto all_or_nothing(Change&& change) {
-    GraphicsSystem before(*this);
-    Recorder::Hold recorded(recorder_);
-    try {
-      if constexpr (std::is_void_v<decltype(change())>) {
-        change();
-        recorded.end();
-      } else {
-        auto result = change();
-        recorded.end();
-        return result;
-      }
-    } catch (...) {
-      *this = std::move(before);
-      throw;
-    }
-  }
+  // ---- Work, records, retained scenes -----------------------------------------------------------
 
   /// Sets the threads of close_segment's sort, whose result is the same for any number of them.
-  void set_threads(int threads) { sort_options_.threads = threads; }
-  /// Is told, if not empty, of lines that close_segment looks at by a method that finds lines. What
-  /// it throws comes out of close_segment; the segment is then open still, with all that is in it.
-  void set_progress(WorkProgress progress) { sort_options_.progress = std::move(progress); }
-
-  /// What close_segment may use at most, and a way to stop it: it then throws LimitReached, and the
-  /// segment is open still, with all that is in it. The budget must live on; null takes it back.
-  /// For all that a thread does: BudgetInForce (clip/work_budget.h).
-  void set_budget(WorkBudget* budget) { budget_ = budget; }
+  void set_threads(int threads);
+  /// Called, if not empty, with the lines that close_segment has looked at, by a method that finds
+  /// lines. An exception of it comes out of close_segment; the segment is then still open, with all
+  /// that is in it.
+  void set_progress(WorkProgress progress);
 
   /// Records every routine that succeeds from now on; null stops. The recorder must live on.
-  void set_recorder(Recorder* recorder) { recorder_ = recorder; }
-  /// A remark in what is recorded, on a line of its own; it does nothing else.
-  void comment(std::string_view text) {
-    if (recorder_ != nullptr) recorder_->comment(text);
-  }
+  void set_recorder(Recorder* recorder);
 
-  /// Keeps what is drawn in world coordinates too, from now on; null stops. The scene must live
-  /// on. Errors: there are segments already; to stop where set_lines needs what is retained.
-  void retain(RetainedScene* scene);
-  /// The same in a scene of the system's own, retained(), which all_or_nothing puts back too.
-  /// Error: there are segments already that were not retained.
+  /// Keeps what is drawn in world coordinates too, from now on, in a scene of the system's own,
+  /// which all_or_nothing puts back too; without effect if one is retained. Renderers draw it in
+  /// other views (interp/draw/renderer.h). Error: there are segments already that were not
+  /// retained.
   void retain();
-  /// The same, but what is drawn is kept there alone: the display file has its segments, with
-  /// nothing in them. For who draws views of the scene (displayfile/scene_viewer.h), which writes a
-  /// display file for who asks.
-  void retain_alone(RetainedScene& scene);
-  /// What is drawn is in the retained scene alone.
-  bool retains_alone() const { return retains_alone_; }
-  /// What is retained, by retain, set_hidden_method or set_lines; null if nothing is.
-  const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
+  /// The same in a scene of the caller's (displayfile/retained_scene.h), which must live on; null
+  /// stops. Errors: there are segments already; to stop where a selection of lines needs it.
+  void retain(RetainedScene* scene);
+  /// The scene that is retained, by retain or for a setting that needs it; null if none is.
+  const RetainedScene* retained() const;
+
+  const SaidSettings& said() const;
+  SystemCounts counts() const;
 
  private:
-  struct Pen {
-    Point3 object{0.0};  ///< the current position as the application gave it
-    Point3 world{0.0};   ///< the same after the modelling transformation of that time
-  };
-
-  /// What entering primitives changes beside the segments, and what may be set meanwhile.
-  struct Entered {
-    std::size_t segments;
-    Pen pen;
-    std::int64_t ordinal, triangulated, empty_solids;
-    std::int32_t pick;
-    bool has_hatching;
-    SaidSettings said;
-    ModellingTransformation modelling;
-    Attributes attributes;
-    Background background;
-    std::vector<Point3> vertex_normals;
-    CuttingPlanes cutting_planes;
-    CutFaces cut_faces;
-    SurfaceCurves surface_curves;
-    SurfaceSides surface_sides;
-    std::optional<LineStyle> lower_line;
-  };
-  Entered entered() const;
-  void take_back(const Entered& before);
-
-  template <class T>
-  static std::span<const T> span(std::initializer_list<T> list) {
-    return {list.begin(), list.size()};
-  }
-  void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
-    if (recorder_ != nullptr) recorder_->write(routine, arguments);
-  }
-  void record_touching(const Touching& touching);
-  void put_touching_in_force(const Touching& touching);
-  void record_said(Setting setting, std::string_view routine,
-                   std::initializer_list<Recorder::Argument> arguments) {
-    said_.insert(setting);
-    record(routine, arguments);
-  }
-  static LineStyle require_line_style(const LineStyle& style);
-  void record_line_style(std::string_view routine, const LineStyle& style);
-  void require_open() const;
-  void require_view_may_change() const;
-  int next_pick() const;
-  Point3 to_world(const Point3& object) const;
-  void move_to(const Point3& object);
-  void line_to(const Point3& object);
-  void polygon(std::span<const Point3> object);
-  void enter(const WorldPolygon& polygon);
-  void enter_cut(const WorldPolygon& polygon);
-  void enter_solid(const SolidFaces& whole, double spacing);
-  void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
-  struct Hatching {
-    double spacing;
-    bool is_there;  ///< its face is, in the view
-  };
-  void enter_hatching(const SolidFaces& solid, std::size_t face, const Hatching& hatching);
-  void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
-  double hatching_spacing(const SolidFaces& solid) const;
-  bool hatches_cut_faces() const;
-  void require_no_solid(std::string_view what) const;
-  void enter_whole(const WorldPolygon& polygon);
-  std::span<const Point3> shared_world(std::span<const Point3> vertices);
-  void make_room_for_shared(const RetainedScene::SharedVertices& shared, std::size_t polygons,
-                            std::size_t corners, std::size_t fills);
-  void enter_shared(const RetainedScene::SharedVertices& vertices,
-                    std::span<const std::uint32_t> corners, Segment& segment);
-  void enter_with_normals(std::span<const Point3> vertices, std::span<const Point3> normals,
-                          std::span<const std::uint32_t> corners);
-  /// What is entered goes into the retained scene alone, at least until the segment is closed.
-  bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
-  RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
-  void retain_for(std::string_view what);
-  std::optional<Segment> with_lines_selected(int name);
-  void close(Segment& segment);
-  void keep_entered_once(Segment& closing);
-  void follow_retained();
-  void attributes_changed() {
-    if (view_stage_) view_stage_->attributes_changed();
-  }
-  /// The matrix of the modelling transformation; null if that is the identity.
-  const glm::dmat4x3* modelling_matrix() const {
-    return modelling_.is_identity() ? nullptr : &modelling_.affine();
-  }
-  void enter_triangles(std::span<const Point3> entered, const Point3& normal,
-                       std::span<const Point3> vertex_normals, int pick);
-  std::span<const Point3> world_normals(const Point3& own);
-  std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
-  void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);
-  void enter_cells_in_order(const SurfaceGrid& grid, std::span<const Point3> world,
-                            Segment& segment);
-  struct SurfaceCell {
-    int i, j;
-    std::int64_t ordinal;
-  };
-  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, const SurfaceCell& cell,
-                  Segment& segment);
-
-  View view_;
-  PictureWindows windows_;
-  SaidSettings said_;
-  ModellingTransformation modelling_;
-  DisplayFile display_file_;
-  std::optional<int> open_;
-  std::optional<ViewStage> view_stage_;  // of the open segment
-  Pen pen_;
-  Attributes attributes_;
-  Background background_;
-  std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
-  CuttingPlanes cutting_planes_;
-  CutFaces cut_faces_;
-  OpenSolids solids_;
-  struct BeforeSolid {
-    Pen pen;
-    std::int64_t ordinal, triangulated;
-  };
-  std::vector<BeforeSolid> before_solids_;  // of each that is open
-  std::int64_t empty_solids_ = 0;
-  bool has_hatching_ = false;  // since all segments were deleted
-  Touching touching_ = kUnlessSet;
-  bool touching_replaced_ = false;
-  SurfaceCurves surface_curves_ = SurfaceCurves::both;
-  SurfaceSides surface_sides_ = SurfaceSides::both;
-  std::optional<LineStyle> lower_line_;
-  std::int32_t pick_ = -1;
-  std::int64_t ordinal_ = 0, triangulated_ = 0;
-  bool hidden_ = false, z_buffer_ = false;
-  HiddenMethod method_ = HiddenMethod::automatic;
-  std::optional<HiddenScope> scope_;
-  SortOptions sort_options_;
-  LineSelection lines_;
-  bool lines_replaced_ = false;
-  WorkBudget* budget_ = nullptr;
-  Recorder* recorder_ = nullptr;
-  RetainedScene* retained_ = nullptr;          // the application's
-  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
-  bool retains_alone_ = false;
-  bool views_at_close_ = false;            // lines were selected when the segment was opened
-  RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
-
-  Triangulation triangulation_;
-  std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
-  std::vector<Point3> world_normals_;                 // of its vertices
-  std::vector<Point3> shared_world_;                  // vertices that polygons share
+  friend class SystemInside;
+  struct State;
+  std::unique_ptr<State> state_;
 };
+
+// ---- Views of scenes ----------------------------------------------------------------------------
+
+/// The view with a window that shows all points, in world coordinates, with a twentieth of the
+/// picture left free at each side where they are widest, and with front and back planes around
+/// them. `aspect` is the width of its viewport in the picture over the height. All else stays as it
+/// is. Errors: no points, some that are not before the eye, those of ViewVolume
+/// (clip/view_volume.h).
+View fit(const View& view, std::span<const Point3> points, double aspect = 1.0);
+/// The same for a box from corner to corner.
+View fit(const View& view, const Point3& low, const Point3& high, double aspect = 1.0);
+/// The same for the visible segments of a system that retains its scene, in the shape of its
+/// pictures: for views that a renderer draws of it. Error: nothing is retained.
+View fit(const View& view, const GraphicsSystem& system);
+
+// ---- Shapes and axes ----------------------------------------------------------------------------
+
+// Primitive shapes, made of polygons_abs_3 (displayfile/shapes/README.md): in the coordinates of
+// the application, before the modelling transformation. Their polygons are closed, counterclockwise
+// from outside, share their vertices to the last bit, and have a pick identifier each, as polygons
+// do. What is round stands on facets, 3 to 1000 of them around, and has normals for smooth shading;
+// it is inscribed: its vertices are on the true surface. Errors, before any polygon is entered: an
+// empty range, a length that is not above 0, facets out of range, and those of polygons_abs_3.
+
+/// From corner to corner.
+void box_3(GraphicsSystem& system, const Point3& low, const Point3& high);
+/// A right-angled wedge: the box's half below the plane from its upper edge at low.x to its lower
+/// edge at high.x.
+void wedge_3(GraphicsSystem& system, const Point3& low, const Point3& high);
+/// An upright prism over a regular polygon, whose corners are at `radius` from the middle of its
+/// base, the first in the direction of x; `height` is along z.
+void prism_3(GraphicsSystem& system, const Point3& base, double radius, double height, int sides);
+void cylinder_3(GraphicsSystem& system, const Point3& base, double radius, double height,
+                int facets);
+/// A cone, or with a radius at its top above 0 a truncated one.
+void cone_3(GraphicsSystem& system, const Point3& base, double radius, double height, int facets,
+            double top_radius = 0.0);
+/// So many facets around, half as many (rounded up) from pole to pole; its axis is along z.
+void sphere_3(GraphicsSystem& system, const Point3& centre, double radius, int facets);
+/// A ring about a line along z through its centre; the tube has half as many facets around it
+/// (rounded up, but 3). Error: the tube's radius is not below the ring's.
+void torus_3(GraphicsSystem& system, const Point3& centre, double radius, double tube_radius,
+             int facets);
+/// A profile in the x-y plane, extruded along z (extruded, in displayfile/shapes/swept.h).
+void extrude_3(GraphicsSystem& system, double z_min, double z_max, std::span<const Point2> profile);
+/// A profile of points (x, z) in the x-z plane, turned about the z axis (turned, in
+/// displayfile/shapes/swept.h).
+void turn_3(GraphicsSystem& system, int facets, std::span<const Point2> profile);
+
+/// Draws the axes of a box of the model into the open segment: of each axis the line from its low
+/// end to its high one, ticks and numbers at about five multiples of 1, 2 or 5 times a power of
+/// ten, and its name. Of the edges of the box that are parallel to an axis and on its outline in
+/// the view in force, it stands on the lowest, or, where they are steep, on the one to the left:
+/// ticks, numbers and names are outside of the box as it is seen there, where nothing in the box
+/// hides them. A name is beside the middle of its axis, or where that is not in the picture beside
+/// another place of it or beyond its end. A number stands farther out where another axis' number is
+/// in the way, or is left out. An axis whose ends are equal is left out, and one of which no edge
+/// is on the outline, as it is seen end on or nearly so.
+///
+/// It is made of move_abs_3, line_abs_3, set_text_style and text, and recorded so: lines are in the
+/// line style in force, texts of the size in force. It leaves the text style as it was and the
+/// current position at `low`. Another view that is drawn of a retained scene has the same axes.
+///
+/// low and high are in the coordinates of the primitives. Errors, before anything is drawn: no
+/// segment open; an end that is above its other, all equal; a name that is no text; a place that
+/// is out of range or not before the eye.
+void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
+            const std::array<std::string_view, 3>& names = {"x", "y", "z"});
 
 }  // namespace displayfile

@@ -2,10 +2,9 @@
 
 #include <string>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
 #include "displayfile/sorted_display_file.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
 
 namespace displayfile {
 

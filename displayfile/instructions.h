@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "clip/transformation.h"
 #include "displayfile/entered_polygons.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/looks/vertex_shading.h"
-#include "hidden/line_cuts.h"
-#include "hidden/line_kinds.h"
 #include "hidden/surface_mark.h"
 
 namespace displayfile {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "clip/unit.h"
+
 namespace displayfile {
 
 namespace {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <iterator>
 
+#include "clip/unit.h"
 #include "clip/view_volume.h"
 
 namespace displayfile {

@@ -1,5 +1,6 @@
 #include "displayfile/output.h"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,10 @@ class StreamOutput : public Output {
 };
 
 }  // namespace
+
+std::string Destination::extension() const {
+  return is_file() ? std::filesystem::path(path_).extension().string() : std::string();
+}
 
 std::unique_ptr<Output> output_to(const Destination& to) {
   if (to.is_file()) return std::make_unique<OutputFile>(to.name());

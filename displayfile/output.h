@@ -4,7 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 
 namespace displayfile {
 

@@ -4,15 +4,9 @@
 
 #include "clip/view.h"
 #include "clip/window_fit.h"
-#include "displayfile/said_settings.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
-
-/// A window that is mapped to a viewport of another shape, width over height, in the picture.
-struct StretchedWindow {
-  int segment;  ///< that was opened with it
-  double window, viewport;
-};
 
 /// The windows that segments are opened with, for pictures of one shape: widened to the shape of
 /// their viewport there, or stretched to it.

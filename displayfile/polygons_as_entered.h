@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "hidden/close_planes.h"
 #include "hidden/exact/entered_polygon.h"
-#include "hidden/touching.h"
 #include "hidden/touching_planes.h"
 
 namespace displayfile {

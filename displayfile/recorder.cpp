@@ -1,4 +1,4 @@
-#include "displayfile/recorder.h"
+#include "displayfile/files.h"
 
 #include <fmt/format.h>
 

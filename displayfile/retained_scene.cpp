@@ -23,6 +23,14 @@ namespace {
 constexpr Point3 kNoDirection(0.0);
 constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
+/// True if both are equal but for the colour of the fill.
+bool equal_but_for_colour(const Attributes& a, const Attributes& b) {
+  return a.fill.kind == b.fill.kind && a.fill.shadow == b.fill.shadow && a.line == b.line &&
+         a.dark_line == b.dark_line && a.text == b.text && a.light == b.light &&
+         a.back_face_removal == b.back_face_removal && a.shadows == b.shadows &&
+         a.shading == b.shading;
+}
+
 }  // namespace
 
 const RetainedScene::ModellingMatrix& RetainedScene::modelling_matrix(std::uint32_t i) const {

@@ -10,17 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "clip/view.h"
 #include "displayfile/growing_array.h"
-#include "displayfile/looks/attributes.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/retained_polygons.h"
 #include "displayfile/view_stage.h"
 #include "displayfile/watched.h"
 #include "hidden/exact/entered_polygon.h"
 #include "hidden/exact/eye.h"
-#include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

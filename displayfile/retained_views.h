@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "clip/view.h"
 #include "displayfile/display_file.h"
-#include "displayfile/hidden_scope.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_scene.h"
 #include "displayfile/taken_scene.h"

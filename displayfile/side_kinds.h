@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/retained_scene.h"
 #include "hidden/exact/eye.h"
-#include "hidden/line_kinds.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {

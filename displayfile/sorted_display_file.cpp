@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
 #include "displayfile/hidden_surface_check.h"
 
 namespace displayfile {

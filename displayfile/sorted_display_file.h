@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/segment_groups.h"
 #include "displayfile/surface_plan.h"

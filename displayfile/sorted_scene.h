@@ -13,12 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "clip/transformation.h"
 #include "displayfile/intensity_plane.h"
 #include "displayfile/normal_plane.h"
 #include "displayfile/viewed_scene.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_cuts.h"
 #include "hidden/lines/strokes_once.h"
 #include "hidden/sort/hidden_surface_sort.h"
 

@@ -1,4 +1,4 @@
-#include "displayfile/surface_grid.h"
+#include "displayfile/graphics_system.h"
 
 #include <fmt/format.h>
 

@@ -12,14 +12,14 @@ SurfacePlan resolve_surfaces(const HiddenSurfaceOptions& options) {
 
 SurfacePlan resolve_surfaces(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
   const HiddenMethod sorted =
-      system.hidden_line_removal() ? system.hidden_method() : HiddenMethod::none;
-  const HiddenMethod set = system.z_buffer() ? HiddenMethod::z_buffer : sorted;
+      system.hidden_surfaces().removal ? system.hidden_surfaces().method : HiddenMethod::none;
+  const HiddenMethod set = system.hidden_surfaces().z_buffer ? HiddenMethod::z_buffer : sorted;
   return {.options = options,
           .method = options.method.value_or(set),
-          .precision = options.precision.value_or(system.precision()),
-          .hidden_lines = options.hidden_lines.value_or(system.hidden_lines()),
-          .intersections = contains(system.lines().kinds, LineKind::intersection),
-          .scope_of_application = system.hidden_scope()};
+          .precision = options.precision.value_or(system.hidden_surfaces().precision),
+          .hidden_lines = options.hidden_lines.value_or(system.hidden_surfaces().hidden_lines),
+          .intersections = contains(system.hidden_surfaces().lines.kinds, LineKind::intersection),
+          .scope_of_application = system.hidden_surfaces().scope};
 }
 
 }  // namespace displayfile

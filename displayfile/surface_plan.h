@@ -3,12 +3,9 @@
 #include <cstddef>
 #include <optional>
 
+#include "clip/surfaces.h"
 #include "clip/work_budget.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/hidden_scope.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "hidden/work_progress.h"
 

@@ -9,6 +9,7 @@
 #include "clip/bounds.h"
 #include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
+#include "clip/unit.h"
 #include "clip/view_volume.h"
 #include "displayfile/fitted_window.h"
 #include "displayfile/outermost_points.h"

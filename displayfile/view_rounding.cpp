@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/mat4x4.hpp>
 
 #include "hidden/exact/rounding.h"
 

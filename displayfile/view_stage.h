@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "displayfile/looks/attributes.h"
 #include "displayfile/looks/gouraud.h"
 #include "displayfile/looks/phong.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "displayfile/looks/world_polygon.h"
 #include "displayfile/segment.h"

@@ -11,7 +11,7 @@ class EndsAsEntered {
  public:
   enum class Place : std::uint8_t {
     unknown,    ///< what was entered is not at hand
-    on_plane,   ///< within reach (hidden/touching.h)
+    on_plane,   ///< within reach (clip/surfaces.h)
     before,     ///< nearer to the viewer than the plane
     behind,     ///< farther
     off_plane,  ///< one of both

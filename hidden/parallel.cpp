@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/share_out.h"
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "clip/back_face.h"
+#include "clip/budgeted_work.h"
 #include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
 #include "hidden/key_grid.h"

@@ -28,7 +28,7 @@ class TouchingPlanes {
 
   TouchingPlanes() = default;
   /// The polygons are 0 to `polygons` - 1, in order of entry. `reach` is before the modelling
-  /// transformation (entered_reach of hidden/touching.h); with 0 polygons lie in one
+  /// transformation (entered_reach of clip/surfaces.h); with 0 polygons lie in one
   /// plane only if they do exactly. Coordinates in
   /// the world are finite. Throws LimitReached where the budget in force is used up.
   TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);

@@ -2,15 +2,11 @@
 
 #include <cassert>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 
-namespace displayfile {
+#include "clip/work_budget.h"
 
-/// Told how much of long work is done, out of all: by one thread at a time, with counts that do not
-/// fall, and with all of it last. What it throws stops the work on every thread and comes out of
-/// the routine that was called, which then has changed nothing.
-using WorkProgress = std::function<void(std::size_t done, std::size_t all)>;
+namespace displayfile {
 
 /// Counts what several threads do of one work, and tells of it.
 class CountedWork {

@@ -1,26 +1,32 @@
 #pragma once
 
-/// What an application includes, as "displayfile/displayfile.h": the user routines
-/// (GraphicsSystem), drawing them into pictures and files (draw, or a Renderer that keeps what the
-/// next picture needs and picks), what is thrown (Error), drawing programs, meshes, dumps, and
-/// views of a retained scene and picking in it. This header and those that it includes are all that
-/// is installed (interp/public_headers.cmake); they need GLM alone.
+/// The header that an application includes, as "displayfile/displayfile.h". It and those that it
+/// includes are all that is installed (interp/public_headers.cmake); they need GLM alone. In
+/// groups:
 
+/// The library's version, by which an application may choose what it compiles. CMake reads it here.
+#define DISPLAYFILE_VERSION_MAJOR 0
+#define DISPLAYFILE_VERSION_MINOR 1
+#define DISPLAYFILE_VERSION_PATCH 0
+
+// Exceptions; limits of work, and how it is stopped: Error, WorkBudget, BudgetInForce.
 #include "clip/error.h"
-#include "clip/version.h"
-#include "displayfile/axes.h"
-#include "displayfile/drawn_pieces.h"
+#include "clip/work_budget.h"
+
+// Values: points, views, how hidden surfaces are found, looks.
+#include "clip/point.h"
+#include "clip/surfaces.h"
+#include "clip/view.h"
+#include "displayfile/looks/style.h"
+
+// Scenes: the user routines (GraphicsSystem, shapes, axes), meshes, drawing programs and dumps.
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/recorder.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/shapes/shapes.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
-#include "displayfile/text/user_routine.h"
-#include "displayfile/turntable.h"
+
+// Pictures: draw, in memory, into files and streams; a Renderer, which keeps what the next picture
+// needs and picks; devices of an application's own.
+#include "interp/device/output_device.h"
+#include "interp/device/picture.h"
 #include "interp/draw/draw.h"
-#include "interp/draw/nothing_seen.h"
-#include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
-#include "interp/draw/turntable_renderer.h"

@@ -5,8 +5,8 @@
 # There they include one another by paths relative to themselves, so that an application has nothing
 # of them in its include path but the one folder, and no header of its own is taken for one of them.
 #
-# Fails if one of them includes a header of a room of interp/ other than draw and device: the
-# interpreter's own things are there.
+# Fails if one of them includes a header of hidden/, or of a room of interp/ other than draw and
+# device: the algorithms, and the interpreter's own things, are there.
 cmake_minimum_required(VERSION 3.25)
 
 set(to_visit interp/displayfile.h)
@@ -31,7 +31,8 @@ while(to_visit)
   string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
   foreach(include ${includes})
     string(REGEX REPLACE "#include \"([^\"]+)\"" "\\1" included ${include})
-    if(included MATCHES "^interp/.*/" AND NOT included MATCHES "^interp/(draw|device)/")
+    if(included MATCHES "^hidden/" OR
+       (included MATCHES "^interp/.*/" AND NOT included MATCHES "^interp/(draw|device)/"))
       message(FATAL_ERROR "${header}, which applications include, includes ${included}, which is "
                           "private: a room's own")
     endif()

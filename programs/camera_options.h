@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
 
 namespace displayfile {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "displayfile/characters.h"
+#include "displayfile/sorted_display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/predicate_counts.h"
 #include "interp/draw/drawing_choice.h"
@@ -140,7 +141,7 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
       "{}"
       "display file       {} bytes ({:.1f} a polygon)\n"
       "picture            {} x {}, hidden surfaces by {}\n",
-      file.segments().size(), visible, system.polygons_entered(), system.polygons_triangulated(),
+      file.segments().size(), visible, system.counts().polygons, system.counts().triangulated,
       polygons, lines, touching_counts(file), text_counts(file, method), file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
       options.width, options.height, name_of(method));

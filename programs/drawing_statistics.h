@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "displayfile/display_file.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {

@@ -9,6 +9,7 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/input_file.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/nothing_seen.h"
 #include "interp/draw/renderer.h"
 #include "interp/visibility/image_space.h"
@@ -38,7 +39,7 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions&
   if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
     system_.retain(&scene_);
   } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
-    system_.retain_alone(scene_);
+    SystemInside::retain_alone(system_, scene_);
   }
   enter(system_);
 }
@@ -48,7 +49,7 @@ bool DrawnInputs::are_bare_meshes() const {
 }
 
 std::size_t DrawnInputs::polygons() const {
-  return system_.retains_alone() ? scene_.size() : system_.display_file().polygons();
+  return SystemInside::retains_alone(system_) ? scene_.size() : system_.display_file().polygons();
 }
 
 /// Bare meshes are drawn in one view, in image space, where the scope has no meaning.
@@ -59,7 +60,7 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
   DrawOptions options = options_;
   options.progress = progress;
   options.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
-  if (!system_.retains_alone()) {
+  if (!SystemInside::retains_alone(system_)) {
     displayfile::draw(system_, file, options, kept);
     return warned;
   }

@@ -8,6 +8,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
+#include "displayfile/sorted_display_file.h"
 #include "interp/draw/draw.h"
 #include "programs/mesh_words.h"
 

@@ -1,7 +1,7 @@
 #include "programs/hidden_surface_words.h"
 
 #include "clip/error.h"
-#include "hidden/exact/precision.h"
+#include "clip/surfaces.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {

@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "clip/surfaces.h"
 #include "displayfile/sorted_display_file.h"
-#include "hidden/line_kinds.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "displayfile/mesh/import_limits.h"
+#include "displayfile/mesh/mesh.h"
 
 namespace displayfile {
 

@@ -12,11 +12,12 @@
 
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/files.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/input_file.h"
 #include "displayfile/looks/background.h"
 #include "displayfile/mesh/fitted_view.h"
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/drawing_choice.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/progress.h"
@@ -68,16 +69,16 @@ void append_drawn(const View& view, const RetainedScene& retained, const Graphic
 
 /// As far as it goes: what is wrong with it is told when it is replayed among the others.
 void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
-  const std::size_t saved = ahead.transformations_saved();
+  const std::size_t saved = ahead.counts().transformations_saved;
   try {
     replay(program, name, ahead);
   } catch (const LimitReached&) {
     throw;
   } catch (const Error&) {
-    while (ahead.solids_open() > 0) ahead.discard_solid();
-    ahead.set_hidden_line_removal(false);
+    while (ahead.counts().solids_open > 0) ahead.discard_solid();
+    ahead.set_hidden_surfaces({.removal = false});
     if (ahead.open_segment_name()) ahead.close_segment();
-    while (ahead.transformations_saved() > saved) ahead.restore_transformation_3();
+    while (ahead.counts().transformations_saved > saved) ahead.restore_transformation_3();
   }
 }
 
@@ -109,7 +110,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   RetainedScene drawn;
   GraphicsSystem ahead;
   ahead.retain(&drawn);
-  ahead.set_shading(system.shading());
+  ahead.set_shading(system.attributes().shading);
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
     if (is_drawing_program(input)) {
@@ -117,12 +118,12 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       replay_ahead(read.programs.back(), input_name(input), ahead);
       continue;
     }
-    const bool smooth = ahead.shading() != Shading::flat;
+    const bool smooth = ahead.attributes().shading != Shading::flat;
     const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
     if (smooth) complete_normals(mesh);
     enter_ahead(mesh, ahead);
-    const GraphicsSystem& before = system.view_was_set() ? system : ahead;
+    const GraphicsSystem& before = system.said().contains_view() ? system : ahead;
     if (before.said().contains(Setting::window)) continue;
     if (read.bare.empty()) read.said = {before.view(), before.said()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
@@ -184,10 +185,12 @@ void enter_meshes_with_lines(std::span<const Mesh> meshes, GraphicsSystem& syste
                              const MeshOptions& options,
                              const std::optional<LineSelection>& lines) {
   if (!lines) return enter_meshes(meshes, system, options);
-  const LineSelection before = system.lines();
-  system.by_default(Setting::lines, [&] { system.set_lines(*lines); });
+  const LineSelection before = system.hidden_surfaces().lines;
+  SystemInside::by_default(system, Setting::lines,
+                           [&] { system.set_hidden_surfaces({.lines = *lines}); });
   enter_meshes(meshes, system, options);
-  system.by_default(Setting::lines, [&] { system.set_lines(before); });
+  SystemInside::by_default(system, Setting::lines,
+                           [&] { system.set_hidden_surfaces({.lines = before}); });
 }
 
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
@@ -234,9 +237,9 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
 std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
                                  const MeshOptions& options,
                                  const std::optional<LineSelection>& lines_of_meshes) {
-  const std::int64_t empty_before = system.empty_solids();
+  const std::int64_t empty_before = system.counts().empty_solids;
   const std::optional<Upright> upright = enter_each(inputs, system, options, lines_of_meshes);
-  if (const std::int64_t empty = system.empty_solids() - empty_before; empty > 0) {
+  if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {
     warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
                               empty == 1 ? "" : "s");
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "clip/error.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "programs/colour_word.h"
 #include "programs/option_groups.h"
 
@@ -36,8 +37,8 @@ MeshOptions MeshWords::options() const {
 
 void MeshWords::start(GraphicsSystem& system, double aspect) const {
   CameraWords::start(system, aspect);
-  if (lines) system.replace_lines(*lines);
-  if (touching) system.replace_touching(*touching);
+  if (lines) SystemInside::replace_lines(system, *lines);
+  if (touching) SystemInside::replace_touching(system, *touching);
   // Lines are selected among what is retained, also after a program's segments.
   if (lines_of_meshes) system.retain();
 }

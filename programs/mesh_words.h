@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "displayfile/mesh/mesh_options.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/camera_options.h"
 #include "programs/import_words.h"
 

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/mesh/mesh_extensions.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_kinds.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "interp/steps/steps.h"
 
 namespace displayfile {

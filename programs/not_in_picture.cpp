@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "interp/visibility/image_space.h"
 #include "programs/warnings.h"
 

@@ -3,7 +3,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "displayfile/looks/shading.h"
+#include "displayfile/looks/style.h"
 #include "programs/option_groups.h"
 
 namespace displayfile {

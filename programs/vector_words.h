@@ -3,7 +3,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "interp/device/vector_options.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

@@ -15,6 +15,7 @@
 
 #include "clip/error.h"
 #include "clip/memory.h"
+#include "clip/unit.h"
 #include "displayfile/unfinished_path.h"
 #include "programs/number_in.h"
 #include "programs/option_groups.h"

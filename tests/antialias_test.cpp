@@ -17,9 +17,9 @@ namespace {
 /// A system whose display coordinates are its world coordinates.
 GraphicsSystem system_of(HiddenMethod method) {
   GraphicsSystem g = test::unit_square_without_lines();
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
-  g.set_hidden_method(method);
+  g.set_hidden_surfaces({.method = method});
   return g;
 }
 

@@ -5,8 +5,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// No part of what an application includes: trees of a retained scene.
+#include "displayfile/retained_scene.h"
+#include "displayfile/retained_views.h"
+#include "interp/draw/world_views.h"
 
 namespace {
 
@@ -51,7 +62,7 @@ TEST(Application, EntersMeshes) {
   mesh.first_corner = {0, 3};
   displayfile::GraphicsSystem g;
   displayfile::enter_mesh(mesh, g, 1);
-  EXPECT_EQ(g.polygons_entered(), 1);
+  EXPECT_EQ(g.counts().polygons, 1);
 }
 
 TEST(Application, AnimatesAndPicks) {
@@ -84,14 +95,12 @@ TEST(Application, AnimatesAndPicks) {
 
 TEST(Application, ViewsARetainedScene) {
   displayfile::GraphicsSystem g;
-  displayfile::RetainedScene scene;
-  g.retain(&scene);
+  g.retain();
   g.open_segment(1);
   g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
   g.close_segment();
   displayfile::Renderer renderer;
   const displayfile::InView in = displayfile::in_view(g, g.view());
-  EXPECT_EQ(renderer.display_file(in).polygons(), 1u);
   const std::optional<displayfile::Pick> pick = renderer.pick(in, 0.5, 0.5);
   ASSERT_TRUE(pick);
   EXPECT_EQ(pick->segment, 1);
@@ -102,6 +111,180 @@ TEST(Application, ViewsARetainedScene) {
     const displayfile::DrawOptions options{.width = 9, .height = 9, .hidden = method};
     EXPECT_EQ(renderer.draw(in, options).pixels, displayfile::draw(g, options).pixels);
   }
+}
+
+/// A camera: the target is in the middle, up is up, and what is fitted fills the picture.
+TEST(Application, LooksAtAPointAndFitsABox) {
+  using displayfile::Point3;
+  const Point3 low(10, 20, 30), high(14, 22, 31), middle = 0.5 * (low + high);
+  const displayfile::View view = displayfile::look_at({1, 2, 90}, middle, {0, 1, 0}, 30.0);
+  displayfile::GraphicsSystem g;
+  g.set_view(view);
+  EXPECT_EQ(g.view(), view);
+  const std::optional<Point3> at = g.to_device(middle);
+  ASSERT_TRUE(at);
+  EXPECT_NEAR(at->x, 0.5, 1e-12);
+  EXPECT_NEAR(at->y, 0.5, 1e-12);
+  EXPECT_GT(g.to_device(middle + Point3(0, 1, 0))->y, 0.5);
+  EXPECT_GT(g.to_device(middle + Point3(1, 0, 0))->x, 0.5);
+  const double distance = glm::length(view.plane_normal);
+  EXPECT_NEAR(view.window.y_max, distance * std::tan(std::acos(-1.0) / 12.0), 1e-9);
+
+  for (const double aspect : {1.0, 2.0}) {
+    displayfile::GraphicsSystem fitted;
+    fitted.set_aspect_ratio(aspect);
+    fitted.set_view(displayfile::fit(view, low, high, aspect));
+    EXPECT_FALSE(fitted.stretched_window());
+    double left = 1.0, right = 0.0, bottom = 1.0, top = 0.0;
+    for (int k = 0; k < 8; ++k) {
+      const Point3 corner((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                          (k & 4) != 0 ? high.z : low.z);
+      const Point3 seen = fitted.to_device(corner).value();
+      left = std::min(left, seen.x);
+      right = std::max(right, seen.x);
+      bottom = std::min(bottom, seen.y);
+      top = std::max(top, seen.y);
+      EXPECT_TRUE(seen.z >= 0.0 && seen.z <= 1.0) << seen.z;
+    }
+    EXPECT_NEAR(std::max(right - left, top - bottom), 0.9, 1e-9);
+    EXPECT_NEAR(left + right, 1.0, 1e-9);
+    EXPECT_NEAR(bottom + top, 1.0, 1e-9);
+  }
+
+  displayfile::View parallel = view;
+  parallel.set_parallel(view.plane_normal);
+  const std::vector<Point3> points{low, high};
+  EXPECT_EQ(displayfile::fit(parallel, points).projection, displayfile::View::Projection::parallel);
+}
+
+TEST(Application, FitsWhatASystemRetains) {
+  displayfile::GraphicsSystem g;
+  const displayfile::View view = displayfile::look_at({0, 0, 50}, {0, 0, 0});
+  EXPECT_THROW(displayfile::fit(view, g), displayfile::Error);
+  g.retain();
+  for (int name = 1; name <= 2; ++name) {
+    g.open_segment(name);
+    displayfile::box_3(g, {-1.0 * name, -1, -1}, {1.0 * name, 1, 1});
+    g.close_segment();
+  }
+  g.set_visibility(2, false);
+  EXPECT_EQ(displayfile::fit(view, g), displayfile::fit(view, {-1, -1, -1}, {1, 1, 1}));
+}
+
+TEST(Application, ACameraThatCannotBeIsAnError) {
+  using displayfile::look_at;
+  using displayfile::Point3;
+  const auto refused = [](auto&& make) {
+    try {
+      make();
+    } catch (const displayfile::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused([] {
+              look_at({1, 2, 3}, {1, 2, 3});
+            }),
+            "the eye is at what it looks at: expected another point");
+  EXPECT_EQ(refused([] {
+              look_at({0, 5, 0}, {0, 1, 0});
+            }),
+            "view up is along the line of sight: expected another direction");
+  EXPECT_EQ(refused([] {
+              look_at({0, 0, 5}, {0, 0, 0}, {0, 0, 0});
+            }),
+            "view up is zero: expected a direction");
+  EXPECT_NE(refused([] { look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 180.0); }), "");
+  EXPECT_NE(refused([] { look_at({0, 0, NAN}, {0, 0, 0}); }), "");
+  const displayfile::View view = look_at({0, 0, 5}, {0, 0, 0});
+  EXPECT_NE(refused([&] { displayfile::fit(view, std::vector<Point3>{}); }), "");
+  EXPECT_NE(refused([&] { displayfile::fit(view, {-1, -1, 4}, {1, 1, 6}); }), "");  // behind it
+  EXPECT_NE(refused([&] { displayfile::fit(view, {-1, -1, 0}, {1, 1, 1}, -1.0); }), "");
+
+  displayfile::GraphicsSystem g;
+  const displayfile::View before = g.view();
+  displayfile::View wrong = view;
+  wrong.window = {1, 0, 0, 1};
+  EXPECT_NE(refused([&] { g.set_view(wrong); }), "");
+  EXPECT_EQ(g.view(), before);
+  EXPECT_FALSE(g.said().contains_view());
+}
+
+/// One switch: all settings of a call are made, or none; those without a value stay.
+TEST(Application, SetsHowHiddenSurfacesAreFound) {
+  using displayfile::HiddenMethod;
+  displayfile::GraphicsSystem g;
+  g.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
+  g.set_hidden_surfaces({.hidden_lines = displayfile::HiddenLines::dashed});
+  EXPECT_TRUE(g.hidden_surfaces().removal);
+  EXPECT_TRUE(g.attributes().back_face_removal);
+  EXPECT_EQ(g.hidden_surfaces().method, HiddenMethod::bsp);
+  EXPECT_EQ(g.hidden_surfaces().hidden_lines, displayfile::HiddenLines::dashed);
+  EXPECT_THROW(g.set_hidden_surfaces({.removal = false,
+                                      .method = HiddenMethod::map,
+                                      .precision = displayfile::Precision{false, 2.0}}),
+               displayfile::Error);
+  EXPECT_TRUE(g.hidden_surfaces().removal);
+  EXPECT_EQ(g.hidden_surfaces().method, HiddenMethod::bsp);
+
+  std::ostringstream program;
+  displayfile::Recorder recorder(program);
+  g.set_recorder(&recorder);
+  g.set_hidden_surfaces({.z_buffer = false, .method = HiddenMethod::map});
+  EXPECT_EQ(program.str(), "set-hidden-method map\nset-z-buffer off\n");
+}
+
+/// A device of the application's own gets what the pieces are.
+TEST(Application, DrawsOnADeviceOfItsOwn) {
+  class Counter : public displayfile::OutputDevice {
+   public:
+    void fill(const displayfile::DrawnPolygon& polygon) override {
+      ++fills;
+      vertices += polygon.vertices.size();
+    }
+    void edges(const displayfile::DrawnPolygon& polygon) override {
+      sides += static_cast<std::size_t>(
+          std::ranges::count(polygon.sides, displayfile::DrawnPolygon::kDrawnSide));
+    }
+    void line(const displayfile::DrawnLine&) override { ++lines; }
+    std::size_t fills = 0, vertices = 0, sides = 0, lines = 0;
+  };
+  displayfile::GraphicsSystem g;
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.8, -0.8, 0}, {0.8, -0.8, 0}, {0.8, 0.8, 0}, {-0.8, 0.8, 0}});
+  g.polygon_abs_3({{-0.4, -0.4, 0.5}, {0.4, -0.4, 0.5}, {0, 0.4, 0.5}});
+  g.close_segment();
+  Counter in_order, visible;
+  displayfile::draw(g, in_order, {.hidden = displayfile::HiddenMethod::none});
+  EXPECT_EQ(in_order.fills, 2u);
+  EXPECT_EQ(in_order.vertices, 7u);
+  EXPECT_EQ(in_order.sides, 7u);
+  const displayfile::DrawOptions map{.hidden = displayfile::HiddenMethod::map};
+  displayfile::draw(g, visible, map);
+  const displayfile::DrawnPieces pieces = displayfile::drawn_pieces(g, map);
+  using Kind = displayfile::DrawnPieces::Kind;
+  const auto solid = static_cast<std::size_t>(std::ranges::count(pieces.kinds, Kind::solid));
+  EXPECT_EQ(visible.fills, solid);
+  EXPECT_GT(solid, 1u);
+}
+
+/// A system moves with all that it has; a copy has its own.
+TEST(Application, SystemsAreCopiedAndMoved) {
+  displayfile::GraphicsSystem g;
+  g.open_segment(1);
+  g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
+  g.close_segment();
+  const std::string dumped = displayfile::dump(g.display_file());
+  displayfile::GraphicsSystem copy = g;
+  copy.delete_segment(1);
+  EXPECT_EQ(displayfile::dump(g.display_file()), dumped);
+  displayfile::GraphicsSystem moved = std::move(g);
+  EXPECT_EQ(displayfile::dump(moved.display_file()), dumped);
+  g = copy;
+  EXPECT_NE(displayfile::dump(g.display_file()), dumped);
+  const displayfile::DisplayFile& of_copy = copy.display_file();
+  copy = moved;
+  EXPECT_EQ(displayfile::dump(of_copy), dumped);
 }
 
 /// Every way to draw says what is wrong with an option, and in a file and in memory the same.

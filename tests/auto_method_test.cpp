@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"

@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/recorder.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/text/seen_texts.h"
 #include "tests/error_of.h"
@@ -102,8 +101,8 @@ GraphicsSystem box_seen_from(double azimuth, double elevation, bool perspective,
     g.set_parallel(eye);
   }
   g.set_window(-3, 3, -3, 3);
-  g.set_hidden_line_removal(true);
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   g.set_back_face_removal(false);
   g.open_segment(1);
   const auto face = [&](int axis, double at) {

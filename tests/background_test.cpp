@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "clip/error.h"
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/files.h"
+#include "displayfile/retained_scene.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/png_file.h"
 #include "interp/opengl/osmesa.h"

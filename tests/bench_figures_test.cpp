@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 #include "tests/bench_fixture.h"
 
 namespace displayfile::test {

@@ -110,7 +110,7 @@ void enter_boxes_in_single_precision(Source& s, GraphicsSystem& g) {
 /// Seen from anywhere, or in world coordinates that are those of the picture.
 void begin(Source& s, GraphicsSystem& g, int seed) {
   if (seed % 4 == 3) {
-    g.set_touching({Touching::Kind::off});
+    g.set_hidden_surfaces({.touching = Touching{Touching::Kind::off}});
     g.set_window(-1, 1, -1, 1);
   } else {
     test::view_from_anywhere(s, g, {Point3(0.0), seed % 4 == 1 ? 1.0 : 3.0});  // or clipped

@@ -1,6 +1,6 @@
 // Cameras of bare meshes, and what was said before a mesh.
 
-#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,9 @@
 #include "clip/error.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/mesh/fitted_view.h"
-#include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "interp/draw/draw.h"
 #include "tests/mesh_files.h"
 
@@ -243,7 +242,7 @@ TEST_F(CameraTest, RefusesWhatCannotBeSeen) {
   const auto refused = [&](const Camera& camera) {
     GraphicsSystem g;
     EXPECT_THROW(fit_view(std::span(&mesh, 1), g, camera), Error);
-    EXPECT_FALSE(g.view_was_set());
+    EXPECT_FALSE(g.said().contains_view());
   };
   for (const double angle : {0.0, -10.0, 180.0, std::nan(""), HUGE_VAL}) {
     Camera camera;
@@ -328,16 +327,16 @@ TEST_F(SettingsBeforeAMesh, ModellingTransformationAndTheViewFitsIt) {
 TEST_F(SettingsBeforeAMesh, HiddenSurfaces) {
   GraphicsSystem bare, off, faces, method;
   enter("", bare);
-  EXPECT_TRUE(bare.hidden_line_removal());
+  EXPECT_TRUE(bare.hidden_surfaces().removal);
   EXPECT_EQ(bare.display_file().polygons(), 3u) << "the cube is closed";
   enter("set-hidden-line-removal off\n", off);
-  EXPECT_FALSE(off.hidden_line_removal());
+  EXPECT_FALSE(off.hidden_surfaces().removal);
   EXPECT_EQ(off.display_file().polygons(), 6u);
   enter("set-back-face-removal off\n", faces);
-  EXPECT_TRUE(faces.hidden_line_removal());
+  EXPECT_TRUE(faces.hidden_surfaces().removal);
   EXPECT_EQ(faces.display_file().polygons(), 6u);
   enter("set-hidden-method bsp\n", method);
-  EXPECT_TRUE(method.hidden_line_removal());
+  EXPECT_TRUE(method.hidden_surfaces().removal);
   EXPECT_NE(method.display_file().segments().front().sorted(), nullptr);
 }
 
@@ -345,7 +344,7 @@ TEST_F(SettingsBeforeAMesh, OnlyTheCameraLeavesTheRestToTheMesh) {
   GraphicsSystem g;
   enter("set-window -3 3 -3 3\nset-perspective 3 2 6\n", g);
   EXPECT_EQ(g.view().window, (Rectangle{-3, 3, -3, 3}));
-  EXPECT_TRUE(g.hidden_line_removal());
+  EXPECT_TRUE(g.hidden_surfaces().removal);
   EXPECT_TRUE(g.attributes().light.has_value());
   EXPECT_EQ(g.display_file().polygons(), 3u);
   const std::string text = dump(g.display_file());
@@ -452,7 +451,7 @@ TEST_F(SettingsBeforeAMesh, ManyPolygonsWithStylesOfTheirOwnSayNoStyle) {
   const std::vector<std::uint32_t> corners{0, 1, 2};
   const std::vector<FillStyle> fills{{FillStyle::Kind::solid, {1, 0, 0}}};
   g.open_segment(1);
-  g.polygons_abs_3(vertices, corners, {}, fills);
+  g.polygons_abs_3({vertices, corners, {}, fills});
   EXPECT_FALSE(g.said().contains(Setting::fill_style));
   g.set_fill_style(fills[0]);
   EXPECT_TRUE(g.said().contains(Setting::fill_style));

@@ -15,12 +15,11 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/hidden_surface_check.h"
-#include "displayfile/recorder.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "hidden/exact/support_plane.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/scan/pixel_depth.h"
@@ -84,8 +83,8 @@ TEST(ColourRule, ShowsLinesOnTheBackgroundAndHasTheFillsItemBuffer) {
   for (const HiddenMethod surfaces : kMethods) {
     SCOPED_TRACE(name_of(colour_rule_by(surfaces)));
     GraphicsSystem g;
-    g.set_hidden_method(colour_rule_by(surfaces));
-    g.set_hidden_line_removal(true);
+    g.set_hidden_surfaces({.method = colour_rule_by(surfaces)});
+    g.set_hidden_surfaces({.removal = true});
     enter_cube(g);
     for (const Background& background :
          {Background{}, Background{Background::Kind::solid, {0.1, 0.2, 0.3}},
@@ -125,15 +124,15 @@ TEST(ColourRule, IsRecordedAndReplayed) {
   Recorder recorder(recording);
   GraphicsSystem g, again;
   g.set_recorder(&recorder);
-  g.set_hidden_method(colour_rule_by(scan_line_z));
+  g.set_hidden_surfaces({.method = colour_rule_by(scan_line_z)});
   replay(recording.str(), "recording", again);
-  EXPECT_EQ(again.hidden_method(), colour_rule_by(scan_line_z));
+  EXPECT_EQ(again.hidden_surfaces().method, colour_rule_by(scan_line_z));
 }
 
 TEST(ColourRule, SortsWhenASegmentIsClosed) {
   GraphicsSystem g;
-  g.set_hidden_method(colour_rule_by(bsp));
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = colour_rule_by(bsp)});
+  g.set_hidden_surfaces({.removal = true});
   enter_cube(g);
   const auto sorted = g.display_file().segment(1).sorted();
   ASSERT_NE(sorted, nullptr);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "interp/draw/draw.h"
 #include "tests/command_fixture.h"

@@ -1,6 +1,6 @@
 // Cut faces: what cutting planes cut of a closed solid is closed again, hatched or not.
 
-#include "displayfile/solids/cut_faces.h"
+#include "displayfile/graphics_system.h"
 
 #include <gtest/gtest.h>
 
@@ -16,11 +16,8 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "displayfile/graphics_system.h"
+#include "displayfile/files.h"
 #include "displayfile/mesh/section.h"
-#include "displayfile/shapes/shapes.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/random_views.h"
@@ -177,8 +174,8 @@ TEST(CutFaces, WhatIsLeftIsDrawnAsASolidOfThatForm) {
   const auto entered = [](bool is_cut, HiddenMethod method) {
     GraphicsSystem g;
     g.set_parallel({0.5, 0.3, 1});
-    g.set_hidden_line_removal(true);
-    g.set_hidden_method(method);
+    g.set_hidden_surfaces({.removal = true});
+    g.set_hidden_surfaces({.method = method});
     if (is_cut) g.set_cutting_plane(1, 1, 0, 0, 0);
     g.set_cut_faces({Kind::closed});
     g.open_segment(1);
@@ -303,8 +300,8 @@ TEST(CutFaces, HatchingIsNoPartOfAViewInWhichItsFaceIsTurnedAway) {
   const auto dump_of = [](const CutFaces& faces, bool removes_back_faces) {
     GraphicsSystem g;
     g.set_parallel({0.5, 0.3, 1});
-    g.set_hidden_line_removal(true);
-    g.set_hidden_method(HiddenMethod::franklin);
+    g.set_hidden_surfaces({.removal = true});
+    g.set_hidden_surfaces({.method = HiddenMethod::franklin});
     g.set_back_face_removal(removes_back_faces);
     g.set_cutting_plane(1, 1, 0, 0, 0);
     g.set_cut_faces(faces);
@@ -349,8 +346,8 @@ TEST(CutFaces, WhatIsEnteredPolygonByPolygonOrNotClosedStaysOpen) {
   const auto faces_of = [&](const EnterSolid& enter) {
     return Entered(cut(enter, {{{-1, 0, 0}, 1}}, {Kind::closed})).mesh().faces();
   };
-  EXPECT_EQ(faces_of([&](GraphicsSystem& g) { g.polygons_abs_3(vertices, open); }), 3u);
-  EXPECT_EQ(faces_of([&](GraphicsSystem& g) { g.polygons_abs_3(vertices, closed); }), 5u);
+  EXPECT_EQ(faces_of([&](GraphicsSystem& g) { g.polygons_abs_3({vertices, open}); }), 3u);
+  EXPECT_EQ(faces_of([&](GraphicsSystem& g) { g.polygons_abs_3({vertices, closed}); }), 5u);
   const auto one_by_one = [&](GraphicsSystem& g) {
     for (std::size_t k = 0; k < closed.size(); k += 3) {
       g.polygon_abs_3({vertices[closed[k]], vertices[closed[k + 1]], vertices[closed[k + 2]]});
@@ -407,9 +404,10 @@ TEST(CutFaces, RecordedAndReplayedTheyAreTheSame) {
     g.translate_3(0.1, 0.2, 0.3);
     torus_3(g, {0, 0, 0}, 0.7, 0.2, 11);
     g.set_pick_id(5);
-    g.polygons_abs_3(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                     std::vector<std::uint32_t>{0, 1, 2}, {},
-                     std::vector<FillStyle>{{.colour = {1, 0, 0}}});
+    g.polygons_abs_3({std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                      std::vector<std::uint32_t>{0, 1, 2},
+                      {},
+                      std::vector<FillStyle>{{.colour = {1, 0, 0}}}});
     box_3(g, {0, 0, 0}, {0.3, 0.4, 0.5});
     g.set_cut_faces({Kind::closed});
     box_3(g, {0, 0, 0}, {0.3, 0.4, 0.5});
@@ -461,8 +459,8 @@ TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {
   g.set_cutting_plane(1, 0, 1, 0, 0);
   g.open_segment(1);
   expect_error([&] { box_3(g, {-1, -1, -1}, {1, 1, 1}); }, "at most 100000 lines");
-  EXPECT_EQ(g.solids_open(), 0u);
-  EXPECT_EQ(g.polygons_entered(), 0);
+  EXPECT_EQ(g.counts().solids_open, 0u);
+  EXPECT_EQ(g.counts().polygons, 0);
   g.close_segment();
   const auto error_of_program = [](const std::string& program) {
     GraphicsSystem of_program;

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/device/output_device.h"
 #include "tests/touching_scenes.h"
 
 namespace displayfile {
@@ -66,7 +66,7 @@ Drawn drawn(std::uint64_t seed, HiddenMethod method) {
   test::view_from_anywhere(s, g);
   if (seed % 2 == 0) test::turn_and_move(s, g);
   g.set_line_style({});
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
   g.open_segment(1);
   test::enter_boxes_on_floor(s, g);

@@ -13,11 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/shapes/shapes.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
@@ -183,8 +182,8 @@ TEST(CuttingPlanes, EveryMethodSeesWhatTheTruthSees) {
     for (unsigned round = 0; round < 4; ++round) {
       Source s(round);
       GraphicsSystem g;
-      g.set_hidden_method(method);
-      g.set_hidden_line_removal(true);
+      g.set_hidden_surfaces({.method = method});
+      g.set_hidden_surfaces({.removal = true});
       set_view(g, test::any_view(s));
       enter_cut_shapes(s, g);
       DrawOptions options{.width = 64, .height = 64};
@@ -272,11 +271,11 @@ TEST(CuttingPlanes, WhatIsNoPlaneIsRefusedAndTheOldOneStays) {
   expect_error([&] { g.set_cutting_plane(6, kNone, 0, 1, 1); }, "expected finite numbers");
   expect_error([&] { g.set_cutting_plane(6, 1, 0, 1, 1e101); }, "expected finite numbers");
   expect_error([&] { g.set_cutting_plane(6, 1e-300, 0, 0, 1); }, "too far from the origin");
-  EXPECT_TRUE(g.cutting_planes().is_on(6));
-  EXPECT_EQ(g.cutting_planes().outcode({-1, 0, 0}), 32u);
+  EXPECT_TRUE(SystemInside::cutting_planes(g).is_on(6));
+  EXPECT_EQ(SystemInside::cutting_planes(g).outcode({-1, 0, 0}), 32u);
   g.set_cutting_plane(6, 1e-300, 0, 0, 1e-300);
-  EXPECT_EQ(g.cutting_planes().outcode({-1, 0, 0}), 0u);
-  EXPECT_EQ(g.cutting_planes().outcode({-1.5, 0, 0}), 32u);
+  EXPECT_EQ(SystemInside::cutting_planes(g).outcode({-1, 0, 0}), 0u);
+  EXPECT_EQ(SystemInside::cutting_planes(g).outcode({-1.5, 0, 0}), 32u);
   const auto error_of_program = [](const std::string& program) {
     GraphicsSystem of_program;
     return test::error_of([&] { replay(program, "p", of_program); });

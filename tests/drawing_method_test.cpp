@@ -24,14 +24,14 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   g.polygon_abs_3({{0.25, 0, 0}, {0.75, 0, 0}, {0.75, 0.5, 0}});  // behind it
   g.close_segment();
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
-  g.set_hidden_line_removal(false);
+  g.set_hidden_surfaces({.removal = false});
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::none);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::raster), HiddenMethod::z_buffer);
   EXPECT_EQ(drawing_method(g, {.hidden = HiddenMethod::bsp}, PictureKind::raster),
             HiddenMethod::bsp);
-  g.set_z_buffer(true);
+  g.set_hidden_surfaces({.z_buffer = true});
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::z_buffer);
   EXPECT_EQ(picture_kind("a.svg"), PictureKind::vector);
   EXPECT_EQ(picture_kind("a.png"), PictureKind::raster);
@@ -41,7 +41,7 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
 /// The scope is that of sorts: pixels and vectors of what is picked show the same surfaces.
 TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
   GraphicsSystem g;
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_line_style({LineStyle::Kind::none});
   for (const int segment : {1, 2}) {
     g.open_segment(segment);
@@ -52,7 +52,7 @@ TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
   }
   const std::string all = draw_as(g, "svg", {});
   EXPECT_EQ(draw_as(g, "svg", {.scope = HiddenScope::segment}), all);
-  g.set_hidden_scope(HiddenScope::segment);
+  g.set_hidden_surfaces({.scope = HiddenScope::segment});
   EXPECT_EQ(draw_as(g, "svg", {}), all);
   EXPECT_NE(draw_as(g, "svg", {.hidden = HiddenMethod::map}), all);
 }
@@ -81,10 +81,10 @@ TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
   draw_two(flat, 0.25, 0.25);
   EXPECT_EQ(middle(flat), blue);
   EXPECT_EQ(drawing_method(flat, {}, PictureKind::vector), HiddenMethod::none);
-  off.set_hidden_line_removal(false);
+  off.set_hidden_surfaces({.removal = false});
   draw_two(off, 0.5, 0.0);
   EXPECT_EQ(middle(off), blue);
-  method.set_hidden_method(HiddenMethod::bsp);  // for when removal is on
+  method.set_hidden_surfaces({.method = HiddenMethod::bsp});  // for when removal is on
   draw_two(method, 0.5, 0.0);
   EXPECT_EQ(middle(method), blue);
 }
@@ -94,15 +94,15 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
   GraphicsSystem g;
   const auto reason = [&] { return drawing_choice(g, {}, PictureKind::raster).reason; };
   EXPECT_EQ(reason(), "all points have one depth: the order of entry holds");
-  g.set_hidden_line_removal(false);
+  g.set_hidden_surfaces({.removal = false});
   EXPECT_EQ(reason(), "hidden-line removal is off");
   for (const HiddenMethod method : {HiddenMethod::automatic, HiddenMethod::bsp}) {
-    g.set_hidden_line_removal(true);
-    g.set_hidden_method(method);
+    g.set_hidden_surfaces({.removal = true});
+    g.set_hidden_surfaces({.method = method});
     g.open_segment(method == HiddenMethod::bsp ? 2 : 1);
     g.polygon_abs_3({{0, 0, 0.25}, {0.5, 0, 0.25}, {0.5, 0.5, 0.25}});
     g.close_segment();
-    g.set_hidden_line_removal(false);
+    g.set_hidden_surfaces({.removal = false});
     EXPECT_EQ(reason(), method == HiddenMethod::bsp
                             ? "hidden-line removal is off now; segments stay as they were sorted "
                               "when they were closed"
@@ -116,25 +116,26 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
 TEST(DrawingMethod, PrecisionInForce) {
   GraphicsSystem g;
   EXPECT_TRUE(resolve_surfaces(g, {}).precision.exact);
-  g.set_precision({.exact = false, .roundoff = 0.25});
+  g.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 0.25}});
   EXPECT_EQ(resolve_surfaces(g, {}).precision.roundoff, 0.25);
   HiddenSurfaceOptions options;
   options.precision = Precision{};
   EXPECT_TRUE(resolve_surfaces(g, options).precision.exact);
   for (double wrong : {-0.5, 1.0, std::nan("")}) {
-    EXPECT_THROW(g.set_precision({.exact = false, .roundoff = wrong}), Error);
+    EXPECT_THROW(g.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = wrong}}),
+                 Error);
   }
-  EXPECT_EQ(g.precision().roundoff, 0.25);
+  EXPECT_EQ(g.hidden_surfaces().precision.roundoff, 0.25);
 }
 
 /// Once, of a call's options and the application's settings.
 TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
   GraphicsSystem g;
   g.set_background({.colour = {0.25, 0.5, 0.75}});
-  g.set_hidden_lines(HiddenLines::dashed);
-  g.set_hidden_line_removal(true);
-  g.set_hidden_method(HiddenMethod::bsp);
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.hidden_lines = HiddenLines::dashed});
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.method = HiddenMethod::bsp});
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   const PicturePlan plan = resolve(g, {});
   EXPECT_EQ(plan.kind(), PictureKind::raster);
   EXPECT_TRUE(plan.is_on_first_device());

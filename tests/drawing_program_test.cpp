@@ -1,4 +1,4 @@
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/files.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/display_file.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 
@@ -76,13 +76,17 @@ TEST(DrawingProgram, EveryRoutineIsTheApplicationsCall) {
       {"set-image-scale 1 2 3", [](G& g) { g.set_image_scale(1, 2, 3); }},
       {"set-image-rotation 1 30", [](G& g) { g.set_image_rotation(1, 30); }},
       {"set-image-centre 1 .5 .25", [](G& g) { g.set_image_centre(1, 0.5, 0.25); }},
-      {"set-hidden-line-removal on", [](G& g) { g.set_hidden_line_removal(true); }},
+      {"set-hidden-line-removal on", [](G& g) { g.set_hidden_surfaces({.removal = true}); }},
       {"set-back-face-removal on", [](G& g) { g.set_back_face_removal(true); }},
-      {"set-hidden-method z-buffer", [](G& g) { g.set_hidden_method(HiddenMethod::z_buffer); }},
-      {"set-hidden-method auto", [](G& g) { g.set_hidden_method(HiddenMethod::automatic); }},
-      {"set-hidden-method none", [](G& g) { g.set_hidden_method(HiddenMethod::none); }},
-      {"set-hidden-method back-face", [](G& g) { g.set_hidden_method(HiddenMethod::back_face); }},
-      {"set-z-buffer on", [](G& g) { g.set_z_buffer(true); }},
+      {"set-hidden-method z-buffer",
+       [](G& g) { g.set_hidden_surfaces({.method = HiddenMethod::z_buffer}); }},
+      {"set-hidden-method auto",
+       [](G& g) { g.set_hidden_surfaces({.method = HiddenMethod::automatic}); }},
+      {"set-hidden-method none",
+       [](G& g) { g.set_hidden_surfaces({.method = HiddenMethod::none}); }},
+      {"set-hidden-method back-face",
+       [](G& g) { g.set_hidden_surfaces({.method = HiddenMethod::back_face}); }},
+      {"set-z-buffer on", [](G& g) { g.set_hidden_surfaces({.z_buffer = true}); }},
       {"set-shadows on", [](G& g) { g.set_shadows(true); }},
   };
   const std::vector<RoutineCase> inside_of_a_segment{
@@ -240,7 +244,7 @@ TEST(DrawingProgram, PolygonOfManySides) {
   program += "\nclose-segment\n";
   GraphicsSystem system;
   replay(program, "p", system);
-  EXPECT_EQ(system.polygons_entered(), 1);
+  EXPECT_EQ(system.counts().polygons, 1);
   EXPECT_NE(dump(system.display_file()).find("polygon 50000 "), std::string::npos);
 }
 
@@ -260,7 +264,7 @@ TEST(DrawingProgram, SavedTransformationsAreRestoredAtTheEnd) {
           .find("3:25: 1 transformation still saved at the end: expected "
                 "restore-transformation-3"),
       std::string::npos);
-  EXPECT_EQ(system.transformations_saved(), 1u);
+  EXPECT_EQ(system.counts().transformations_saved, 1u);
   EXPECT_EQ(error_of_program("save-transformation-3\nrestore-transformation-3\n", system), "");
   system.restore_transformation_3();
   EXPECT_NE(error_of_program("\n restore-transformation-3\n", system)

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <string>
 
+#include "displayfile/files.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {

@@ -1,6 +1,6 @@
 // What is drawn, as arrays.
 
-#include "displayfile/drawn_pieces.h"
+#include "interp/device/output_device.h"
 
 #include <gtest/gtest.h>
 
@@ -114,8 +114,8 @@ TEST(DrawnPieces, OfTheAutomaticMethodAreTheVisibleOnes) {
     }
     EXPECT_EQ(pieces_by(system, HiddenMethod::depth_sort).picks, (std::vector<std::int32_t>{2, 1}));
     // The same where the application set it.
-    system.set_hidden_line_removal(true);
-    system.set_hidden_method(HiddenMethod::automatic);
+    system.set_hidden_surfaces({.removal = true});
+    system.set_hidden_surfaces({.method = HiddenMethod::automatic});
     SortedDisplayFile sorted;
     EXPECT_EQ(drawn_pieces(sorted.update(system, HiddenMethod::automatic)).picks,
               std::vector<std::int32_t>{1});
@@ -176,7 +176,7 @@ GraphicsSystem drawn_anew(const DrawnPieces& pieces) {
 
 /// What has one colour in each piece, and no texts.
 bool is_of_pieces(const GraphicsSystem& system) {
-  bool plain = system.shading() == Shading::flat && !system.shadows();
+  bool plain = system.attributes().shading == Shading::flat && !system.attributes().shadows;
   for (const Segment& segment : system.display_file().segments()) {
     plain = plain && !segment.entered()->has_texts();
   }

@@ -4,8 +4,7 @@
 #include <string>
 
 #include "clip/error.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/error_of.h"
 #include "tests/replayed.h"

@@ -14,9 +14,8 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/recorder.h"
+#include "displayfile/files.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/turntable.h"
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
@@ -177,7 +176,7 @@ void enter_mesh(GraphicsSystem& g, int name, double height) {
       {-0.4, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.4, 0}, {-0.4, 0.4, 0}, {0, 0, height}};
   g.open_segment(name);
   g.set_shadows(true);
-  g.polygons_abs_3(vertices, std::vector<std::uint32_t>{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
+  g.polygons_abs_3({vertices, std::vector<std::uint32_t>{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}});
   g.set_shadows(false);
   g.close_segment();
 }
@@ -215,7 +214,7 @@ std::vector<Edit> edits() {
       {"lines selected",
        [](GraphicsSystem& g) {
          g.set_line_style({LineStyle::Kind::solid});
-         g.set_lines(line_selection("outline"));
+         g.set_hidden_surfaces({.lines = line_selection("outline")});
          enter_mesh(g, 10, -0.6);
        }},
       {"what fails",
@@ -384,9 +383,10 @@ TEST(EditedScene, AnotherEyeRefusesASystemThatChanged) {
        [](GraphicsSystem& g) {
          g.set_background({Background::Kind::solid, {0, 0, 1}});
        }},
-      {"method", [](GraphicsSystem& g) { g.set_hidden_method(HiddenMethod::map); }},
-      {"hidden lines", [](GraphicsSystem& g) { g.set_hidden_lines(HiddenLines::dashed); }},
-      {"z-buffer", [](GraphicsSystem& g) { g.set_z_buffer(true); }}};
+      {"method", [](GraphicsSystem& g) { g.set_hidden_surfaces({.method = HiddenMethod::map}); }},
+      {"hidden lines",
+       [](GraphicsSystem& g) { g.set_hidden_surfaces({.hidden_lines = HiddenLines::dashed}); }},
+      {"z-buffer", [](GraphicsSystem& g) { g.set_hidden_surfaces({.z_buffer = true}); }}};
   for (const Edit& change : changes) {
     SCOPED_TRACE(change.name);
     GraphicsSystem system;

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "tests/mesh_colours.h"
 
 namespace displayfile {
@@ -125,7 +125,7 @@ TEST_F(EnteredColours, ThatAreBadChangeNothing) {
   for (const Colour& colour : {Colour(1.5, 0, 0), Colour(0, -1, 0), Colour(0, 0, std::nan(""))}) {
     GraphicsSystem system;
     EXPECT_THROW(import_mesh(path_, system, {.camera = {}, .colour = colour}), Error);
-    EXPECT_FALSE(system.view_was_set());
+    EXPECT_FALSE(system.said().contains_view());
     EXPECT_TRUE(system.display_file().segments().empty());
     system.set_window(-9, 9, -9, 9);
     EXPECT_THROW(enter_mesh(read_mesh(path_), system, 1, {.camera = {}, .colour = colour}), Error);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"

@@ -252,7 +252,7 @@ TEST(EnteredTruth, RetainedScenesKeepPointsAndMatricesAsEntered) {
     if (turned) g.rotate_z_3(31.7);
     if (turned) g.translate_3(0.1, 0.2, 0.3);
     matrix = g.modelling_transformation().matrix();
-    g.polygons_abs_3(vertices, corners);
+    g.polygons_abs_3({vertices, corners});
     g.surface_3({.x_min = 0,
                  .x_max = 0.3,
                  .x_points = 2,

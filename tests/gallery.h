@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/files.h"
 #include "tests/retained_truth.h"
 
 namespace displayfile::test {

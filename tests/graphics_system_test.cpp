@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"
 #include "tests/order_of_entry.h"
@@ -189,9 +190,9 @@ TEST(GraphicsSystem, BackFaceRemovalAloneAndWithHiddenLines) {
   };
   EXPECT_EQ(polygons([](auto&) {}), 2u);
   EXPECT_EQ(polygons([](auto& g) { g.set_back_face_removal(true); }), 1u);
-  EXPECT_EQ(polygons([](auto& g) { g.set_hidden_line_removal(true); }), 1u);
+  EXPECT_EQ(polygons([](auto& g) { g.set_hidden_surfaces({.removal = true}); }), 1u);
   EXPECT_EQ(polygons([](auto& g) {
-              g.set_hidden_line_removal(true);
+              g.set_hidden_surfaces({.removal = true});
               g.set_back_face_removal(false);
             }),
             2u);
@@ -222,8 +223,8 @@ TEST(GraphicsSystem, PolygonThatIsNotFlatIsTriangulatedAndCounted) {
   g.polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}});
   g.close_segment();
   EXPECT_EQ(g.display_file().polygons(), 2u);
-  EXPECT_EQ(g.polygons_triangulated(), 1);
-  EXPECT_EQ(g.polygons_entered(), 1);  // one polygon, one pick identifier
+  EXPECT_EQ(g.counts().triangulated, 1);
+  EXPECT_EQ(g.counts().polygons, 1);  // one polygon, one pick identifier
   EXPECT_EQ(listing(g, 1).find("pick 1"), std::string::npos);
 }
 
@@ -285,7 +286,7 @@ TEST(GraphicsSystem, ErrorsLeaveEverythingAsItWas) {
   expect_error([&] { g.set_light({0, 0, 1}, 1.5); }, "ambient");
   expect_error([&] { g.set_pick_id(-2); }, "pick identifier");
   EXPECT_EQ(listing(g, 1), before);
-  EXPECT_EQ(g.polygons_entered(), 1);
+  EXPECT_EQ(g.counts().polygons, 1);
   EXPECT_EQ(g.open_segment_name(), 1);
   g.line_abs_3(0.75, 0.5, 0);  // from where the pen was before the errors
   EXPECT_EQ(listing(g, 1), before + "move 0.5 0.5 0;line 0.75 0.5 0;");

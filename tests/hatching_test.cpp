@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "clip/unit.h"
 #include "interp/vector/pens/hatching.h"
 
 namespace displayfile {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/dump.h"
 #include "tests/entered_scenes.h"
 #include "tests/gallery.h"
 #include "tests/line_truth.h"

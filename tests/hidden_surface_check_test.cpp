@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "interp/device/interpreter.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
@@ -30,9 +29,9 @@ constexpr int kSize = 96;
 /// A system whose display coordinates are its world coordinates.
 GraphicsSystem sorting_system(HiddenMethod method) {
   GraphicsSystem g = test::unit_square_without_lines();
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
-  g.set_hidden_method(method);
+  g.set_hidden_surfaces({.method = method});
   return g;
 }
 
@@ -281,25 +280,25 @@ TEST_P(HiddenSurfaceCheck, OnlyWhereAskedFor) {
     return g.display_file().segment(name).sorted() != nullptr;
   };
   EXPECT_TRUE(segment_with(1));
-  g.set_hidden_line_removal(false);
+  g.set_hidden_surfaces({.removal = false});
   EXPECT_FALSE(segment_with(2));
-  g.set_hidden_line_removal(true);
-  g.set_hidden_method(HiddenMethod::automatic);
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.method = HiddenMethod::automatic});
   EXPECT_FALSE(segment_with(3));
-  g.set_hidden_method(HiddenMethod::none);
+  g.set_hidden_surfaces({.method = HiddenMethod::none});
   EXPECT_FALSE(segment_with(4));
-  g.set_hidden_method(GetParam());
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.method = GetParam()});
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   EXPECT_FALSE(segment_with(5));  // sorted with the others, when they are drawn
-  g.set_hidden_scope(HiddenScope::segment);
-  g.set_precision({.exact = false, .roundoff = 1e-3});
+  g.set_hidden_surfaces({.scope = HiddenScope::segment});
+  g.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 1e-3}});
   EXPECT_TRUE(segment_with(6));
   EXPECT_EQ(g.display_file().segment(6).sorted()->precision.roundoff, 1e-3);
 }
 
 TEST_P(HiddenSurfaceCheck, TruthAndZBufferReadWhatWasEntered) {
   GraphicsSystem sorted = sorting_system(GetParam()), entered = sorting_system(GetParam());
-  entered.set_hidden_method(HiddenMethod::automatic);
+  entered.set_hidden_surfaces({.method = HiddenMethod::automatic});
   for (GraphicsSystem* g : {&sorted, &entered}) {
     g->open_segment(1);
     enter_triangles(*g, 60, 7);
@@ -320,7 +319,7 @@ TEST_P(HiddenSurfaceCheck, ClosedSegmentsKeepTheirOrder) {
   g.open_segment(1);
   enter_triangles(g, 60, 8);
   g.close_segment();
-  g.set_hidden_line_removal(false);
+  g.set_hidden_surfaces({.removal = false});
   EXPECT_EQ(drawing_method(g, {}), HiddenMethod::none);
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
@@ -364,15 +363,15 @@ TEST_P(HiddenSurfaceCheck, ScopeOfAllSegments) {
   EXPECT_EQ(drawn_ids(g, {.scope = HiddenScope::all}), true_ids(g));
   EXPECT_EQ(drawn_ids(g, {.hidden = GetParam()}), true_ids(g));  // asked for from outside
   EXPECT_EQ(drawn_ids(g, {.hidden = GetParam(), .scope = HiddenScope::segment}), drawn_ids(g));
-  g.set_hidden_scope(HiddenScope::segment);
+  g.set_hidden_surfaces({.scope = HiddenScope::segment});
   EXPECT_NE(drawn_ids(g, {.hidden = GetParam()}), true_ids(g));  // as the application wants it
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
 
 TEST_P(HiddenSurfaceCheck, WhatWasClosedUnderScopeAllIsSortedByItselfUnderScopeSegment) {
   GraphicsSystem g = sorting_system(GetParam()), always_each = sorting_system(GetParam());
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   for (GraphicsSystem* system : {&g, &always_each}) {
     for (int name : {1, 2}) {
       system->open_segment(name);
@@ -380,7 +379,7 @@ TEST_P(HiddenSurfaceCheck, WhatWasClosedUnderScopeAllIsSortedByItselfUnderScopeS
       system->close_segment();
     }
   }
-  g.set_hidden_scope(HiddenScope::segment);
+  g.set_hidden_surfaces({.scope = HiddenScope::segment});
   EXPECT_EQ(drawn_ids(g), drawn_ids(always_each));
   SortedDisplayFile kept;
   const auto sorted = kept.update(g, GetParam()).segment(1).sorted();
@@ -391,7 +390,7 @@ TEST_P(HiddenSurfaceCheck, WhatWasClosedUnderScopeAllIsSortedByItselfUnderScopeS
 
 TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
   GraphicsSystem g = sorting_system(GetParam());
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   g.set_fill_style(red());
   g.open_segment(4);
   enter_square(g, 0.1, 0.9, 0.1);
@@ -443,7 +442,7 @@ TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
 /// others.
 TEST_P(HiddenSurfaceCheck, CoplanarPolygonsOfSeveralSegments) {
   GraphicsSystem g = sorting_system(GetParam());
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   for (int name : {7, 3, 5}) {
     g.open_segment(name);
     enter_square(g, 0.1 * name, 0.1 * name + 0.2, 0.5);

@@ -15,13 +15,12 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawn_pieces.h"
+#include "displayfile/files.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
 #include "tests/from_eyes.h"

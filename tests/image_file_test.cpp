@@ -12,6 +12,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "clip/error.h"
 #include "interp/files/npy_file.h"

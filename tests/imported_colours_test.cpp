@@ -15,6 +15,7 @@
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/mesh_colours.h"
 #include "tests/truth_scenes.h"

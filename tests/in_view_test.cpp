@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
@@ -123,7 +124,7 @@ void enter_field(bool shared, GraphicsSystem& g) {
       corners.insert(corners.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
-  if (shared) return g.polygons_abs_3(vertices, corners);
+  if (shared) return g.polygons_abs_3({vertices, corners});
   for (std::size_t k = 0; k < corners.size(); k += 3) {
     g.polygon_abs_3({vertices[corners[k]], vertices[corners[k + 1]], vertices[corners[k + 2]]});
   }
@@ -167,7 +168,7 @@ TEST(InView, WhatCoversNoCentreHidesLinesAndTexts) {
   for (const bool with_text : {false, true}) {
     Retained retained;
     GraphicsSystem& g = retained.system;
-    g.set_hidden_line_removal(true);
+    g.set_hidden_surfaces({.removal = true});
     g.open_segment(1);
     if (with_text) {
       g.move_abs_3(-0.3, 0, 0);
@@ -293,7 +294,7 @@ TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
     }
   }
   EXPECT_EQ(renderer.trees().sorted, 1u);
-  g.set_z_buffer(true);
+  g.set_hidden_surfaces({.z_buffer = true});
   const DrawOptions options{.width = 60, .height = 50, .with_ids = true};
   EXPECT_EQ(renderer.draw(in_view(g, g.view()), options).ids, draw(g, options).ids);
 }

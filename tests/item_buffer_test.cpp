@@ -19,12 +19,14 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/unit.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/device/interpreter.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "tests/mesa_leaks.h"
@@ -535,7 +537,7 @@ TEST_F(ItemBuffer, OfEveryDrawingProgramAgreesWithOpenGl) {
     GraphicsSystem system;
     replay_file(path.string(), system);
     SortedDisplayFile drawn;  // of a line drawing the fills that hide
-    const bool is_lines = finds_lines(system.hidden_method());
+    const bool is_lines = finds_lines(system.hidden_surfaces().method);
     expect_agreement(
         path.filename().string(),
         is_lines ? drawn.update(system, HiddenMethod::z_buffer, {.method = HiddenMethod::z_buffer})

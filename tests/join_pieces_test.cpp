@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "clip/planarity.h"
-#include "displayfile/drawn_pieces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/device/output_device.h"
 #include "tests/from_environment.h"
 #include "tests/polygon_sides.h"
 #include "tests/predicate_inputs.h"
@@ -50,7 +50,8 @@ struct Scene {
 
 DrawnPieces sorted_pieces(const Scene& scene, HiddenMethod method) {
   GraphicsSystem system;
-  system.set_touching({Touching::Kind::off});  // places are judged by these coordinates
+  system.set_hidden_surfaces(
+      {.touching = Touching{Touching::Kind::off}});  // places are judged by these coordinates
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
   system.open_segment(1);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "displayfile/turntable.h"
+#include "interp/device/raster_request.h"
 #include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"

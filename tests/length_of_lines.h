@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "displayfile/drawn_pieces.h"
+#include "clip/surfaces.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "hidden/hidden_method.h"
+#include "interp/device/output_device.h"
 
 // The visible lines of programs, by the methods of lines.
 

@@ -14,11 +14,9 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/recorder.h"
+#include "displayfile/files.h"
 #include "displayfile/scene_lines.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/turntable.h"
 #include "hidden/lines/line_ends.h"
 #include "interp/draw/draw.h"
@@ -97,8 +95,8 @@ std::string drawn(const GraphicsSystem& g, HiddenMethod method,
 TEST(LineDrawing, ShowsTheNineEdgesOfACubeThatAreSeen) {
   GraphicsSystem g;
   g.set_perspective({1.5, 1.2, 5.0});
-  g.set_hidden_method(HiddenMethod::franklin);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = HiddenMethod::franklin});
+  g.set_hidden_surfaces({.removal = true});
   g.open_segment(1);
   enter_cube(g, 0.0, 0.0);
   g.close_segment();
@@ -184,8 +182,8 @@ TEST(LineDrawing, IsStoppedWithNothingChanged) {
   EXPECT_EQ(dump(kept.update(g, HiddenMethod::franklin, options)),
             drawn(g, HiddenMethod::franklin));
 
-  g.set_hidden_method(HiddenMethod::franklin);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = HiddenMethod::franklin});
+  g.set_hidden_surfaces({.removal = true});
   g.set_progress([](std::size_t, std::size_t) { throw Error("enough"); });
   g.open_segment(3);
   enter_cube(g, 0.0, 0.0);
@@ -225,14 +223,14 @@ TEST(LineDrawing, IsRecordedAndReplayed) {
   Recorder recorder(recording);
   GraphicsSystem g, again;
   g.set_recorder(&recorder);
-  g.set_hidden_method(HiddenMethod::roberts);
-  g.set_hidden_lines(HiddenLines::dashed);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = HiddenMethod::roberts});
+  g.set_hidden_surfaces({.hidden_lines = HiddenLines::dashed});
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
   enter_cubes(g);
   EXPECT_NE(recording.str().find("set-hidden-lines dashed\n"), std::string::npos);
   replay(recording.str(), "recording", again);
-  EXPECT_EQ(again.hidden_lines(), HiddenLines::dashed);
+  EXPECT_EQ(again.hidden_surfaces().hidden_lines, HiddenLines::dashed);
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
 }
 
@@ -258,8 +256,8 @@ TEST(LineDrawing, IsTheSameByAllMethodsOverTheGallery) {
 
 void enter_cube_with_back(GraphicsSystem& g) {
   g.set_perspective({1.5, 1.2, 5.0});
-  g.set_hidden_method(HiddenMethod::franklin);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = HiddenMethod::franklin});
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
   g.open_segment(1);
   enter_cube(g, 0.0, 0.0);
@@ -268,7 +266,7 @@ void enter_cube_with_back(GraphicsSystem& g) {
 
 TEST(LineDrawing, HiddenLinesAreDashedBeforeTheVisibleOnes) {
   GraphicsSystem g;
-  g.set_hidden_lines(HiddenLines::dashed);
+  g.set_hidden_surfaces({.hidden_lines = HiddenLines::dashed});
   g.set_line_style({.colour = {0.0, 0.0, 1.0}, .width = 3.0});
   enter_cube_with_back(g);
   const std::string all = dump(g.display_file());
@@ -294,7 +292,8 @@ TEST(LineDrawing, HiddenLinesAreFoundAnewWhereTheyAreAskedForOtherwise) {
   EXPECT_EQ(lines({}), 9);
   EXPECT_EQ(lines(HiddenLines::dashed), 12);
   EXPECT_EQ(lines(HiddenLines::none), 9);
-  g.set_hidden_lines(HiddenLines::dashed);  // of segments that are closed from now on
+  g.set_hidden_surfaces(
+      {.hidden_lines = HiddenLines::dashed});  // of segments that are closed from now on
   EXPECT_EQ(lines({}), 9);
   const auto together = [&](std::optional<HiddenLines> asked) {
     return counts(dump(kept.update(g, HiddenMethod::franklin,
@@ -377,9 +376,9 @@ void enter_crossing_plates(GraphicsSystem& g) {
 TEST(LineDrawing, IntersectionsAreDrawnOverFillsThatWereSortedInEitherScope) {
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     GraphicsSystem g;
-    g.set_hidden_method(method);
-    g.set_hidden_line_removal(true);
-    g.set_lines(line_selection("intersection"));
+    g.set_hidden_surfaces({.method = method});
+    g.set_hidden_surfaces({.removal = true});
+    g.set_hidden_surfaces({.lines = line_selection("intersection")});
     enter_crossing_plates(g);
     SortedDisplayFile sorted;
     const auto last_line = [&](HiddenScope scope) {
@@ -401,16 +400,17 @@ TEST(LineDrawing, PixelsHaveTheHiddenLinesAndIntersectionsThatAnOrderHas) {
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     const auto pictures = [&](HiddenLines hidden, const char* lines) {
       GraphicsSystem g;
-      g.set_hidden_method(method);
-      g.set_hidden_line_removal(true);
-      g.set_hidden_lines(hidden);
-      g.set_lines(line_selection(lines));
+      g.set_hidden_surfaces({.method = method});
+      g.set_hidden_surfaces({.removal = true});
+      g.set_hidden_surfaces({.hidden_lines = hidden});
+      g.set_hidden_surfaces({.lines = line_selection(lines)});
       enter_crossing_plates(g);
       DrawOptions options;
       options.width = options.height = 90;
       const Picture before = draw(g, options);
-      g.set_hidden_lines(hidden == HiddenLines::none ? HiddenLines::dashed : HiddenLines::none);
-      g.set_lines(line_selection("all"));
+      g.set_hidden_surfaces(
+          {.hidden_lines = hidden == HiddenLines::none ? HiddenLines::dashed : HiddenLines::none});
+      g.set_hidden_surfaces({.lines = line_selection("all")});
       EXPECT_EQ(draw(g, options).pixels, before.pixels) << name_of(method) << " " << lines;
       return before;
     };
@@ -467,8 +467,8 @@ TEST(LineDrawing, APieceThatIsOnePointIsNoDot) {
 
 TEST(LineDrawing, AStrokeGoesOnAroundCorners) {
   GraphicsSystem g;
-  g.set_hidden_method(HiddenMethod::franklin);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = HiddenMethod::franklin});
+  g.set_hidden_surfaces({.removal = true});
   g.open_segment(1);
   g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}});
   g.polygon_abs_3({{0.1, -0.5, -1}, {0.9, -0.5, -1}, {0.9, 0.2, -1}, {0.1, 0.2, -1}});
@@ -483,8 +483,8 @@ TEST(LineDrawing, DashesRunOnThroughCorners) {
   const std::vector<Point3> corners{{-0.61, -0.5, 0}, {0.7, -0.33, 0}, {0.1, 0.57, 0}};
   const auto picture = [&](bool as_lines) {
     GraphicsSystem g;
-    g.set_hidden_method(HiddenMethod::franklin);
-    g.set_hidden_line_removal(true);
+    g.set_hidden_surfaces({.method = HiddenMethod::franklin});
+    g.set_hidden_surfaces({.removal = true});
     g.set_line_style({.kind = LineStyle::Kind::dashed, .width = 2.0, .dash = 7.0, .gap = 5.0});
     g.open_segment(1);
     if (as_lines) {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/drawn_pieces.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/vector/svg_device.h"
 #include "tests/rasterised.h"

@@ -1,7 +1,7 @@
 // Which sides of polygons are lines: the kinds, found in world coordinates among the polygons that
 // share a side, on their way into segments, orders and views.
 
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/dump.h"
 #include "tests/quad_meshes.h"
 #include "tests/sides_of_kinds.h"
 
@@ -199,7 +199,7 @@ TEST(LineKinds, BackFacesAndClippingChangeNoKind) {
     g.set_view_depth(front, 3.0);
     g.set_front_plane_clipping(true);
     g.set_back_face_removal(back_faces_removed);
-    g.set_lines(line_selection("outline"));
+    g.set_hidden_surfaces({.lines = line_selection("outline")});
     g.open_segment(1);
     enter(g, torus(12, 8));
     g.close_segment();
@@ -247,7 +247,7 @@ TEST(LineKinds, LinesOfTheApplicationStay) {
 
 TEST(LineKinds, AllAloneChangesNothing) {
   GraphicsSystem plain, all;
-  all.set_lines({});
+  all.set_hidden_surfaces({.lines = LineSelection{}});
   for (GraphicsSystem* const g : {&plain, &all}) {
     g->open_segment(1);
     enter(*g, torus(7, 5));
@@ -261,13 +261,13 @@ TEST(LineKinds, AllAloneChangesNothing) {
 /// What is selected when a segment is closed is the segment's.
 TEST(LineKinds, EachSegmentHasItsOwn) {
   GraphicsSystem g;
-  g.set_lines(line_selection("crease"));
+  g.set_hidden_surfaces({.lines = line_selection("crease")});
   g.open_segment(1);
   enter(g, box());
   g.close_segment();
   g.open_segment(2);
   enter_triangles(g, box());
-  g.set_lines({});
+  g.set_hidden_surfaces({.lines = LineSelection{}});
   g.close_segment();
   const DisplayFile before = g.display_file();
   EXPECT_EQ(count(drawn_sides(before), kCrease), 12u);
@@ -281,8 +281,8 @@ TEST(LineKinds, EachSegmentHasItsOwn) {
 TEST(LineKinds, ARefusedClosingSelectsNothing) {
   GraphicsSystem system, other;
   for (GraphicsSystem* g : {&system, &other}) {
-    g->set_lines({kinds_of(LineKind::boundary)});
-    g->set_hidden_line_removal(true);
+    g->set_hidden_surfaces({.lines = LineSelection{kinds_of(LineKind::boundary)}});
+    g->set_hidden_surfaces({.removal = true});
     g->open_segment(1);
     g->set_line_style({.colour = {1, 0, 0}});
     g->polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
@@ -291,11 +291,11 @@ TEST(LineKinds, ARefusedClosingSelectsNothing) {
     g->polygon_abs_3({{-0.5, -0.5, 0}, {-0.5, 0.5, 0.25}, {0, 0.5, 0}});
   }
   const std::string before = dump(system.display_file());
-  system.set_hidden_method(HiddenMethod::perimeter);  // which is for a surface
+  system.set_hidden_surfaces({.method = HiddenMethod::perimeter});  // which is for a surface
   EXPECT_THROW(system.close_segment(), Error);
   EXPECT_EQ(dump(system.display_file()), before);
   for (GraphicsSystem* g : {&system, &other}) {
-    g->set_hidden_method(HiddenMethod::bsp);
+    g->set_hidden_surfaces({.method = HiddenMethod::bsp});
     g->polygon_abs_3({{0.5, -0.5, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}});
   }
   EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));
@@ -381,7 +381,7 @@ TEST(LineKinds, NewViewsSelectTheirOwn) {
     g.set_perspective(eye);
     g.set_view_depth(-3.0, 3.0);
     g.set_back_face_removal(true);
-    g.set_lines(line_selection("outline,crease=50"));
+    g.set_hidden_surfaces({.lines = line_selection("outline,crease=50")});
     for (int name = 1; name < 3; ++name) {
       g.open_segment(name);
       g.translate_3(0.2, 0.0, 0.1);

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "displayfile/recorder.h"
-#include "displayfile/text/dump.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
+#include "displayfile/files.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "tests/error_of.h"
 #include "tests/quad_meshes.h"
 #include "tests/replayed.h"
@@ -55,10 +55,15 @@ TEST(LineKinds, OtherWordsAreRefused) {
   EXPECT_EQ(line_selection("crease=0").crease_degrees, 0.0);
   EXPECT_EQ(line_selection("crease=180").crease_degrees, 180.0);
   GraphicsSystem g;
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = 0}); }), "");
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kCrease, .crease_degrees = NAN}); }), "");
-  EXPECT_NE(error_of([&] { g.set_lines({.kinds = kDrawn}); }), "");
-  EXPECT_EQ(g.lines(), LineSelection{});
+  EXPECT_NE(error_of([&] { g.set_hidden_surfaces({.lines = LineSelection{.kinds = 0}}); }), "");
+  EXPECT_NE(
+      error_of([&] {
+        g.set_hidden_surfaces({.lines = LineSelection{.kinds = kCrease, .crease_degrees = NAN}});
+      }),
+      "");
+  EXPECT_NE(error_of([&] { g.set_hidden_surfaces({.lines = LineSelection{.kinds = kDrawn}}); }),
+            "");
+  EXPECT_EQ(g.hidden_surfaces().lines, LineSelection{});
 }
 
 TEST(LineKinds, DrawingProgramsTellTheWord) {
@@ -72,11 +77,11 @@ TEST(LineKinds, NeedWhatWasRetained) {
   GraphicsSystem g;
   g.open_segment(1);
   g.close_segment();
-  EXPECT_NE(error_of([&] { g.set_lines(line_selection("outline")); }), "");
-  EXPECT_EQ(g.lines(), LineSelection{});
-  EXPECT_EQ(error_of([&] { g.set_lines({}); }), "");
+  EXPECT_NE(error_of([&] { g.set_hidden_surfaces({.lines = line_selection("outline")}); }), "");
+  EXPECT_EQ(g.hidden_surfaces().lines, LineSelection{});
+  EXPECT_EQ(error_of([&] { g.set_hidden_surfaces({.lines = LineSelection{}}); }), "");
   GraphicsSystem first;
-  first.set_lines(line_selection("outline"));
+  first.set_hidden_surfaces({.lines = line_selection("outline")});
   EXPECT_NE(first.retained(), nullptr);
   EXPECT_NE(error_of([&] { first.retain(nullptr); }), "");
   RetainedScene scene;
@@ -86,9 +91,9 @@ TEST(LineKinds, NeedWhatWasRetained) {
 
 TEST(LineKinds, ReplacedLinesStay) {
   GraphicsSystem g;
-  g.replace_lines(line_selection("crease"));
+  SystemInside::replace_lines(g, line_selection("crease"));
   replay("set-lines all outline\n", "scene.draw", g);
-  EXPECT_EQ(g.lines(), line_selection("crease"));
+  EXPECT_EQ(g.hidden_surfaces().lines, line_selection("crease"));
   EXPECT_NE(error_of_program("set-lines what\n", g), "");
 }
 
@@ -98,7 +103,7 @@ TEST(LineKinds, AreRecordedAndReplayed) {
   GraphicsSystem g;
   g.set_recorder(&recorder);
   g.set_perspective({1.5, 1.2, 5.0});
-  g.set_lines(line_selection("outline,crease=12.25"));
+  g.set_hidden_surfaces({.lines = line_selection("outline,crease=12.25")});
   g.open_segment(1);
   enter(g, torus(7, 5));
   g.close_segment();

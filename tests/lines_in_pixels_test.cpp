@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "displayfile/hidden_surface_check.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
@@ -275,9 +276,9 @@ TEST(LinesInPixels, OfPolygonsThatShareASideTheOneThatDrawsItCounts) {
 TEST(LinesInPixels, LieOverTheFillsOfTheirOwnSegmentWhereEachIsSortedByItself) {
   const auto make = [](bool first, bool second) {
     GraphicsSystem g;
-    g.set_hidden_line_removal(true);
+    g.set_hidden_surfaces({.removal = true});
     g.set_back_face_removal(false);
-    g.set_hidden_method(HiddenMethod::bsp);
+    g.set_hidden_surfaces({.method = HiddenMethod::bsp});
     g.set_line_style({LineStyle::Kind::solid, kLine, 3.0});
     const auto add = [&](int name, double x) {
       g.open_segment(name);

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 
 // Instructions as short text, to hold against what the application called.

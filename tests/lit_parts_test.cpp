@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/dump.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/nothing_seen.h"
 #include "tests/error_of.h"
 
@@ -87,7 +87,7 @@ TEST(ManyPolygons, AreEnteredAsOneByOne) {
       g.open_segment(1);
       if (at_once) g.set_recorder(&recorder);
       if (at_once) {
-        g.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides, fills);
+        g.polygons_abs_3({polygons.vertices, polygons.corners, polygons.sides, fills});
       } else {
         polygons.enter_one_by_one(g, fills);
         if (!fills.empty()) g.set_fill_style({});
@@ -160,8 +160,8 @@ std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
   }
   RetainedScene scene;
   GraphicsSystem g;
-  alone ? g.retain_alone(scene) : g.retain(&scene);
-  EXPECT_EQ(g.retains_alone(), alone);
+  alone ? SystemInside::retain_alone(g, scene) : g.retain(&scene);
+  EXPECT_EQ(SystemInside::retains_alone(g), alone);
   if (seed % 2 == 0) g.set_perspective({0.5, 0.25, 3});
   if (seed % 4 < 2) g.set_light({1, 2, 3});
   if (seed % 5 == 1) g.set_pick_id(7);
@@ -172,7 +172,7 @@ std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
     g.open_segment(name);
     if (name == 2 || seed % 7 != 3) g.line_rel_3(0.1, 0.2, 0.3);
     const FillStyle fill{FillStyle::Kind::solid, Colour(0.25 * name)};
-    g.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides, std::span(&fill, 1));
+    g.polygons_abs_3({polygons.vertices, polygons.corners, polygons.sides, std::span(&fill, 1)});
     g.text("a word");
     g.set_vertex_normals({{0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
     g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
@@ -187,7 +187,7 @@ std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
     EXPECT_EQ(g.display_file().polygons(), 0u);
     EXPECT_TRUE(nothing_is_seen(g.display_file()));
   }
-  return view + std::to_string(g.polygons_entered());
+  return view + std::to_string(g.counts().polygons);
 }
 
 TEST(ManyPolygons, RetainedAloneAreSeenAsThoseOfADisplayFile) {
@@ -204,12 +204,12 @@ TEST(ManyPolygons, AreNotRetainedAloneAfterOthers) {
   GraphicsSystem g;
   g.open_segment(1);
   g.close_segment();
-  EXPECT_THROW(g.retain_alone(scene), Error);
-  EXPECT_FALSE(g.retains_alone());
+  EXPECT_THROW(SystemInside::retain_alone(g, scene), Error);
+  EXPECT_FALSE(SystemInside::retains_alone(g));
   GraphicsSystem other;
-  other.retain_alone(scene);
+  SystemInside::retain_alone(other, scene);
   other.retain(nullptr);
-  EXPECT_FALSE(other.retains_alone());
+  EXPECT_FALSE(SystemInside::retains_alone(other));
 }
 
 /// Two segments of polygons with shared vertices, one with own, and a line in each; retained.
@@ -225,7 +225,7 @@ struct RetainedPolygons {
       system.open_segment(name);
       system.line_rel_3(0.1, 0.2, 0.3);
       if (at_once && name != 1) {
-        system.polygons_abs_3(polygons.vertices, polygons.corners, polygons.sides);
+        system.polygons_abs_3({polygons.vertices, polygons.corners, polygons.sides});
       } else {
         polygons.enter_one_by_one(system, {});
       }
@@ -268,7 +268,7 @@ TEST(ManyPolygons, OnlyVerticesInUseAreRetained) {
   g.retain(&scene);
   g.open_segment(1);
   const std::vector<Point3> vertices{{9, 9, 9}, {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {-9, 9, 9}};
-  g.polygons_abs_3(vertices, std::vector<std::uint32_t>{3, 1, 2, 2, 3, 1});
+  g.polygons_abs_3({vertices, std::vector<std::uint32_t>{3, 1, 2, 2, 3, 1}});
   g.close_segment();
   const auto kept = scene.points(scene.segments()[0]);
   EXPECT_EQ(std::vector<Point3>(kept.begin(), kept.end()),
@@ -281,22 +281,22 @@ TEST(ManyPolygons, ErrorsEnterNothing) {
   const std::vector<Point3> vertices{{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}};
   using Indices = std::vector<std::uint32_t>;
   const Indices corners{0, 1, 2, 1, 2, 3};
-  expect_error([&] { g.polygons_abs_3(vertices, corners); }, "no segment open");
+  expect_error([&] { g.polygons_abs_3({vertices, corners}); }, "no segment open");
   g.open_segment(1);
-  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1, 2, 3, 0, 4}); }, "vertex 4 of 4");
-  expect_error([&] { g.polygons_abs_3(vertices, Indices{0, 1}); }, "2 corners");
-  expect_error([&] { g.polygons_abs_3(vertices, corners, Indices{4, 2}); }, "polygon of 2 sides");
+  expect_error([&] { g.polygons_abs_3({vertices, Indices{0, 1, 2, 3, 0, 4}}); }, "vertex 4 of 4");
+  expect_error([&] { g.polygons_abs_3({vertices, Indices{0, 1}}); }, "2 corners");
+  expect_error([&] { g.polygons_abs_3({vertices, corners, Indices{4, 2}}); }, "polygon of 2 sides");
   expect_error(
       [&] {
-        g.polygons_abs_3(vertices, corners, Indices{3, 4});
+        g.polygons_abs_3({vertices, corners, Indices{3, 4}});
       },
       "6 corners: expected 7");
   const std::vector<FillStyle> three(3), outside{FillStyle{FillStyle::Kind::solid, {2, 0, 0}}};
-  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, three); }, "3 fill styles");
-  expect_error([&] { g.polygons_abs_3(vertices, corners, {}, outside); }, "colour component");
+  expect_error([&] { g.polygons_abs_3({vertices, corners, {}, three}); }, "3 fill styles");
+  expect_error([&] { g.polygons_abs_3({vertices, corners, {}, outside}); }, "colour component");
   std::vector<Point3> far = vertices;
   far.back().x = std::numeric_limits<double>::infinity();
-  expect_error([&] { g.polygons_abs_3(far, corners); }, "coordinates inf");
+  expect_error([&] { g.polygons_abs_3({far, corners}); }, "coordinates inf");
   g.set_pick_id(8);
   const auto many = [&](std::vector<std::int32_t> picks, std::vector<Point3> normals,
                         const std::vector<Point3>& points) {
@@ -311,10 +311,10 @@ TEST(ManyPolygons, ErrorsEnterNothing) {
   expect_error([&] { many({1, 2}, {}, far); }, "coordinates inf");
   g.set_pick_id(-1);
   EXPECT_EQ(g.display_file().polygons(), 0u);
-  EXPECT_EQ(g.polygons_entered(), 0);
-  g.polygons_abs_3(vertices, corners);
+  EXPECT_EQ(g.counts().polygons, 0);
+  g.polygons_abs_3({vertices, corners});
   EXPECT_EQ(g.display_file().polygons(), 2u);
-  g.polygons_abs_3({}, {});
+  g.polygons_abs_3({{}, {}});
   EXPECT_EQ(g.display_file().polygons(), 2u);
 }
 

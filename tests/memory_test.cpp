@@ -16,7 +16,7 @@
 
 #include "clip/error.h"
 #include "clip/large_pages.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "interp/draw/renderer.h"
 #include "interp/truth/truth.h"
 #include "tests/error_of.h"
@@ -149,17 +149,17 @@ TEST(OutOfMemory, OfManyPolygonsLeavesTheStateAsItWas) {
   g.open_segment(2);
   g.polygon_abs_3({{-1, -1, 0.5}, {1, -1, 0}, {0, 1, 0}});
   const std::string before = dump(g.display_file());
-  EXPECT_EQ(within(200 * kMegabyte,
-                   [&] {
-                     const std::string error =
-                         error_of([&] { g.polygons_abs_3(vertices, corners); });
-                     if (dump(g.display_file()) != before) return std::string("another state");
-                     g.polygons_abs_3(vertices, std::span(corners).first(6));
-                     g.close_segment();
-                     return error + ", then " + std::to_string(g.polygons_entered());
-                   }),
-            "out of memory: entering 4000000 polygons of 12000000 corners needs at least 336000072 "
-            "bytes, and the limit is L, then 4");
+  EXPECT_EQ(
+      within(200 * kMegabyte,
+             [&] {
+               const std::string error = error_of([&] { g.polygons_abs_3({vertices, corners}); });
+               if (dump(g.display_file()) != before) return std::string("another state");
+               g.polygons_abs_3({vertices, std::span(corners).first(6)});
+               g.close_segment();
+               return error + ", then " + std::to_string(g.counts().polygons);
+             }),
+      "out of memory: entering 4000000 polygons of 12000000 corners needs at least 336000072 "
+      "bytes, and the limit is L, then 4");
 }
 
 TEST(OutOfMemory, OfASortLeavesTheSegmentOpen) {
@@ -167,15 +167,15 @@ TEST(OutOfMemory, OfASortLeavesTheSegmentOpen) {
   std::vector<std::uint32_t> corners(3000000);
   for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = static_cast<std::uint32_t>(k % 3);
   GraphicsSystem g;
-  g.set_hidden_line_removal(true);
-  g.set_hidden_method(HiddenMethod::bsp);
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.method = HiddenMethod::bsp});
   g.open_segment(2);
-  g.polygons_abs_3(vertices, corners);
+  g.polygons_abs_3({vertices, corners});
   for (const std::size_t more : {10 * kMegabyte, 120 * kMegabyte}) {
     const std::string found = within(more, [&] {
       const std::string error = error_of([&] { g.close_segment(); });
       if (g.open_segment_name() != 2) return std::string("not open");
-      g.set_hidden_line_removal(false);
+      g.set_hidden_surfaces({.removal = false});
       g.close_segment();
       return error;
     });

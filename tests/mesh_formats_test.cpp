@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/text/drawing_program.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {

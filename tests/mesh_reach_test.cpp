@@ -12,11 +12,12 @@
 #include <sstream>
 #include <string>
 
+#include "clip/surfaces.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/written_digits.h"
-#include "displayfile/recorder.h"
-#include "hidden/touching.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {
@@ -117,10 +118,10 @@ TEST_F(MeshReach, IsThatOfItsSegments) {
     Recorder recorder(program);
     GraphicsSystem g;
     set(g);
-    const Touching touching = g.touching();
+    const Touching touching = g.hidden_surfaces().touching;
     g.set_recorder(&recorder);
     enter_meshes(std::span(&mesh, 1), g);
-    EXPECT_EQ(g.touching(), touching);
+    EXPECT_EQ(g.hidden_surfaces().touching, touching);
     return program.str();
   };
   const std::string as_it_is = recorded([](GraphicsSystem&) {});
@@ -128,12 +129,15 @@ TEST_F(MeshReach, IsThatOfItsSegments) {
   EXPECT_LT(as_it_is.find(before), opened);
   EXPECT_GT(as_it_is.find(after), closed);
   EXPECT_NE(as_it_is.find(after), std::string::npos);
-  EXPECT_EQ(recorded([](GraphicsSystem& g) { g.replace_touching(touching("auto")); }), as_it_is);
+  EXPECT_EQ(
+      recorded([](GraphicsSystem& g) { SystemInside::replace_touching(g, touching("auto")); }),
+      as_it_is);
   for (const char* word : {"off", "0.5"}) {
     SCOPED_TRACE(word);
-    EXPECT_EQ(
-        recorded([&](GraphicsSystem& g) { g.set_touching(touching(word)); }).find("set-touching"),
-        std::string::npos);
+    EXPECT_EQ(recorded([&](GraphicsSystem& g) {
+                g.set_hidden_surfaces({.touching = touching(word)});
+              }).find("set-touching"),
+              std::string::npos);
   }
 }
 

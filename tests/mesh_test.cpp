@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/import_library.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "interp/draw/draw.h"
 #include "tests/import_library_leaks.h"
 #include "tests/mesh_files.h"
@@ -83,7 +83,7 @@ TEST_F(MeshTest, EachObjectIsASegment) {
   ASSERT_EQ(system.display_file().segments().size(), 2u);
   EXPECT_TRUE(system.display_file().contains(5));
   EXPECT_TRUE(system.display_file().contains(6));
-  EXPECT_EQ(system.polygons_entered(), 12);
+  EXPECT_EQ(system.counts().polygons, 12);
 }
 
 /// A node's transformation is applied, and one that mirrors leaves the light faces outside.
@@ -132,7 +132,7 @@ TEST_F(MeshTest, AModellingTransformationThatMirrorsLeavesTheLightFacesOutside) 
         system.translate_3(0.5, 0, 0);
       }
       import_mesh(path, system, 1.0);
-      EXPECT_TRUE(system.back_face_removal());
+      EXPECT_TRUE(system.attributes().back_face_removal);
       pictures[mirrored] = draw(system, {.width = 60, .height = 60, .with_depth = true});
     }
     // Gouraud's triangles are mirrored, too.
@@ -259,16 +259,16 @@ TEST_F(MeshTest, FittedViewRefusesWhatItCannotFit) {
   EXPECT_THROW(import_mesh("missing.obj", system, 2.0), Error);
   EXPECT_EQ(system.aspect_ratio(), 1.0);
   EXPECT_THROW(fit_view(std::span<const Mesh>(), system), Error);
-  EXPECT_FALSE(system.view_was_set());
+  EXPECT_FALSE(system.said().contains_view());
 }
 
 TEST_F(MeshTest, BackFacesGoOnlyFromClosedMeshes) {
   GraphicsSystem closed, open;
   import_mesh(file("closed.obj", cube()), closed);
-  EXPECT_TRUE(closed.back_face_removal());
+  EXPECT_TRUE(closed.attributes().back_face_removal);
   EXPECT_EQ(closed.display_file().polygons(), 3u) << "three faces of a cube are seen";
   import_mesh(file("open.obj", cube_vertices(0) + cube_faces(1, 5)), open);
-  EXPECT_FALSE(open.back_face_removal());
+  EXPECT_FALSE(open.attributes().back_face_removal);
   EXPECT_EQ(open.display_file().polygons(), 5u);
 }
 
@@ -312,7 +312,7 @@ TEST_F(MeshTest, RecordedImportReplaysToTheSameDisplayFile) {
     import_mesh(file("a.obj", obj), imported, 1.5);
     replay(program.str(), "recorded", replayed);
     EXPECT_EQ(dump(imported.display_file()), dump(replayed.display_file()));
-    EXPECT_EQ(imported.hidden_line_removal(), replayed.hidden_line_removal());
+    EXPECT_EQ(imported.hidden_surfaces().removal, replayed.hidden_surfaces().removal);
     EXPECT_GT(imported.display_file().polygons(), 0u);
   }
 }

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "displayfile/collected_text.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/text/drawing_program.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
 #include "tests/from_eyes.h"

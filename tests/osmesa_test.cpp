@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/error_of.h"
 #include "tests/mesa_leaks.h"

@@ -9,9 +9,8 @@
 #include <string>
 
 #include "clip/error.h"
-#include "displayfile/recorder.h"
-#include "displayfile/shapes/shapes.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/text/program_in_view.h"
 #include "displayfile/turntable.h"
 #include "interp/truth/truth.h"
@@ -121,7 +120,7 @@ TEST(OtherEye, DrawsWhatTheProgramInThatViewDraws) {
             EXPECT_EQ(picture.depth, expected.depth);
             EXPECT_EQ(picture.pixels, expected.pixels);
           }
-          EXPECT_GE(drawn, retained.system.has_hatching() ? 0 : 5);
+          EXPECT_GE(drawn, retained.system.counts().has_hatching ? 0 : 5);
           if (name == "cyclic-overlap") {
             EXPECT_EQ(eye.draw(options_of(HiddenMethod::z_buffer)).ids,
                       truth(replayed.display_file(), 72, 56, false).ids);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/order_of_entry.h"

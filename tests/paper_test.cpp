@@ -1,6 +1,6 @@
 // Sheets of paper, and how a picture lies on them.
 
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 
 #include <gtest/gtest.h>
 

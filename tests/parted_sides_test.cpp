@@ -215,7 +215,7 @@ TEST(PartedSides, AreDrawnWhereBackFacesAreRemoved) {
     g.set_perspective({1.5, 1.2, 30.0});
     g.set_window(-12.0, 12.0, -12.0, 12.0);
     g.set_view_depth(-12.0, 12.0);
-    g.set_lines(line_selection(words));
+    g.set_hidden_surfaces({.lines = line_selection(words)});
     g.set_back_face_removal(true);
     g.open_segment(1);
     for (const Polygon& face : faces) g.polygon_abs_3(face);

@@ -99,7 +99,7 @@ TEST_F(PenFiles, SvgHasALayerForEachPen) {
 /// A hidden side is not drawn: lines of `auto` are those that are seen.
 TEST_F(PenFiles, WhatIsHiddenIsNotDrawn) {
   GraphicsSystem g = unit_square();
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
   g.open_segment(1);
   g.set_line_style(line(kBlack));

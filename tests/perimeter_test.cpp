@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -374,7 +375,7 @@ TEST(Perimeter, WithRoundoffItIsTheProblemBooksArray) {
 std::string error_of(const std::function<void(GraphicsSystem&)>& enter) {
   GraphicsSystem g;
   look(g, {20.0, 30.0});
-  g.set_hidden_method(HiddenMethod::perimeter);
+  g.set_hidden_surfaces({.method = HiddenMethod::perimeter});
   g.open_segment(1);
   enter(g);
   return test::error_of(

@@ -13,13 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "clip/unit.h"
+#include "displayfile/files.h"
 #include "displayfile/looks/phong.h"
 #include "displayfile/normal_plane.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "hidden/exact/support_plane.h"
+#include "interp/device/raster_request.h"
 #include "interp/files/picture_compare.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/phong_shade.h"

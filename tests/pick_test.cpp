@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 #include <string>

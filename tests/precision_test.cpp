@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "hidden/exact/precision.h"
+#include "clip/surfaces.h"
 #include "tests/predicate_inputs.h"
 #include "tests/predicate_truth.h"
 

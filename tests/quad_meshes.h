@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/graphics_system.h"
-#include "hidden/line_kinds.h"
 
 namespace displayfile::test {
 
@@ -62,7 +62,7 @@ GraphicsSystem drawn_with(const std::string& words, Enter&& enter_all) {
   GraphicsSystem g;
   g.set_perspective({1.5, 1.2, 5.0});
   g.set_view_depth(-3.0, 3.0);
-  g.set_lines(line_selection(words));
+  g.set_hidden_surfaces({.lines = line_selection(words)});
   g.open_segment(1);
   enter_all(g);
   g.close_segment();

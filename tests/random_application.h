@@ -225,23 +225,25 @@ class RandomApplication {
       case 21: return system_.set_image_translation(name(), coordinate(), coordinate());
       case 22: return system_.set_image_scale(name(), coordinate(), coordinate());
       case 23: return system_.set_image_rotation(name(), angle());
-      case 24: return system_.set_hidden_line_removal(chance(50));
+      case 24: return system_.set_hidden_surfaces({.removal = chance(50)});
       case 25: return system_.set_back_face_removal(chance(30));
       case 26: {
         const auto methods = hidden_methods();
         const HiddenMethod method = methods[below(methods.size())].method;
-        return system_.set_hidden_method(needs_surface(method) ? HiddenMethod::franklin : method);
+        return system_.set_hidden_surfaces(
+            {.method = needs_surface(method) ? HiddenMethod::franklin : method});
       }
       case 27:
         if (chance(50)) {
-          return system_.set_hidden_lines(chance(50) ? HiddenLines::none : HiddenLines::dashed);
+          return system_.set_hidden_surfaces(
+              {.hidden_lines = chance(50) ? HiddenLines::none : HiddenLines::dashed});
         }
-        return system_.set_z_buffer(chance(50));
+        return system_.set_hidden_surfaces({.z_buffer = chance(50)});
       case 28: return system_.close_segment();
       case 29: return system_.save_transformation_3();
       case 30: return system_.restore_transformation_3();
       case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
-      case 32: return system_.set_lines(lines());
+      case 32: return system_.set_hidden_surfaces({.lines = lines()});
       case 33: return cutting_plane();
       case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
       case 39:

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pdf_device.h"

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/fill_depths.h"

@@ -16,8 +16,7 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/fuzz/record_and_replay.h"
 #include "tests/random_application.h"
@@ -28,21 +27,21 @@ namespace {
 
 /// What a drawing program sets beside the display file.
 void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
-  EXPECT_EQ(a.hidden_line_removal(), b.hidden_line_removal());
-  EXPECT_EQ(a.back_face_removal(), b.back_face_removal());
-  EXPECT_EQ(a.hidden_method(), b.hidden_method());
-  EXPECT_EQ(a.hidden_lines(), b.hidden_lines());
-  EXPECT_EQ(a.z_buffer(), b.z_buffer());
-  EXPECT_EQ(a.shading(), b.shading());
-  EXPECT_EQ(a.shadows(), b.shadows());
-  EXPECT_EQ(a.polygons_entered(), b.polygons_entered());
-  EXPECT_EQ(a.polygons_triangulated(), b.polygons_triangulated());
-  EXPECT_EQ(a.view_was_set(), b.view_was_set());
+  EXPECT_EQ(a.hidden_surfaces().removal, b.hidden_surfaces().removal);
+  EXPECT_EQ(a.attributes().back_face_removal, b.attributes().back_face_removal);
+  EXPECT_EQ(a.hidden_surfaces().method, b.hidden_surfaces().method);
+  EXPECT_EQ(a.hidden_surfaces().hidden_lines, b.hidden_surfaces().hidden_lines);
+  EXPECT_EQ(a.hidden_surfaces().z_buffer, b.hidden_surfaces().z_buffer);
+  EXPECT_EQ(a.attributes().shading, b.attributes().shading);
+  EXPECT_EQ(a.attributes().shadows, b.attributes().shadows);
+  EXPECT_EQ(a.counts().polygons, b.counts().polygons);
+  EXPECT_EQ(a.counts().triangulated, b.counts().triangulated);
+  EXPECT_EQ(a.said().contains_view(), b.said().contains_view());
   EXPECT_EQ(a.background(), b.background());
   EXPECT_EQ(a.cut_faces().kind, b.cut_faces().kind);
   EXPECT_EQ(a.cut_faces().spacing, b.cut_faces().spacing);
   EXPECT_EQ(a.cut_faces().angle, b.cut_faces().angle);
-  EXPECT_EQ(words_of(a.lines()), words_of(b.lines()));
+  EXPECT_EQ(words_of(a.hidden_surfaces().lines), words_of(b.hidden_surfaces().lines));
 }
 
 /// Whatever the application called, its recording makes the same display file, bit for bit
@@ -62,7 +61,7 @@ TEST(RecordReplay, RandomApplications) {
     test::RandomApplication application(std::mt19937_64(static_cast<std::uint64_t>(seed)), first);
     for (int i = 0; i < kCalls; ++i) application.call();
     if (first.open_segment_name()) first.close_segment();
-    while (first.transformations_saved() > 0) first.restore_transformation_3();
+    while (first.counts().transformations_saved > 0) first.restore_transformation_3();
     refused += application.refused();
 
     ASSERT_NO_THROW(replay(recording.str(), "recording", second));
@@ -112,7 +111,7 @@ TEST(RecordReplay, LinesOfTheRecording) {
   GraphicsSystem system;
   system.set_recorder(&recorder);
   system.set_window(-1, 0.1, -0.0, 1e22);
-  system.set_hidden_method(HiddenMethod::z_buffer);
+  system.set_hidden_surfaces({.method = HiddenMethod::z_buffer});
   system.open_segment(12);
   system.set_light({0, 0, 2});
   system.set_line_style({LineStyle::Kind::dashed, {1, 0, 0}, 2, 3, 4});
@@ -148,9 +147,9 @@ TEST(RecordReplay, OnlyCallsThatSucceedAreRecorded) {
   system.set_recorder(&recorder);
   EXPECT_THROW(system.close_segment(), Error);
   EXPECT_THROW(system.set_view_up({0, 0, 0}), Error);
-  system.set_z_buffer(true);
+  system.set_hidden_surfaces({.z_buffer = true});
   system.set_recorder(nullptr);
-  system.set_z_buffer(false);
+  system.set_hidden_surfaces({.z_buffer = false});
   EXPECT_EQ(recording.str(), "set-z-buffer on\n");
 }
 
@@ -228,12 +227,12 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     throw Error("no more");
   }),
                Error);
-  EXPECT_EQ(system.solids_open(), 0u);
+  EXPECT_EQ(system.counts().solids_open, 0u);
   EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
   EXPECT_FALSE(system.said().contains(Setting::fill_style));
   EXPECT_FALSE(system.said().contains(Setting::light));
   EXPECT_EQ(system.cut_faces().kind, CutFaces::Kind::open);
-  EXPECT_EQ(system.transformations_saved(), 1u);
+  EXPECT_EQ(system.counts().transformations_saved, 1u);
   EXPECT_EQ(system.background(), Background());
   system.open_segment(1);
   enter_triangle(system);
@@ -285,7 +284,6 @@ TEST(RecordReplay, AllOrNothing) {
     throw Error("no more");
   }),
                Error);
-  EXPECT_EQ(system.all_or_nothing([] { return 7; }), 7);
   for (GraphicsSystem* g : {&system, &other}) {
     enter_triangle(*g);
     g->close_segment();
@@ -317,17 +315,16 @@ TEST(RecordReplay, StreamsThatThrow) {
   system.set_recorder(&recorder);
   for (int time = 0; time < 2; ++time) {
     EXPECT_THROW(system.all_or_nothing(enter), std::ios::failure);
-    EXPECT_THROW(system.all_or_nothing([&] { return system.set_pick_id(3), 1; }),
-                 std::ios::failure);
+    EXPECT_THROW(system.all_or_nothing([&] { system.set_pick_id(3); }), std::ios::failure);
     EXPECT_THROW(system.enter_segments(enter), std::ios::failure);
     EXPECT_EQ(system.display_file().segments().size(), 0u);
-    EXPECT_EQ(system.polygons_entered(), 0);
+    EXPECT_EQ(system.counts().polygons, 0);
   }
-  EXPECT_THROW(system.set_z_buffer(true), std::ios::failure);
-  EXPECT_TRUE(system.z_buffer());
+  EXPECT_THROW(system.set_hidden_surfaces({.z_buffer = true}), std::ios::failure);
+  EXPECT_TRUE(system.hidden_surfaces().z_buffer);
   system.set_recorder(nullptr);
   system.all_or_nothing(enter);
-  EXPECT_EQ(system.polygons_entered(), 1);
+  EXPECT_EQ(system.counts().polygons, 1);
 }
 
 /// The fuzzer's corpus: programs right and wrong, without their wrong lines.

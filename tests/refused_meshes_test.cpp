@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {
@@ -46,7 +46,7 @@ void expect_refused(const std::string& path, const std::string& expected) {
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << path;
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.view_was_set());
+  EXPECT_FALSE(system.said().contains_view());
   EXPECT_EQ(record.str(), "");
 }
 
@@ -178,7 +178,7 @@ TEST_F(MeshTest, NothingIsEnteredWhenAnotherFileIsBad) {
   const std::vector<std::string> paths = {file("a.obj", cube()), file("b.obj", "f 1 2 3\n")};
   EXPECT_THROW(import_meshes(paths, system), Error);
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.view_was_set());
+  EXPECT_FALSE(system.said().contains_view());
 }
 
 /// What is refused only as a segment is closed has set the view and the styles by then.
@@ -186,17 +186,18 @@ TEST_F(MeshTest, AStoppedImportChangesNothing) {
   const std::string path = file("cube.obj", cube());
   GraphicsSystem system, other;
   for (GraphicsSystem* g : {&system, &other}) {
-    g->set_hidden_line_removal(true);
-    g->set_hidden_method(HiddenMethod::bsp);
+    g->set_hidden_surfaces({.removal = true});
+    g->set_hidden_surfaces({.method = HiddenMethod::bsp});
   }
   WorkBudget budget;
   budget.stop();
-  system.set_budget(&budget);
-  EXPECT_THROW(import_mesh(path, system), LimitReached);
+  {
+    const BudgetInForce in_force(budget);
+    EXPECT_THROW(import_mesh(path, system), LimitReached);
+  }
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.view_was_set());
+  EXPECT_FALSE(system.said().contains_view());
   EXPECT_FALSE(system.attributes().light);
-  system.set_budget(nullptr);
   import_mesh(path, system);
   import_mesh(path, other);
   EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));

@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "tests/error_of.h"
 
 // What a drawing program makes. It is called scene.draw.

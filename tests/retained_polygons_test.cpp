@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
 
@@ -175,7 +176,7 @@ TEST_P(RetainedPolygonsOf, ThatShareVerticesAreKeptOnce) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 0, 2, 3};
   enter_triangles(system, 1, 2);
   system.open_segment(2);
-  system.polygons_abs_3(vertices, corners);
+  system.polygons_abs_3({vertices, corners});
   system.close_segment();
   const EnteredPolygons& polygons = kept(system.display_file(), 2);
   EXPECT_TRUE(polygons.are_retained());
@@ -189,7 +190,7 @@ TEST_P(RetainedPolygonsOf, ThatShareVerticesAreKeptOnce) {
 TEST(RetainedPolygons, AreThoseThatWereEnteredBesideLinesToo) {
   for (const bool with_line : {false, true}) {
     GraphicsSystem g;
-    g.set_lines(line_selection("boundary"));
+    g.set_hidden_surfaces({.lines = line_selection("boundary")});
     g.open_segment(1);
     g.move_abs_3(0.1, 0.1, 0.1);
     if (with_line) g.line_abs_3(0.9, 0.8, 0.7);

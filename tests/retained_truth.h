@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
-#include "displayfile/text/dump.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 

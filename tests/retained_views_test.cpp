@@ -285,7 +285,7 @@ TEST(RetainedViews, HiddenLinesAndIntersectionsAreThoseOfTheSceneDrawnInThatView
     GraphicsSystem g;
     g.set_view_plane_normal(normal);
     g.set_back_face_removal(false);
-    g.set_lines(line_selection("all,intersection"));
+    g.set_hidden_surfaces({.lines = line_selection("all,intersection")});
     enter_two_segments(g);
     return g;
   };

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/files.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/scan_line.h"

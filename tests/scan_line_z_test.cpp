@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <numbers>
+#include <ostream>
 
 #include "hidden/exact/predicate_counts.h"
 #include "interp/draw/draw.h"

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"
@@ -198,13 +199,13 @@ TEST(GraphicsSystem, SavedTransformations) {
   g.translate_3(0.3, 0.2, 0.1);
   for (std::size_t i = 0; i < GraphicsSystem::kMostSaved; ++i) g.save_transformation_3();
   expect_error([&] { g.save_transformation_3(); }, "1024 transformations are saved");
-  EXPECT_EQ(g.transformations_saved(), GraphicsSystem::kMostSaved);
+  EXPECT_EQ(g.counts().transformations_saved, GraphicsSystem::kMostSaved);
   g.open_segment(1);
   g.move_abs_3(0.1, 0.2, 0.3);
   g.line_abs_3(0.2, 0.2, 0.4);
   expect_error([&] { g.translate_3(std::numeric_limits<double>::quiet_NaN(), 0, 0); }, "nan");
   g.rotate_x_3(50);
-  while (g.transformations_saved() > 0) g.restore_transformation_3();
+  while (g.counts().transformations_saved > 0) g.restore_transformation_3();
   g.move_abs_3(0.1, 0.2, 0.3);
   g.line_abs_3(0.2, 0.2, 0.4);
   g.close_segment();

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "clip/unit.h"
 #include "displayfile/graphics_system.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
@@ -89,7 +90,8 @@ inline void enter(const ShadedScene& scene, Shading shading, GraphicsSystem& g) 
 
 inline GraphicsSystem drawn(const ShadedScene& scene, Shading shading, bool perspective = false) {
   GraphicsSystem g;
-  g.set_hidden_method(HiddenMethod::world_ray_cast);  // retains, in case it is drawn by that
+  g.set_hidden_surfaces(
+      {.method = HiddenMethod::world_ray_cast});  // retains, in case it is drawn by that
   if (perspective) g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(scene, shading, g);

@@ -15,13 +15,14 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/unit.h"
+#include "displayfile/files.h"
 #include "displayfile/intensity_plane.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/opengl/osmesa.h"

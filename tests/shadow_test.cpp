@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"
 #include "interp/raster/software.h"
@@ -578,7 +578,7 @@ TEST(Shadows, OffChangeNothing) {
   const GraphicsSystem off = drawn(scene, {0.5, 0.7, 1}, {}, false);
   EXPECT_EQ(dump(off.display_file()), dump(plain.display_file()));
   EXPECT_EQ(picture(off).pixels, picture(plain).pixels);
-  EXPECT_FALSE(GraphicsSystem().shadows());
+  EXPECT_FALSE(GraphicsSystem().attributes().shadows);
 }
 
 TEST(Shadows, WithoutLightThereAreNone) {

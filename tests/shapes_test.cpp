@@ -1,6 +1,6 @@
 // Primitive shapes: closed, turned outward, of the right volume.
 
-#include "displayfile/shapes/shapes.h"
+#include "displayfile/graphics_system.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/shapes/closed_shape.h"
 #include "displayfile/shapes/swept.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
@@ -162,7 +161,7 @@ TEST(Shapes, AreLitFromOutsideWhereTheyAreMirrored) {
     GraphicsSystem g;
     g.set_light({0, 1, 2});
     g.set_shading(Shading::phong);
-    g.set_hidden_line_removal(true);
+    g.set_hidden_surfaces({.removal = true});
     if (mirrored) g.scale_3(-1, 1, 1);
     g.open_segment(1);
     torus_3(g, {0, 0, 0}, 0.6, 0.2, 16);
@@ -225,10 +224,10 @@ TEST(Shapes, EveryPolygonHasAPickIdentifierAndIsFlat) {
   sphere_3(g, {3, 1, 2}, 1.5, 32);
   torus_3(g, {3, 1, 2}, 1.5, 0.4, 32);
   turn_3(g, 32, kGlass);
-  EXPECT_EQ(g.polygons_triangulated(), 0);
-  const auto before = g.polygons_entered();
+  EXPECT_EQ(g.counts().triangulated, 0);
+  const auto before = g.counts().polygons;
   box_3(g, {0, 0, 0}, {1, 1, 1});
-  EXPECT_EQ(g.polygons_entered(), before + 6);
+  EXPECT_EQ(g.counts().polygons, before + 6);
 }
 
 TEST(Shapes, SmoothShadingHasTheNormalsOfWhatIsRound) {
@@ -336,7 +335,7 @@ TEST(Shapes, WhatCannotBeOneIsRefusedAndNothingIsEntered) {
       },
       "point 1 of the profile is at -1 from the axis");
   g.close_segment();
-  EXPECT_EQ(g.polygons_entered(), 0);
+  EXPECT_EQ(g.counts().polygons, 0);
   const auto error_of_program = [](const std::string& program) {
     GraphicsSystem of_program;
     return test::error_of([&] { replay(program, "p", of_program); });

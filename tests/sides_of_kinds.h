@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_scene.h"
-#include "hidden/line_kinds.h"
 
 namespace displayfile::test {
 

@@ -11,6 +11,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "programs/bench/counted_memory.h"
 #include "tests/from_environment.h"
@@ -26,7 +27,7 @@ class Application {
  public:
   Application() {
     system_.set_window(0.0, 1.0, 0.0, 1.0);
-    system_.set_hidden_line_removal(true);
+    system_.set_hidden_surfaces({.removal = true});
   }
 
   void run(int segments) {
@@ -42,7 +43,7 @@ class Application {
 
   void step() {
     static constexpr std::array kMethods = {HiddenMethod::bsp, HiddenMethod::depth_sort};
-    system_.set_hidden_method(dice_.of(kMethods));
+    system_.set_hidden_surfaces({.method = dice_.of(kMethods)});
     const int name = next_name_++;
     system_.open_segment(name);
     for (int polygons = dice_.from(1, 3); polygons > 0; --polygons) {

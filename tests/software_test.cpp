@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "displayfile/graphics_system.h"
+#include "interp/device/raster_request.h"
 #include "interp/scan/scan_convert.h"
 #include "tests/truth_scenes.h"
 #include "tests/unit_square.h"
@@ -158,7 +159,7 @@ TEST(ZBuffer, DepthIsThatOfThePlaneAtThePixelCentre) {
 TEST(ZBuffer, Problem10_8) {
   GraphicsSystem g = unit_square_without_lines();
   const Colour a(1, 0, 0), b(0, 0, 1);
-  g.set_z_buffer(true);
+  g.set_hidden_surfaces({.z_buffer = true});
   g.open_segment(1);
   g.set_line_style({LineStyle::Kind::solid, a});
   g.move_abs_3(0.25, 0.25, 1);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "clip/unit.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/image_space.h"

@@ -10,11 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/section.h"
-#include "displayfile/shapes/shapes.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/solids/open_solids.h"
 #include "tests/error_of.h"
 #include "tests/random_views.h"
 #include "tests/solid_scenes.h"
@@ -100,7 +99,7 @@ TEST(Solids, CallsOutOfOrderAreRefusedAndNothingIsLost) {
   box_by_polygons(g, 1);
   expect_error([&] { g.end_solid(); },
                "the solid is not closed: its side from 0 0 0 to 0 1 0 is no other polygon's");
-  EXPECT_EQ(g.solids_open(), 1u);
+  EXPECT_EQ(g.counts().solids_open, 1u);
   g.polygon_abs_3({{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}});  // what was missing
   EXPECT_EQ(dump(g.display_file()).find("polygon"), std::string::npos);
   g.end_solid();
@@ -149,9 +148,9 @@ TEST(Solids, TheyNestToAStatedDepth) {
   expect_error([&] { g.begin_solid(); }, "expected at most 32");
   expect_error([&] { box_3(g, {0, 0, 0}, {1, 1, 1}); }, "a shape being one, too");
   box_by_polygons(g, 0);
-  while (g.solids_open() > 0) g.end_solid();
+  while (g.counts().solids_open > 0) g.end_solid();
   g.close_segment();
-  EXPECT_EQ(g.polygons_entered(), 6);
+  EXPECT_EQ(g.counts().polygons, 6);
 }
 
 TEST(Solids, ProgramsNameThePlace) {
@@ -183,7 +182,7 @@ TEST(Solids, WithoutTheLibraryItIsNamed) {
   box_3(g, {0, 0, 0}, {1, 1, 1});
   box_3(g, {0, 0, 0}, {2, 1, 1});
   expect_error([&] { g.end_solid(); }, "libcgal-dev");
-  EXPECT_EQ(g.solids_open(), 1u);
+  EXPECT_EQ(g.counts().solids_open, 1u);
 }
 
 #else
@@ -375,11 +374,11 @@ TEST(CombinedSolids, OfNothingNothingIsEnteredAndCounted) {
   g.open_segment(1);
   solid_of(kIntersection, {box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})})(g);
   EXPECT_EQ(dump(g.display_file()).find("polygon"), std::string::npos);
-  EXPECT_EQ(g.empty_solids(), 1);
+  EXPECT_EQ(g.counts().empty_solids, 1);
   // As a part of another it is none.
   solid_of(kUnion, {solid_of(kDifference, {box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})}),
                     box({0, 0, 0}, {1, 1, 1})})(g);
-  EXPECT_EQ(g.empty_solids(), 1);
+  EXPECT_EQ(g.counts().empty_solids, 1);
   EXPECT_NE(dump(g.display_file()).find("polygon"), std::string::npos);
   g.close_segment();
 }
@@ -395,7 +394,7 @@ TEST(CombinedSolids, WhatIsNoSolidIsRefusedAndNothingIsLost) {
   g.end_solid();
   expect_error([&] { g.end_solid(); }, "part 2 of 2 of the solid passes through itself near");
   g.discard_solid();
-  EXPECT_EQ(g.solids_open(), 0u);
+  EXPECT_EQ(g.counts().solids_open, 0u);
   g.begin_solid(kUnion);
   g.begin_solid();
   box_by_polygons(g, 0);
@@ -404,9 +403,9 @@ TEST(CombinedSolids, WhatIsNoSolidIsRefusedAndNothingIsLost) {
   g.end_solid();
   box_3(g, {0, 0, 0}, {1, 1, 1});
   expect_error([&] { g.end_solid(); }, "part 1 of 2 of the solid passes through itself near");
-  EXPECT_EQ(g.solids_open(), 1u);
+  EXPECT_EQ(g.counts().solids_open, 1u);
   g.discard_solid();
-  EXPECT_EQ(g.polygons_entered(), 0);
+  EXPECT_EQ(g.counts().polygons, 0);
   g.close_segment();
 }
 

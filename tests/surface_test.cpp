@@ -14,11 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/surface_grid.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "tests/error_of.h"
 
 namespace displayfile {
@@ -105,7 +103,7 @@ TEST(Surface, CurvesOfOneFamilyAreDrawnAlone) {
   // Along x, y stays the same: all ends of sides that are drawn, seen from above.
   GraphicsSystem g;
   g.set_surface_curves(SurfaceCurves::x);
-  EXPECT_EQ(g.surface_curves(), SurfaceCurves::x);
+  EXPECT_EQ(g.surface_looks().curves, SurfaceCurves::x);
   g.open_segment(1);
   const std::vector<double> flat(4);
   g.surface_3({0, 1, 2, 0, 1, 2, flat});
@@ -204,7 +202,7 @@ TEST(Surface, WhatCannotBeOneIsRefusedAndNothingIsEntered) {
   expect_error(enter({0, 1, 3, 0, 1, 2, heights}), "expected none before a surface");
   g.close_segment();
   EXPECT_EQ(count(dump(g.display_file()), "polygon "), 0u);
-  EXPECT_EQ(g.polygons_entered(), 0);
+  EXPECT_EQ(g.counts().polygons, 0);
 }
 
 /// The line styles that a dump has, in order, and how many polygons in each.
@@ -314,8 +312,8 @@ TEST(Surface, SidesAreRecorded) {
   GraphicsSystem again;
   replay(program.str(), "recorded", again);
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
-  EXPECT_EQ(again.surface_sides(), SurfaceSides::lower);
-  EXPECT_FALSE(again.lower_line_style());
+  EXPECT_EQ(again.surface_looks().sides, SurfaceSides::lower);
+  EXPECT_FALSE(again.surface_looks().lower_line);
   EXPECT_EQ(count(program.str(), "set-lower-line-style same"), 1u);
   expect_error(
       [&] {

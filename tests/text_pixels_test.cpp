@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"

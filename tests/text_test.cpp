@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "displayfile/turntable.h"
 #include "interp/draw/world_views.h"
@@ -163,7 +162,7 @@ TEST(Text, SortsKeepTexts) {
                                "polygon-abs-2 0 0 1 0 1 1\nclose-segment\n",
                                method, scope));
       SortedDisplayFile sorted;
-      const std::string text = dump(sorted.update(g, g.hidden_method(), {}));
+      const std::string text = dump(sorted.update(g, g.hidden_surfaces().method, {}));
       EXPECT_NE(text.find("text 0 0 0.75 \"first\"\n"), text.npos) << text;
       EXPECT_NE(text.find("text 0.5 0.25 0.875 \"second\"\n"), text.npos) << text;
       const std::string first_segment = text.substr(0, text.find("segment 2"));

@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
 #include "tests/length_of_lines.h"

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/drawn_pieces.h"
+#include "displayfile/files.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
+#include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/from_environment.h"
@@ -298,7 +298,7 @@ TEST(TouchingLines, AreComparedAsViewedWhereNothingTouches) {
     GraphicsSystem g;
     g.set_window(0, 1, 0, 1);
     g.set_view_depth(-1, 0);
-    if (!touches) g.set_touching({Touching::Kind::off});
+    if (!touches) g.set_hidden_surfaces({.touching = Touching{Touching::Kind::off}});
     g.set_line_style({LineStyle::Kind::none});
     g.open_segment(1);
     g.polygon_abs_3({{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}});
@@ -328,7 +328,7 @@ struct NearAFace {
     test::view_from_anywhere(s, g, {Point3(0.0), 3.0});
     g.set_window(-window, window, -window, window);
     if (seed % 2 == 1) test::turn_and_move(s, g);
-    g.set_touching(touching);
+    g.set_hidden_surfaces({.touching = touching});
     g.open_segment(1);
     g.set_line_style({LineStyle::Kind::none});
     if (with_face) g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/files.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/drawing_program.h"
 #include "interp/draw/draw.h"
 #include "tests/from_eyes.h"
 #include "interp/draw/world_views.h"
@@ -126,7 +126,7 @@ void expect_tiles_seen(int rows, int columns, int size) {
   Retained retained;
   GraphicsSystem& g = retained.system;
   test::view_from_anywhere(s, g, kAboutTheOrigin);
-  g.set_touching({Touching::Kind::length, 1e-30});
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, 1e-30}});
   g.set_line_style({LineStyle::Kind::none});
   g.open_segment(1);
   g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});
@@ -188,7 +188,7 @@ void enter_rug_in_millimetres(GraphicsSystem& g) {
   g.set_parallel({1, 2, 2});
   g.set_window(-2, 2, -2, 2);
   g.set_line_style({LineStyle::Kind::none});
-  g.set_touching({Touching::Kind::length, 0.25});
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, 0.25}});
   g.scale_3(0.001, 0.001, 0.001);
   g.open_segment(1);
   g.polygon_abs_3({{-1300, 0, -1300}, {-1300, 0, 1200}, {1200, 0, 1200}, {1200, 0, -1300}});
@@ -229,7 +229,8 @@ TEST(TouchingMethods, WithinLengthsAsLargeAsPolygons) {
     Source s(static_cast<std::uint64_t>(seed));
     Retained retained;
     GraphicsSystem& g = retained.system;
-    g.set_touching({Touching::Kind::length, std::pow(10.0, -3.0 * s.unit())});
+    g.set_hidden_surfaces(
+        {.touching = Touching{Touching::Kind::length, std::pow(10.0, -3.0 * s.unit())}});
     const bool is_transformed = seed % 4 == 3;
     enter_in_view(s, g, kScenes[seed % 3], is_transformed);
     const EnteredTruth truth =
@@ -249,7 +250,7 @@ TEST(TouchingMethods, WallsWithinALengthOfTheFloorHaveItsDepth) {
   GraphicsSystem& g = retained.system;
   g.set_parallel({0, 0.1, 2});
   g.set_window(-3, 3, -3, 3);
-  g.set_touching({Touching::Kind::length, 0.6});
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, 0.6}});
   g.set_line_style({LineStyle::Kind::none});
   g.open_segment(1);
   g.polygon_abs_3({{-6, 0, -6}, {-6, 0, 6}, {6, 0, 6}, {6, 0, -6}});
@@ -267,11 +268,11 @@ TEST(TouchingMethods, WallsWithinALengthOfTheFloorHaveItsDepth) {
 TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
   Retained retained;
   GraphicsSystem& g = retained.system;
-  g.set_hidden_scope(HiddenScope::all);
+  g.set_hidden_surfaces({.scope = HiddenScope::all});
   g.set_view_plane_normal({-1, -2, -2});
   g.set_parallel({1, 2, 2});
   g.set_window(-2, 2, -2, 2);
-  g.set_touching({Touching::Kind::length, 0.1});
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, 0.1}});
   g.set_line_style({LineStyle::Kind::none});
   g.open_segment(1);
   g.polygon_abs_3({{-3, 0.05, -3}, {-3, 0.05, 3}, {3, 0.05, 3}, {3, 0.05, -3}});
@@ -309,7 +310,7 @@ TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {
     GraphicsSystem& g = retained.system;
     test::view_from_anywhere(s, g, kAboutTheOrigin);
     const double reach = 0x1p-44, below = -2.0 * reach;
-    g.set_touching({Touching::Kind::length, reach});
+    g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, reach}});
     g.set_line_style({LineStyle::Kind::none});
     g.open_segment(1);
     g.polygon_abs_3({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}});
@@ -359,7 +360,8 @@ TEST(TouchingMethods, PlanesThatMeetAtTinyAngles) {
         SCOPED_TRACE(fmt::format("seed {}, {} {}", seed, transformed, touches));
         Source s(static_cast<std::uint64_t>(seed));
         Retained retained;
-        if (!touches) retained.system.set_touching({Touching::Kind::off});
+        if (!touches)
+          retained.system.set_hidden_surfaces({.touching = Touching{Touching::Kind::off}});
         enter_in_view(s, retained.system, enter_tiny_angles, transformed);
         const EnteredTruth truth = entered_truth(retained.scene, retained.system.display_file(),
                                                  kSize, kSize, false, std::nullopt);
@@ -383,7 +385,7 @@ TEST(TouchingMethods, WhatCoincidesDoesSoWithTouchingOff) {
     Retained retained;
     GraphicsSystem& g = retained.system;
     test::view_from_anywhere(s, g, kAboutTheOrigin);
-    g.set_touching({Touching::Kind::off});
+    g.set_hidden_surfaces({.touching = Touching{Touching::Kind::off}});
     g.set_line_style({LineStyle::Kind::none});
     g.open_segment(1);
     g.polygon_abs_3({{-2, 0.25, -2}, {-2, 0.25, 2}, {2, 0.25, 2}, {2, 0.25, -2}});
@@ -465,7 +467,7 @@ void enter_steep_wall(double reach, double steep, GraphicsSystem& g) {
   };
   g.set_window(0.0, 1.0, 0.0, 1.0);
   g.set_line_style({LineStyle::Kind::none});
-  g.set_touching({Touching::Kind::length, reach});
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, reach}});
   g.open_segment(1);
   rectangle(0.1, 0.9, 0.0);
   rectangle(0.2, 0.45, -0.9 * reach);

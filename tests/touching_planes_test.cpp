@@ -18,10 +18,10 @@
 #include <set>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "clip/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
 #include "hidden/key_grid.h"
-#include "hidden/touching.h"
 #include "interp/truth/true_planes.h"
 #include "programs/scenes/scene.h"
 #include "tests/from_environment.h"

@@ -20,7 +20,6 @@
 
 #include "clip/work_budget.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/shapes/shapes.h"
 #include "displayfile/solids/combining_steps.h"
 #include "tests/error_of.h"
 #include "tests/from_environment.h"
@@ -308,10 +307,10 @@ TEST(TouchingSolids, ABudgetEndsThemAndNothingIsLost) {
       const BudgetInForce in_force(budget);
       EXPECT_THROW(g.end_solid(), LimitReached);
     }
-    EXPECT_EQ(g.solids_open(), 1u);
+    EXPECT_EQ(g.counts().solids_open, 1u);
     g.end_solid();
     g.close_segment();
-    EXPECT_GT(g.polygons_entered(), 0);
+    EXPECT_GT(g.counts().polygons, 0);
   }
 }
 

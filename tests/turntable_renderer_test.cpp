@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
-#include "displayfile/shapes/shapes.h"
 #include "displayfile/turntable.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
@@ -152,9 +152,9 @@ TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
   {
     Retained near;
     GraphicsSystem& g = near.system;
-    g.set_hidden_line_removal(true);
-    g.set_hidden_method(HiddenMethod::z_buffer);
-    g.set_precision({.exact = false, .roundoff = 0.01});
+    g.set_hidden_surfaces({.removal = true});
+    g.set_hidden_surfaces({.method = HiddenMethod::z_buffer});
+    g.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 0.01}});
     g.set_line_style({LineStyle::Kind::none});
     g.open_segment(1);
     g.set_fill_style({FillStyle::Kind::solid, {1, 0, 0}});
@@ -168,8 +168,8 @@ TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
   }
   {
     Retained box;
-    box.system.set_hidden_line_removal(true);
-    box.system.set_hidden_method(HiddenMethod::colour_rule);
+    box.system.set_hidden_surfaces({.removal = true});
+    box.system.set_hidden_surfaces({.method = HiddenMethod::colour_rule});
     box.system.open_segment(1);
     box_3(box.system, {-0.5, -0.5, -0.5}, {0.5, 0.4, 0.3});
     box.system.close_segment();
@@ -177,9 +177,9 @@ TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
   }
   Retained surface;
   GraphicsSystem& g = surface.system;
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
-  g.set_hidden_method(HiddenMethod::perimeter);
+  g.set_hidden_surfaces({.method = HiddenMethod::perimeter});
   g.rotate_x_3(-60);
   g.open_segment(1);
   const std::vector<double> heights{0, 0.3, 0, 0.1, -0.4, 0.2, 0, 0.5, 0};

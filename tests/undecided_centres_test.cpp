@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "displayfile/hidden_surface_check.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/painted_fills.h"

@@ -1,6 +1,6 @@
 // User routines called by their names.
 
-#include "displayfile/text/user_routine.h"
+#include "displayfile/files.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,6 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
 #include "tests/temporary_folder.h"

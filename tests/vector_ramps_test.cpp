@@ -203,8 +203,8 @@ class Evaluated : public VectorDevice {
 
 GraphicsSystem sorted(const ShadedScene& scene, HiddenMethod method) {
   GraphicsSystem g;
-  g.set_hidden_method(method);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.method = method});
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
   g.set_view_depth(-2, 2);
   enter(scene, Shading::gouraud, g);

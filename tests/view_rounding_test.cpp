@@ -70,7 +70,7 @@ TEST(ViewRounding, CountsWhatIsNotQuiteFlat) {
     g.polygon_abs_3({{-1, y, -0.5}, {1, y, -0.5}, {1, y, 0.5}, {-1, y, 0.5}});
   }
   g.close_segment();
-  ASSERT_EQ(g.polygons_triangulated(), 0);
+  ASSERT_EQ(g.counts().triangulated, 0);
   RetainedViews views(retained.scene, g.display_file(), {});
   EXPECT_GT(views.counts().cuts, 0u);
   View view = test::looking({0.8, 0.3, -0.6});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/mat4x4.hpp>
 #include <random>
 
 #include "clip/error.h"

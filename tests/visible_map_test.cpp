@@ -66,8 +66,8 @@ TEST(VisibleMap, LinesOverItHeedTheRoundoff) {
   system.set_view_up({0, 0, 1});
   system.set_perspective({12, -17, 10});
   system.set_window(-3, 3, -3, 3);
-  system.set_hidden_line_removal(true);
-  system.set_touching({Touching::Kind::off});
+  system.set_hidden_surfaces({.removal = true});
+  system.set_hidden_surfaces({.touching = Touching{Touching::Kind::off}});
   system.open_segment(1);
   system.polygon_abs_3({{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}});
   system.polygon_abs_3({{-2, -1, -1e-12}, {1, -1, -1e-12}, {1, -1, 1.7}, {-2, -1, 1.7}});

@@ -15,10 +15,10 @@
 #include <thread>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/memory.h"
+#include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "hidden/parallel.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
@@ -186,18 +186,20 @@ TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
 TEST_F(Budgets, CloseSegmentAtItsLimitLeavesTheSegmentOpen) {
   GraphicsSystem g, same;
   for (GraphicsSystem* system : {&g, &same}) {
-    system->set_hidden_line_removal(true);
-    system->set_hidden_method(HiddenMethod::bsp);
+    system->set_hidden_surfaces({.removal = true});
+    system->set_hidden_surfaces({.method = HiddenMethod::bsp});
     enter_crossing(*system, 60);
   }
   WorkBudget budget({.pieces = 100});
-  g.set_budget(&budget);
-  EXPECT_NE(reached([&] { g.close_segment(); }).find("more than 100 pieces"), std::string::npos);
+  const auto close_within = [&] {
+    const BudgetInForce in_force(budget);
+    g.close_segment();
+  };
+  EXPECT_NE(reached(close_within).find("more than 100 pieces"), std::string::npos);
   EXPECT_EQ(g.open_segment_name(), 1);
   EXPECT_EQ(g.display_file().polygons(), 60u);
-  g.set_budget(nullptr);
   for (GraphicsSystem* system : {&g, &same}) {
-    system->set_hidden_method(HiddenMethod::depth_sort);
+    system->set_hidden_surfaces({.method = HiddenMethod::depth_sort});
     system->polygon_abs_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     system->close_segment();
   }
@@ -321,10 +323,10 @@ TEST_F(Budgets, AMeshAtTheLimitLeavesNoSegment) {
   }
   const fs::path mesh = file("m.obj", obj);
   GraphicsSystem g;
-  g.set_hidden_line_removal(true);
-  g.set_hidden_method(HiddenMethod::bsp);
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.method = HiddenMethod::bsp});
   WorkBudget budget({.pieces = 70});
-  g.set_budget(&budget);
+  const BudgetInForce in_force(budget);
   EXPECT_NE(reached([&] { import_mesh(mesh.string(), g); }).find("more than 70 pieces"),
             std::string::npos);
   EXPECT_FALSE(g.open_segment_name());
@@ -363,10 +365,10 @@ TEST_F(Budgets, BudgetsAreInForceInTurnAndOnEveryThread) {
 TEST_F(Budgets, PairsThatAreLookedAtCountAlsoWhereNoneOverlaps) {
   WorkBudget budget({.comparisons = 5000});
   GraphicsSystem g;
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
-  g.set_hidden_method(HiddenMethod::bsp);
-  g.set_budget(&budget);
+  g.set_hidden_surfaces({.method = HiddenMethod::bsp});
+  const BudgetInForce in_force(budget);
   g.open_segment(1);
   for (int k = 0; k < 400; ++k) {
     const double x = 1e-3 * k;
@@ -383,7 +385,7 @@ TEST_F(Budgets, ShapesAndManyPolygonsAreStoppedBeforeTheyAreEntered) {
   WorkBudget budget;
   const BudgetInForce in_force(budget);
   replay("sphere-3 0 0 0 1 9\n", "p.draw", g);
-  const std::int64_t entered = g.polygons_entered();
+  const std::int64_t entered = g.counts().polygons;
   EXPECT_GT(entered, 9);
   budget.stop();
   for (const char* line : {"sphere-3 0 0 0 1 9\n", "box-3 0 1 0 1 0 1\n",
@@ -391,7 +393,7 @@ TEST_F(Budgets, ShapesAndManyPolygonsAreStoppedBeforeTheyAreEntered) {
     EXPECT_NE(reached([&] { replay(line, "p.draw", g); }).find("p.draw:1:1: stopped"),
               std::string::npos)
         << line;
-    EXPECT_EQ(g.polygons_entered(), entered);
+    EXPECT_EQ(g.counts().polygons, entered);
   }
 }
 

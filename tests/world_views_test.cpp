@@ -13,6 +13,7 @@
 #include "clip/view_volume.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/turntable.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/truth/entered_truth.h"
@@ -68,7 +69,7 @@ std::size_t expect_right_unrounded(const Picture& picture, const Retained& retai
       entered_truth(retained.scene, file, kWidth, kHeight, false, std::nullopt);
   EXPECT_EQ(picture.ids, entered.picture.ids);
   const std::size_t other = different_pixels(picture, truth(file, kWidth, kHeight, false));
-  if (other == 0) expect_right_painting(picture, file, system.hidden_lines());
+  if (other == 0) expect_right_painting(picture, file, system.hidden_surfaces().hidden_lines);
   return other;
 }
 
@@ -165,8 +166,8 @@ TEST(WorldViews, OfSeveralViewsThatOverlapTheNearestIsSeen) {
 
 TEST(WorldViews, SettingTheMethodRetains) {
   GraphicsSystem g;
-  g.set_hidden_line_removal(true);
-  g.set_hidden_method(HiddenMethod::world_ray_cast);
+  g.set_hidden_surfaces({.removal = true});
+  g.set_hidden_surfaces({.method = HiddenMethod::world_ray_cast});
   test::enter_two_segments(g);
   ASSERT_NE(g.retained(), nullptr);
   EXPECT_EQ(g.retained()->segments().size(), 2u);
@@ -190,8 +191,8 @@ TEST(WorldViews, RefuseWhatTheyCannotDraw) {
   GraphicsSystem g;
   test::enter_two_segments(g);
   EXPECT_THROW(draw(g, options_of(HiddenMethod::world_ray_cast)), Error);
-  EXPECT_THROW(g.set_hidden_method(HiddenMethod::world_ray_cast), Error);
-  EXPECT_EQ(g.hidden_method(), HiddenMethod::automatic);
+  EXPECT_THROW(g.set_hidden_surfaces({.method = HiddenMethod::world_ray_cast}), Error);
+  EXPECT_EQ(g.hidden_surfaces().method, HiddenMethod::automatic);
   EXPECT_EQ(g.retained(), nullptr);
 
   Retained retained;
@@ -201,9 +202,9 @@ TEST(WorldViews, RefuseWhatTheyCannotDraw) {
   options.precision = Precision{.exact = false, .roundoff = 1e-6};
   EXPECT_THROW(draw(retained.system, options), Error);
   options.precision.reset();
-  retained.system.set_precision({.exact = false, .roundoff = 1e-6});
+  retained.system.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 1e-6}});
   EXPECT_THROW(draw(retained.system, options), Error);
-  retained.system.set_precision({});
+  retained.system.set_hidden_surfaces({.precision = Precision{}});
   retained.system.set_image_translation(2, 0.1, 0.0);
   EXPECT_THROW(draw(retained.system, options), Error);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/scan/scan_convert.h"
 #include "interp/truth/truth.h"

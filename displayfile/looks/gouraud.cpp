@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"
+#include "clip/unit.h"
 
 namespace displayfile {
 

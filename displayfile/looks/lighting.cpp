@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "clip/unit.h"
+
 namespace displayfile {
 
 double intensity(const Light& light, const Point3& normal, bool turned_away) {

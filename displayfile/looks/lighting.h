@@ -9,13 +9,6 @@
 
 namespace displayfile {
 
-/// A light from far away, and what there is without it.
-struct Light {
-  Point3 toward;   ///< unit, world coordinates
-  double ambient;  ///< in [0,1]
-  bool operator==(const Light&) const = default;
-};
-
 /// The intensity of a surface where the light is at an angle of that cosine to the normal of the
 /// side that is seen; NaN stands for a surface that has none.
 inline double intensity_at(const Light& light, double cosine) {

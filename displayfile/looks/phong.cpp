@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"
+#include "clip/unit.h"
 #include "displayfile/looks/gouraud.h"
 
 namespace displayfile {

@@ -1,4 +1,4 @@
-#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
 
 #include "clip/words.h"
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <span>
 #include <vector>
 

@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 
 #include "clip/bounds.h"
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
+#include "displayfile/display_file.h"
 #include "displayfile/fitted_window.h"
+#include "displayfile/retained_scene.h"
 #include "displayfile/set_view.h"
 
 namespace displayfile {
@@ -185,7 +189,7 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const View&
 
 void FittedView::take(std::span<const Point3> world) {
   for (const Point3& p : world) scene_.include(p);
-  if (scene_.empty()) throw Error("no faces to fit the view to");
+  if (scene_.empty()) throw Error("no points to fit the view to");
   const double diagonal = glm::length(scene_.high - scene_.low);
   if (diagonal > 0.0) radius_ = 0.5 * diagonal;
 }
@@ -232,7 +236,7 @@ void FittedView::fit_window() {
     const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
     if (!(w > kNearestFront)) {
       throw Error(
-          "the mesh is not all before the eye: expected an eye farther away, an angle of view, "
+          "the scene is not all before the eye: expected an eye farther away, an angle of view, "
           "nothing to be fitted, or a window that is set");
     }
     const Point2 at = eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
@@ -260,6 +264,35 @@ void FittedView::enclose_depth() {
 }
 
 }  // namespace
+
+View fit(const View& view, std::span<const Point3> points, double aspect) {
+  const RoundToNearest nearest;
+  if (!(aspect > 0.0 && aspect <= kCoordinateLimit)) {
+    throw Error(fmt::format("aspect ratio {}: expected a positive number", aspect));
+  }
+  return FittedView(points, aspect, view).view();
+}
+
+View fit(const View& view, const Point3& low, const Point3& high, double aspect) {
+  std::array<Point3, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    corners[k] = {(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                  (k & 4) != 0 ? high.z : low.z};
+  }
+  return fit(view, corners, aspect);
+}
+
+View fit(const View& view, const GraphicsSystem& system) {
+  const RetainedScene* const scene = system.retained();
+  if (scene == nullptr) throw Error("no scene is retained to fit the view to: expected retain()");
+  std::vector<Point3> points;
+  for (const RetainedScene::Segment& segment : scene->segments()) {
+    if (!system.display_file().segment(segment.name).visible) continue;
+    const std::span<const Point3> of_segment = scene->points(segment);
+    points.insert(points.end(), of_segment.begin(), of_segment.end());
+  }
+  return fit(view, points, shape_in_picture(view.viewport, system.aspect_ratio()));
+}
 
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world) {

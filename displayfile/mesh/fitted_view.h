@@ -5,7 +5,6 @@
 
 #include "clip/transformation.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/up_axis.h"
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <memory>
 #include <mutex>
@@ -18,6 +19,7 @@
 
 #include "clip/corners.h"
 #include "clip/error.h"
+#include "clip/surfaces.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_library_files.h"
 #include "displayfile/mesh/import_losses.h"
@@ -28,7 +30,6 @@
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/shared_library.h"
 #include "hidden/largest_coordinate.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

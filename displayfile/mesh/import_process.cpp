@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"

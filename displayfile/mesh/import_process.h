@@ -3,7 +3,6 @@
 #include <string>
 
 #include "clip/error.h"
-#include "displayfile/mesh/import_limits.h"
 #include "displayfile/mesh/mesh.h"
 
 namespace displayfile {

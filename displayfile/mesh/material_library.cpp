@@ -3,6 +3,7 @@
 #include "displayfile/mesh/material_library.h"
 
 #include <string_view>
+#include <utility>
 
 #include "displayfile/mesh/text_cursor.h"
 

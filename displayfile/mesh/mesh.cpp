@@ -11,11 +11,13 @@
 
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
+#include "clip/surfaces.h"
 #include "clip/view_volume.h"
+#include "displayfile/display_file.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/solids/solid_faces.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "hidden/largest_coordinate.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -141,10 +143,10 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
   const std::size_t vertices = std::size_t{high} - low + 1;
   if (!mesh.corner_normals.empty() || vertices > 2 * corners.size()) {
     const auto enter = [&] {
-      system.keep_fill_style([&] { enter_one_by_one(mesh, object, fills, system); });
+      SystemInside::keep_fill_style(system, [&] { enter_one_by_one(mesh, object, fills, system); });
     };
-    const bool is_solid = system.takes_whole_solids() && is_closed(mesh, object);
-    return is_solid ? system.as_solid(enter) : enter();
+    const bool is_solid = SystemInside::takes_whole_solids(system) && is_closed(mesh, object);
+    return is_solid ? SystemInside::as_solid(system, enter) : enter();
   }
   std::vector<std::uint32_t> from_low;
   if (low > 0) {
@@ -159,7 +161,7 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
       sides.push_back(static_cast<std::uint32_t>(mesh.face(i).size()));
     }
   }
-  system.polygons_abs_3(std::span(mesh.vertices).subspan(low, vertices), corners, sides, fills);
+  system.polygons_abs_3({std::span(mesh.vertices).subspan(low, vertices), corners, sides, fills});
 }
 
 }  // namespace
@@ -194,14 +196,15 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
   const auto enter_objects = [&] {
     int next = first_segment_name;
     for (const Mesh::Object& object : mesh.objects) {
-      if (!object.name.empty()) system.comment(object.name);
+      if (!object.name.empty()) SystemInside::comment(system, object.name);
       system.open_segment(next++);
       enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
       system.close_segment();
     }
   };
   system.enter_segments([&] {
-    if (mesh.rounding > 0.0) return system.with_automatic_reach(entered_reach(mesh), enter_objects);
+    if (mesh.rounding > 0.0)
+      return SystemInside::with_automatic_reach(system, entered_reach(mesh), enter_objects);
     enter_objects();
   });
 }
@@ -218,24 +221,26 @@ void set_mesh_light(GraphicsSystem& system) {
 
 /// Removed faces would hide no light, and have no sides that are drawn where they are hidden.
 bool needs_back_faces(const GraphicsSystem& system, const MeshOptions& options) {
-  return system.shadows() || options.hidden_sides_drawn ||
-         system.hidden_lines() != HiddenLines::none;
+  return system.attributes().shadows || options.hidden_sides_drawn ||
+         system.hidden_surfaces().hidden_lines != HiddenLines::none;
 }
 
 /// Sets what the application did not say.
 void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
-  system.by_default(Setting::light, [&] { set_mesh_light(system); });
-  system.by_default(Setting::fill_style, [&] { system.set_fill_style(solid(kNeutral)); });
-  const bool shows_lines = system.hidden_line_removal() && shows_lines_only(system.hidden_method());
+  SystemInside::by_default(system, Setting::light, [&] { set_mesh_light(system); });
+  SystemInside::by_default(system, Setting::fill_style,
+                           [&] { system.set_fill_style(solid(kNeutral)); });
+  const bool shows_lines =
+      system.hidden_surfaces().removal && shows_lines_only(system.hidden_surfaces().method);
   const bool sides_drawn =
       options.sides_drawn || shows_lines || system.said().contains(Setting::lines);
-  system.by_default(Setting::line_style, [&] {
+  SystemInside::by_default(system, Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });
-  system.by_default(Setting::hidden_line_removal, [&] {
-    const bool back_face_removal = system.back_face_removal();
+  SystemInside::by_default(system, Setting::hidden_line_removal, [&] {
+    const bool back_face_removal = system.attributes().back_face_removal;
     const bool said = system.said().contains(Setting::back_face_removal);
-    system.set_hidden_line_removal(true);
+    system.set_hidden_surfaces({.removal = true});
     if (said) system.set_back_face_removal(back_face_removal);
   });
 }
@@ -251,14 +256,16 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
   entering.file_colours &= !system.said().contains(Setting::fill_style);
   bring_defaults(system, options);
   for (const Mesh& mesh : meshes) {
-    system.by_default(Setting::back_face_removal, [&] {
+    SystemInside::by_default(system, Setting::back_face_removal, [&] {
       system.set_back_face_removal(!needs_back_faces(system, options) &&
                                    closed_and_consistently_oriented(mesh));
     });
     enter_mesh(mesh, system, first_segment_name(mesh, system), entering);
   }
-  system.by_default(Setting::fill_style, [&] { system.set_fill_style(before.fill); });
-  system.by_default(Setting::line_style, [&] { system.set_line_style(before.line); });
+  SystemInside::by_default(system, Setting::fill_style,
+                           [&] { system.set_fill_style(before.fill); });
+  SystemInside::by_default(system, Setting::line_style,
+                           [&] { system.set_line_style(before.line); });
 }
 
 void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system) {
@@ -278,7 +285,7 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
   std::vector<Mesh> meshes;
   std::int64_t name = name_after_all_in_use(system.display_file());
   for (const std::string& path : paths) {
-    const bool smooth = system.shading() != Shading::flat;
+    const bool smooth = system.attributes().shading != Shading::flat;
     meshes.push_back(read_mesh(path, smooth, options.import_limits));
     if (smooth) complete_normals(meshes.back());
     require_free_names(meshes.back(), system, name);

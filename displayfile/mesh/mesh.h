@@ -1,17 +1,95 @@
 #pragma once
 
+/// Meshes: read from files, looked at by a camera, and entered as segments.
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/graphics_system.h"
-#include "displayfile/mesh/mesh_options.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
+
+class GraphicsSystem;
+
+// Options.
+
+/// Which way is up in the world: three directions at right angles, right x up = front. A scene
+/// whose up is another axis than y is seen as if it were turned to y-up.
+struct Upright {
+  Point3 right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0};
+  Point3 front{0.0, 0.0, 1.0};  ///< toward a viewer who stands before it
+  bool operator==(const Upright&) const = default;
+};
+
+/// Reads `x`, `y`, `z`, `-x`, `-y` or `-z`, the axis that is up. With z up the front is the side of
+/// negative y, and x still runs to the right. Throws Error for anything else.
+Upright upright(std::string_view axis);
+
+/// By what the axis that is up is found, if the application does not set it. Of meshes that stand
+/// by different axes none is followed: then y is up.
+enum class UprightBy {
+  file,        ///< the file, or what its format lays down (up_axis.h); y where neither says it
+  convention,  ///< or else the custom of its format
+};
+
+/// From what is looked at to the eye, in degrees: azimuth 0 is from the front and 90 from the
+/// right, elevation 90 from above.
+struct EyeDirection {
+  double azimuth = 30.0, elevation = 20.0;
+  bool operator==(const EyeDirection&) const = default;
+};
+
+/// How a mesh is looked at, in the coordinates of the world. Lengths and directions that are not
+/// given are found from the mesh.
+struct Camera {
+  std::variant<EyeDirection, Point3> eye = EyeDirection{};  ///< or where it is
+  /// In the middle of the picture; if not given, the picture's middle is that of what is seen.
+  std::optional<Point3> look_at = std::nullopt;
+  std::variant<UprightBy, Upright> upright = UprightBy::file;
+  /// In degrees, from the bottom to the top of the picture, more than 0 and less than 180. If not
+  /// given, the eye is four times the mesh's radius away.
+  std::optional<double> angle_of_view = std::nullopt;
+  bool parallel = false;  ///< a parallel projection, which has no angle of view
+  /// Finds the window, or the eye's distance for an angle of view, in which the mesh is seen whole.
+  /// Otherwise nothing depends on the mesh: the view is that of a ball of radius 1 at the origin or
+  /// at what is looked at.
+  bool fit = true;
+  /// Finds the eye's distance for the mesh as it turns about the axis that is up, through its
+  /// middle.
+  bool turning = false;
+  bool operator==(const Camera&) const = default;
+};
+
+/// Limits of the import library for one mesh, in the process of its own in which it runs
+/// (import_process.md). OBJ, OFF, PLY and STL are read in this process, and need none of it.
+struct ImportLimits {
+  std::size_t memory = std::size_t{2} << 30;  ///< bytes, beside what the library itself takes
+  double seconds = 60.0;                      ///< by the clock
+  /// Where there is no such process: formats are read whose readers are not on the list of those
+  /// that are allowed (allowed_formats.h). Elsewhere it changes nothing.
+  bool any_format = false;
+};
+
+/// How meshes are entered, where it is not as their files say.
+struct MeshOptions {
+  Camera camera;                   ///< of the fitted view
+  std::optional<Colour> colour{};  ///< of all faces, whatever files and programs say
+  bool file_colours = true;        ///< the colours that files give faces are taken
+  /// Faces' sides are drawn, unless the application set how: with a method that shows lines only,
+  /// and where lines are selected.
+  bool sides_drawn = false;
+  bool hidden_sides_drawn = false;  ///< and dashed where they are hidden: no back face is removed
+  ImportLimits import_limits{};     ///< of formats that the import library reads
+};
+
+// Meshes.
 
 /// A mesh in plain arrays, in world coordinates. Faces are polygons of any number of sides from 3
 /// up, as in the file, and share the vertices that they share there: nothing is triangulated and
@@ -24,14 +102,14 @@ struct Mesh {
     std::string name;
     std::size_t first_face, faces;
   };
-  /// What faces of a file look like, as far as it is drawn.
+  /// The look of faces of a file, as far as it is drawn.
   struct Material {
     std::optional<Colour> colour;  ///< nothing: the file does not say
     bool textured = false;         ///< drawn in the colour alone
     bool transparent = false;      ///< drawn opaque
     bool operator==(const Material&) const = default;
   };
-  /// What a file held and the mesh leaves out.
+  /// Contents of a file that the mesh leaves out.
   struct Skipped {
     std::size_t points_and_lines = 0;
     std::size_t degenerate_faces = 0;   ///< of fewer than 3 different positions
@@ -77,11 +155,11 @@ struct Mesh {
   }
 };
 
-/// What was left out, in words: "3 points and lines", each kind that there was some of.
+/// The parts left out, in words: "3 points and lines", each kind that there was some of.
 std::vector<std::string> left_out(const Mesh::Skipped& skipped);
 
 /// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
-/// import library in a process of its own (import_process.h); README.md tells what is read of each.
+/// import library in a process of its own (import_process.h); README.md lists what is read of each.
 /// An object is an object or a group of OBJ, a solid of an STL text, a node of the library's scene,
 /// or else the whole file. Throws Error, naming the file and, where known, line and column:
 /// unreadable, unknown format, truncated, an index out of range, a coordinate that is not finite or
@@ -102,7 +180,7 @@ void complete_normals(Mesh& mesh);
 /// of equal position are the same), and every connected part encloses a positive volume.
 bool closed_and_consistently_oriented(const Mesh& mesh);
 
-/// Within which distance parts of the mesh touch, unless it is set (hidden/touching.h): 8 times the
+/// Within which distance parts of the mesh touch, unless it is set (clip/surfaces.h): 8 times the
 /// unit of its file's numbers. That is 2^-24 of the largest coordinate in single precision; of
 /// decimals, the longest of which has 6 significant digits or more, half a unit of its last digit,
 /// at most 2^-17; else 2^-52.
@@ -119,7 +197,7 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
                 const MeshOptions& options = {});
 
 /// Enters meshes in the view in force, in segments named from the first number that follows all in
-/// use. What the application said holds for them; where it did not, they bring a light over the
+/// use. Settings that the application made hold for them; otherwise they bring a light over the
 /// viewer's left shoulder, a neutral fill style, no lines, and hidden-line removal, with back-face
 /// removal for those meshes that are closed_and_consistently_oriented. Light and hidden-line
 /// removal stay; styles are then what they were. Throws Error if a segment is open.
@@ -130,10 +208,11 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
 /// for programs that name them. Throws Error as open_segment.
 void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system);
 
-/// What came of meshes that were imported.
+/// The result of an import of meshes.
 struct ImportedMeshes {
   std::vector<Mesh::Skipped> skipped;  ///< of each mesh: what was left out
-  /// What is up in the camera of the view that was fitted to them; nothing if no camera was fitted.
+  /// The upright of the camera of the view that was fitted to them; nothing if no camera was
+  /// fitted.
   std::optional<Upright> fitted;
 };
 

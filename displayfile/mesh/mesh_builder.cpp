@@ -8,9 +8,9 @@
 
 #include "clip/error.h"
 #include "clip/secret_hash.h"
+#include "clip/surfaces.h"
 #include "displayfile/mesh/left_out_sentence.h"
 #include "hidden/largest_coordinate.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

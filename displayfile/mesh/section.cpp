@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <tuple>
 #include <unordered_map>

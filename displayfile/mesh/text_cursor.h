@@ -12,6 +12,7 @@
 #include <system_error>
 #include <type_traits>
 
+#include "clip/budgeted_work.h"
 #include "clip/point.h"
 #include "clip/work_budget.h"
 #include "displayfile/mesh/mesh_colour.h"

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "clip/transformation.h"
-#include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
 
 namespace displayfile {

@@ -7,6 +7,7 @@
 #include "clip/back_face.h"
 #include "clip/corners.h"
 #include "clip/round_to_nearest.h"
+#include "clip/unit.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"
 

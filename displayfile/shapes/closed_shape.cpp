@@ -1,11 +1,14 @@
 #include "displayfile/shapes/closed_shape.h"
+#include "displayfile/user_routines/system_inside.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
+#include "clip/transformation.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {
@@ -53,12 +56,12 @@ void enter_with_normals(GraphicsSystem& system, const ClosedShape& solid) {
 }
 
 void enter_as_it_is(GraphicsSystem& system, const ClosedShape& solid) {
-  const bool smooth = system.attributes().light && system.shading() != Shading::flat;
+  const bool smooth = system.attributes().light && system.attributes().shading != Shading::flat;
   if (solid.normals.empty() || !smooth) {
-    return system.polygons_abs_3(solid.vertices, solid.corners, solid.sides);
+    return system.polygons_abs_3({solid.vertices, solid.corners, solid.sides});
   }
   require_enterable(system, solid);
-  system.as_solid([&] { enter_with_normals(system, solid); });
+  SystemInside::as_solid(system, [&] { enter_with_normals(system, solid); });
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "displayfile/shapes/shapes.h"
+#include "displayfile/graphics_system.h"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/corners.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/transformation.h"
+#include "clip/unit.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {

@@ -12,6 +12,7 @@
 
 #include "clip/back_face.h"
 #include "clip/equal_points.h"
+#include "clip/unit.h"
 #include "hidden/triangulation.h"
 
 namespace displayfile {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {

@@ -29,11 +29,12 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
+#include "clip/surfaces.h"
 #include "displayfile/solids/combining_steps.h"
 #include "displayfile/solids/exact_surface.h"
 #include "displayfile/solids/touching_solids.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 
@@ -231,7 +232,7 @@ std::vector<std::array<std::uint32_t, 2>> boundaries_of(const ExactSurface& surf
 
 /// Faces that a modelling transformation has turned are no longer flat but for rounding, nor are
 /// their diagonals in line with their sides: within the reach of doubles they are
-/// (hidden/touching.h).
+/// (clip/surfaces.h).
 double reach_of(const ExactSurface& surface) {
   double largest = 0.0;
   for (const ExactPoint& p : surface.points) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/solids/solid_operation.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
 

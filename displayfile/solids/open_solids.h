@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/looks/attributes.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/looks/world_polygon.h"
 #include "displayfile/solids/exact_solid.h"
 #include "displayfile/solids/solid_faces.h"
-#include "displayfile/solids/solid_operation.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/looks/attributes.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "displayfile/graphics_system.h"
 #include "displayfile/solids/combining_steps.h"
 #include "displayfile/solids/exact_surface.h"
-#include "displayfile/solids/solid_operation.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/files.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
@@ -87,8 +88,8 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
   text = without_byte_order_mark(text);
   require_text(text, file_name);
   const std::optional<int> open_before = system.open_segment_name();
-  const std::size_t saved_before = system.transformations_saved();
-  const std::size_t solids_before = system.solids_open();
+  const std::size_t saved_before = system.counts().transformations_saved;
+  const std::size_t solids_before = system.counts().solids_open;
   ProgramLine line;
   WorkSteps lines;
   for (std::string_view rest = text; !rest.empty();) {
@@ -112,14 +113,14 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
     const std::size_t last = text.find_last_not_of(" \t\r\n") + 1;
     return error_at(file_name, text, text.data() + last, message);
   };
-  if (const std::size_t solids = system.solids_open(); solids > solids_before) {
+  if (const std::size_t solids = system.counts().solids_open; solids > solids_before) {
     throw at_end(fmt::format("{} solid{} still open at the end: expected end-solid",
                              solids - solids_before, solids - solids_before == 1 ? "" : "s"));
   }
   if (const auto open = system.open_segment_name(); open && open != open_before) {
     throw at_end(fmt::format("segment {} still open at the end: expected close-segment", *open));
   }
-  if (const std::size_t saved = system.transformations_saved(); saved > saved_before) {
+  if (const std::size_t saved = system.counts().transformations_saved; saved > saved_before) {
     throw at_end(
         fmt::format("{} transformation{} still saved at the end: expected restore-transformation-3",
                     saved - saved_before, saved - saved_before == 1 ? "" : "s"));

@@ -1,4 +1,4 @@
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include "clip/round_to_nearest.h"
 #include "displayfile/characters.h"
 #include "displayfile/collected_text.h"
+#include "displayfile/display_file.h"
 
 namespace displayfile {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/input_file.h"
 #include "displayfile/output_file.h"
-#include "displayfile/text/dump.h"
 
 namespace displayfile {
 

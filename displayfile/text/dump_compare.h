@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// The first difference between two canonical dumps (displayfile/text/dump.h), none if they are the
+/// The first difference between two canonical dumps (displayfile/files.h), none if they are the
 /// same. The message names the segment, the instruction (counted from 1 within the segment, a
 /// line of the dump each) and both values:
 ///   segment 3, instruction 17 (line 0.1 0.25 0): y is 0.25, expected 0.5

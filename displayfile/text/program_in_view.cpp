@@ -4,10 +4,9 @@
 
 #include "clip/round_to_nearest.h"
 #include "displayfile/collected_text.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 #include "displayfile/set_view.h"
-#include "displayfile/text/user_routine.h"
 
 namespace displayfile {
 

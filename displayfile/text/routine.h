@@ -5,10 +5,10 @@
 #include <tuple>
 #include <type_traits>
 
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/argument_words.h"
 #include "displayfile/text/program_line.h"
-#include "displayfile/text/user_routine.h"
 
 namespace displayfile {
 

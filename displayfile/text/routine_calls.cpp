@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "clip/words.h"
-#include "displayfile/axes.h"
-#include "displayfile/shapes/shapes.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile::routine_calls {
 
@@ -96,7 +95,7 @@ void lines(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   for (std::size_t i = 0; i < line.arguments(); ++i) {
     understood(line.argument(i), [&](std::string_view word) { add_line_kind(word, selection); });
   }
-  system.set_lines(selection);
+  system.set_hidden_surfaces({.lines = selection});
 }
 
 void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <type_traits>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/routine.h"
@@ -26,14 +26,23 @@ void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 
+/// A setting of how hidden surfaces are found.
+template <auto member>
+void setting(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  HiddenSurfaceSettings settings;
+  auto& value = settings.*member;
+  value = line.take<typename std::decay_t<decltype(value)>::value_type>();
+  system.set_hidden_surfaces(settings);
+}
+
 /// Any number of points.
-template <class Point, void (GraphicsSystem::*routine)(std::span<const Point>)>
+template <class Point, void (GraphicsSystem::*routine)(PointList<Point>)>
 void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
   if (line.arguments() % static_cast<std::size_t>(Point::length()) != 0) wrong_count(line, entry);
   (system.*routine)(line.take_points<Point>());
 }
 
-// The two below, and sphere, take what the table has counted, in its order.
+// The two below, the setting, and sphere, take what the table has counted, in its order.
 
 /// The least and the greatest coordinate of each axis.
 template <auto shape>

@@ -13,11 +13,11 @@
 #include "clip/round_to_nearest.h"
 #include "clip/words.h"
 #include "displayfile/characters.h"
-#include "displayfile/shapes/shapes.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/text/program_line.h"
 #include "displayfile/text/routine.h"
 #include "displayfile/text/routine_calls.h"
-#include "displayfile/text/user_routine.h"
 
 namespace displayfile {
 
@@ -239,36 +239,40 @@ constexpr auto kView = std::to_array<Routine>({
 });
 
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({
-    fixed<&G::set_hidden_line_removal>("set-hidden-line-removal", "on|off",
-                                       "Whether hidden surfaces and lines are removed, by the "
-                                       "hidden method; back faces too [pictures: by auto, back "
-                                       "faces kept, unless all points have one depth]."),
+    counted<setting<&HiddenSurfaceSettings::removal>>(
+        "set-hidden-line-removal", "on|off",
+        "Whether hidden surfaces and lines are removed, by the "
+        "hidden method; back faces too [pictures: by auto, back "
+        "faces kept, unless all points have one depth]."),
     fixed<&G::set_back_face_removal>(
         "set-back-face-removal", "on|off",
         "Whether polygons that face away from the viewer are removed [off]."),
-    fixed<&G::set_hidden_method>("set-hidden-method", "method",
-                                 "How hidden surfaces or lines are found: auto, map, bsp, "
-                                 "depth-sort, z-buffer, franklin and others [auto]."),
-    fixed<&G::set_hidden_scope>("set-hidden-scope", "segment|all",
-                                "Whether each segment is put in order by itself as it is closed, "
-                                "or all that are visible together as they are drawn [segment]."),
+    counted<setting<&HiddenSurfaceSettings::method>>(
+        "set-hidden-method", "method",
+        "How hidden surfaces or lines are found: auto, map, bsp, "
+        "depth-sort, z-buffer, franklin and others [auto]."),
+    counted<setting<&HiddenSurfaceSettings::scope>>(
+        "set-hidden-scope", "segment|all",
+        "Whether each segment is put in order by itself as it is closed, "
+        "or all that are visible together as they are drawn [segment]."),
     varying<lines>("set-lines",
                    "one or more of all outline boundary crease[=DEGREES] material intersection",
                    "Which sides of polygons are lines, of segments that are closed from then on. "
                    "Unless it is all alone it comes before the first segment [all; crease 30]."),
-    fixed<&G::set_precision>(
+    counted<setting<&HiddenSurfaceSettings::precision>>(
         "set-precision", "exact|roundoff[=EPS]",
         "True signs, or the textbook's ROUNDOFF, as a part of the scene's size; the map is always "
         "exact, and the lines over it heed a ROUNDOFF [exact; EPS 1e-9]."),
-    fixed<&G::set_hidden_lines>("set-hidden-lines", "none|dashed",
-                                "Whether lines are drawn dashed where they are hidden [none]."),
-    fixed<&G::set_touching>(
+    counted<setting<&HiddenSurfaceSettings::hidden_lines>>(
+        "set-hidden-lines", "none|dashed",
+        "Whether lines are drawn dashed where they are hidden [none]."),
+    counted<setting<&HiddenSurfaceSettings::touching>>(
         "set-touching", "auto|off|LENGTH",
         "Within which distance polygons of segments opened from then on touch: what touches a "
         "plane lies in it, and of polygons in one plane the one entered later is seen. auto is by "
         "the precision of the numbers, a LENGTH is before the modelling transformation [auto]."),
-    fixed<&G::set_z_buffer>("set-z-buffer", "on|off",
-                            "The interpreter's z-buffer, whatever the method [off]."),
+    counted<setting<&HiddenSurfaceSettings::z_buffer>>(
+        "set-z-buffer", "on|off", "The interpreter's z-buffer, whatever the method [off]."),
 });
 
 /// All of them, each with its section.

@@ -1,36 +1,37 @@
-#include "displayfile/graphics_system.h"
+#include "displayfile/user_routines/system_state.h"
 
 #include <fmt/format.h>
 
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
+#include "clip/unit.h"
 #include "displayfile/user_routines/ranges.h"
 
 namespace displayfile {
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
-  attributes_changed();
+  state_->attributes_changed();
   if (style.kind == FillStyle::Kind::hollow) {
-    attributes_.fill = {
+    state_->attributes_.fill = {
         FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
-    return record_said(Setting::fill_style, "set-fill-style", {"hollow"});
+    return state_->record_said(Setting::fill_style, "set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
-  attributes_.fill = {FillStyle::Kind::solid, style.colour};
-  record_said(Setting::fill_style, "set-fill-style",
-              {"solid", style.colour.r, style.colour.g, style.colour.b});
+  state_->attributes_.fill = {FillStyle::Kind::solid, style.colour};
+  state_->record_said(Setting::fill_style, "set-fill-style",
+                      {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
-  const LineStyle checked = require_line_style(style);
-  attributes_changed();
-  attributes_.line = checked;
-  said_.insert(Setting::line_style);
-  record_line_style("set-line-style", checked);
+  const LineStyle checked = state_->require_line_style(style);
+  state_->attributes_changed();
+  state_->attributes_.line = checked;
+  state_->said_.insert(Setting::line_style);
+  state_->record_line_style("set-line-style", checked);
 }
 
 /// One style has one representation: what has no meaning in its kind is as it is at the start.
-LineStyle GraphicsSystem::require_line_style(const LineStyle& style) {
+LineStyle GraphicsSystem::State::require_line_style(const LineStyle& style) {
   if (style.kind == LineStyle::Kind::none) return {LineStyle::Kind::none};
   require_colour(style.colour);
   for (const double length : {style.width, style.dash, style.gap}) {
@@ -42,7 +43,7 @@ LineStyle GraphicsSystem::require_line_style(const LineStyle& style) {
   return {style.kind, style.colour, style.width};
 }
 
-void GraphicsSystem::record_line_style(std::string_view routine, const LineStyle& style) {
+void GraphicsSystem::State::record_line_style(std::string_view routine, const LineStyle& style) {
   const Colour& c = style.colour;
   switch (style.kind) {
     case LineStyle::Kind::none: return record(routine, {"none"});
@@ -57,11 +58,11 @@ void GraphicsSystem::set_text_style(const TextStyle& style) {
     throw Error(fmt::format(
         "text size {}: expected more than 0 and at most 1, the picture's height", style.size));
   }
-  attributes_.text = style;
+  state_->attributes_.text = style;
   if (style.always) {
-    record("set-text-style", {style.size, name_of(style.alignment), "always"});
+    state_->record("set-text-style", {style.size, name_of(style.alignment), "always"});
   } else {
-    record("set-text-style", {style.size, name_of(style.alignment)});
+    state_->record("set-text-style", {style.size, name_of(style.alignment)});
   }
 }
 
@@ -72,46 +73,51 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   if (!(ambient >= 0.0 && ambient <= 1.0)) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
-  attributes_changed();
-  attributes_.light = {unit(toward), ambient};
-  record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
+  state_->attributes_changed();
+  state_->attributes_.light = {unit(toward), ambient};
+  state_->record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
 void GraphicsSystem::set_shading(Shading shading) {
-  attributes_.shading = shading;
-  record("set-shading", {name_of(shading)});
+  state_->attributes_.shading = shading;
+  state_->record("set-shading", {name_of(shading)});
 }
 
 void GraphicsSystem::set_shadows(bool on) {
-  attributes_.shadows = on;
-  record("set-shadows", {on});
+  state_->attributes_.shadows = on;
+  state_->record("set-shadows", {on});
 }
 
-void GraphicsSystem::set_vertex_normals(std::span<const Point3> normals) {
+void GraphicsSystem::set_vertex_normals(PointList<Point3> normals) {
   if (normals.size() == 1 || normals.size() == 2) {
     throw Error(
         fmt::format("normals of {} vertices: expected at least 3, or none", normals.size()));
   }
   for (const Point3& n : normals) require_finite({n.x, n.y, n.z}, "vertex normal");
-  vertex_normals_.assign(normals.begin(), normals.end());
-  if (recorder_ != nullptr) recorder_->write("set-vertex-normals", normals, 3);
+  state_->vertex_normals_.assign(normals.begin(), normals.end());
+  if (state_->recorder_ != nullptr) state_->recorder_->write("set-vertex-normals", normals, 3);
+}
+
+void GraphicsSystem::set_back_face_removal(bool on) {
+  state_->attributes_.back_face_removal = on;
+  state_->record_said(Setting::back_face_removal, "set-back-face-removal", {on});
 }
 
 void GraphicsSystem::set_background(const Background& background) {
   if (background.kind == Background::Kind::none) {
-    background_ = {Background::Kind::none};
-    return record("set-background", {"none"});
+    state_->background_ = {Background::Kind::none};
+    return state_->record("set-background", {"none"});
   }
   require_colour(background.colour);
-  background_ = background;
+  state_->background_ = background;
   const Colour& c = background.colour;
-  record("set-background", {c.r, c.g, c.b});
+  state_->record("set-background", {c.r, c.g, c.b});
 }
 
 void GraphicsSystem::set_pick_id(int id) {
   if (id < -1) throw Error(fmt::format("pick identifier {}: expected 0 or more, or -1", id));
-  pick_ = id;
-  record("set-pick-id", {id});
+  state_->pick_ = id;
+  state_->record("set-pick-id", {id});
 }
 
 }  // namespace displayfile

@@ -4,27 +4,27 @@
 #include <cstdint>
 
 #include "clip/round_to_nearest.h"
-#include "displayfile/graphics_system.h"
 #include "displayfile/looks/gouraud.h"
+#include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {
 
 void GraphicsSystem::set_cutting_plane(int n, double a, double b, double c, double d) {
   const RoundToNearest nearest;
-  cutting_planes_.set(n, a, b, c, d);
-  record("set-cutting-plane", {n, a, b, c, d});
+  state_->cutting_planes_.set(n, a, b, c, d);
+  state_->record("set-cutting-plane", {n, a, b, c, d});
 }
 
 void GraphicsSystem::set_cutting_plane_off(int n) {
-  cutting_planes_.set_off(n);
-  record("set-cutting-plane", {n, false});
+  state_->cutting_planes_.set_off(n);
+  state_->record("set-cutting-plane", {n, false});
 }
 
 /// What the cutting planes leave of a polygon. A triangle whose normals differ stays one, or
 /// becomes several about its first vertex, with invisible diagonals: normals are interpolated over
 /// triangles. A polygon that no plane cuts is what it is without them; what is left of others
 /// counts as entered where it is cut, under the same modelling transformation.
-void GraphicsSystem::enter_cut(const WorldPolygon& polygon) {
+void GraphicsSystem::State::enter_cut(const WorldPolygon& polygon) {
   if (!cutting_planes_.cut_some(polygon.vertices)) return enter_whole(polygon);
   const CutPolygon cut = cutting_planes_.cut(
       polygon.vertices.row(), polygon.edge_visible, polygon.vertex_normals,

@@ -1,81 +1,108 @@
-#include "displayfile/graphics_system.h"
-
 #include <fmt/format.h>
 
 #include <string>
 #include <string_view>
 
 #include "clip/error.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {
 
-void GraphicsSystem::set_hidden_line_removal(bool on) {
-  hidden_ = on;
-  attributes_.back_face_removal = on;
-  said_.insert(Setting::back_face_removal);
-  record_said(Setting::hidden_line_removal, "set-hidden-line-removal", {on});
-}
+namespace {
 
-void GraphicsSystem::set_back_face_removal(bool on) {
-  attributes_.back_face_removal = on;
-  record_said(Setting::back_face_removal, "set-back-face-removal", {on});
-}
-
-void GraphicsSystem::set_hidden_method(HiddenMethod method) {
-  const HiddenMethod known = displayfile::hidden_method(name_of(method));  // or refuses
-  if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
-  method_ = known;
-  said_.insert(Setting::hidden_method);
-  record("set-hidden-method", {name_of(method)});
-}
-
-void GraphicsSystem::set_hidden_scope(HiddenScope scope) {
-  scope_ = scope;
-  record("set-hidden-scope", {name_of(scope)});
-}
-
-void GraphicsSystem::set_precision(const Precision& precision) {
+void require_precision(const Precision& precision) {
   const double roundoff = precision.roundoff;
-  if (!precision.exact && !(roundoff >= 0.0 && roundoff < 1.0)) {
-    throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
+  if (precision.exact || (roundoff >= 0.0 && roundoff < 1.0)) return;
+  throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
+}
+
+std::string word_of(const Precision& precision) {
+  return precision.exact ? "exact" : fmt::format("roundoff={}", precision.roundoff);
+}
+
+}  // namespace
+
+/// Throws the Errors of all settings; retains a scene where one of them needs it.
+void GraphicsSystem::State::require(const HiddenSurfaceSettings& settings) {
+  if (settings.precision) require_precision(*settings.precision);
+  if (settings.lines) require_selection(*settings.lines);
+  if (settings.touching) require_touching(*settings.touching);
+  if (settings.method) {
+    const HiddenMethod known = hidden_method(name_of(*settings.method));  // or refuses
+    if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
   }
-  sort_options_.precision = precision;
-  if (recorder_ == nullptr) return;
-  const std::string text = precision.exact ? "exact" : fmt::format("roundoff={}", roundoff);
-  record("set-precision", {std::string_view(text)});
+  if (settings.lines && !lines_replaced_ && !settings.lines->is_all_alone()) {
+    retain_for("set-lines");
+  }
 }
 
-void GraphicsSystem::set_hidden_lines(HiddenLines lines) {
-  sort_options_.hidden_lines = lines;
-  record("set-hidden-lines", {name_of(lines)});
+void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceSettings& settings) {
+  State& s = *state_;
+  s.require(settings);
+  if (settings.removal) {
+    s.surfaces_.removal = *settings.removal;
+    s.attributes_.back_face_removal = *settings.removal;
+    s.said_.insert(Setting::back_face_removal);
+    s.record_said(Setting::hidden_line_removal, "set-hidden-line-removal", {*settings.removal});
+  }
+  if (settings.method) {
+    s.surfaces_.method = *settings.method;
+    s.record_said(Setting::hidden_method, "set-hidden-method", {name_of(*settings.method)});
+  }
+  if (settings.z_buffer) {
+    s.surfaces_.z_buffer = *settings.z_buffer;
+    s.record("set-z-buffer", {*settings.z_buffer});
+  }
+  if (settings.scope) {
+    s.surfaces_.scope = *settings.scope;
+    s.record("set-hidden-scope", {name_of(*settings.scope)});
+  }
+  if (settings.precision) {
+    s.surfaces_.precision = *settings.precision;
+    s.record("set-precision", {std::string_view(word_of(*settings.precision))});
+  }
+  if (settings.hidden_lines) {
+    s.surfaces_.hidden_lines = *settings.hidden_lines;
+    s.record("set-hidden-lines", {name_of(*settings.hidden_lines)});
+  }
+  if (settings.lines) {
+    if (!s.lines_replaced_) s.surfaces_.lines = *settings.lines;
+    s.record_said(Setting::lines, "set-lines", {std::string_view(words_of(*settings.lines))});
+  }
+  if (settings.touching) {
+    if (!s.touching_replaced_) s.surfaces_.touching = *settings.touching;
+    s.record_touching(*settings.touching);
+  }
 }
 
-void GraphicsSystem::set_touching(const Touching& touching) {
+const HiddenSurfaces& GraphicsSystem::hidden_surfaces() const { return state_->surfaces_; }
+
+void GraphicsSystem::State::record_touching(const Touching& touching) {
+  record("set-touching", {std::string_view(word_of(touching))});
+}
+
+void SystemInside::replace_touching(GraphicsSystem& system, const Touching& touching) {
   require_touching(touching);
-  if (!touching_replaced_) touching_ = touching;
-  record_touching(touching);
+  system.state_->surfaces_.touching = touching;
+  system.state_->touching_replaced_ = true;
 }
 
-void GraphicsSystem::record_touching(const Touching& touching) {
-  if (recorder_ == nullptr) return;
-  const std::string word = word_of(touching);
-  record("set-touching", {std::string_view(word)});
-}
-
-void GraphicsSystem::put_touching_in_force(const Touching& touching) {
-  touching_ = touching;
-  record_touching(touching);
-}
-
-void GraphicsSystem::replace_touching(const Touching& touching) {
-  require_touching(touching);
-  touching_ = touching;
-  touching_replaced_ = true;
-}
-
-void GraphicsSystem::set_z_buffer(bool on) {
-  z_buffer_ = on;
-  record("set-z-buffer", {on});
+void SystemInside::with_automatic_reach(GraphicsSystem& system, double reach,
+                                        const std::function<void()>& enter) {
+  GraphicsSystem::State& s = *system.state_;
+  Touching& touching = s.surfaces_.touching;
+  if (touching.kind != Touching::Kind::automatic) return enter();
+  touching = {Touching::Kind::length, reach};
+  s.record_touching(touching);
+  try {
+    enter();
+  } catch (...) {
+    touching = {Touching::Kind::automatic};
+    throw;
+  }
+  touching = {Touching::Kind::automatic};
+  s.record_touching(touching);
 }
 
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "displayfile/graphics_system.h"
+#include "displayfile/user_routines/system_state.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 
 namespace displayfile {
 
-void GraphicsSystem::move_to(const Point3& object) {
+void GraphicsSystem::State::move_to(const Point3& object) {
   require_open();
   pen_ = {object, to_world(object)};
 }
 
-void GraphicsSystem::line_to(const Point3& object) {
+void GraphicsSystem::State::line_to(const Point3& object) {
   require_open();
   require_no_solid("a line");
   const Pen end{object, to_world(object)};
@@ -26,7 +26,7 @@ void GraphicsSystem::line_to(const Point3& object) {
 
 /// Whole, in a line style that is not none; into what is retained alone if it is not there in the
 /// view.
-void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to, bool is_there) {
+void GraphicsSystem::State::enter_world_line(const Point3& from, const Point3& to, bool is_there) {
   Segment& segment = display_file_.segment(*open_);
   segment.set_line_pick(pick_);
   if (RetainedScene* scene = retaining()) scene->enter_line(from, to, attributes_, pick_);
@@ -35,56 +35,56 @@ void GraphicsSystem::enter_world_line(const Point3& from, const Point3& to, bool
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {
   const RoundToNearest nearest;
-  move_to({x, y, z});
-  record("move-abs-3", {x, y, z});
+  state_->move_to({x, y, z});
+  state_->record("move-abs-3", {x, y, z});
 }
 
 void GraphicsSystem::line_abs_3(double x, double y, double z) {
   const RoundToNearest nearest;
-  line_to({x, y, z});
-  record("line-abs-3", {x, y, z});
+  state_->line_to({x, y, z});
+  state_->record("line-abs-3", {x, y, z});
 }
 
 void GraphicsSystem::move_rel_3(double dx, double dy, double dz) {
   const RoundToNearest nearest;
-  move_to(pen_.object + Point3(dx, dy, dz));
-  record("move-rel-3", {dx, dy, dz});
+  state_->move_to(state_->pen_.object + Point3(dx, dy, dz));
+  state_->record("move-rel-3", {dx, dy, dz});
 }
 
 void GraphicsSystem::line_rel_3(double dx, double dy, double dz) {
   const RoundToNearest nearest;
-  line_to(pen_.object + Point3(dx, dy, dz));
-  record("line-rel-3", {dx, dy, dz});
+  state_->line_to(state_->pen_.object + Point3(dx, dy, dz));
+  state_->record("line-rel-3", {dx, dy, dz});
 }
 
 void GraphicsSystem::move_abs_2(double x, double y) {
   const RoundToNearest nearest;
-  move_to({x, y, pen_.object.z});
-  record("move-abs-2", {x, y});
+  state_->move_to({x, y, state_->pen_.object.z});
+  state_->record("move-abs-2", {x, y});
 }
 
 void GraphicsSystem::line_abs_2(double x, double y) {
   const RoundToNearest nearest;
-  line_to({x, y, pen_.object.z});
-  record("line-abs-2", {x, y});
+  state_->line_to({x, y, state_->pen_.object.z});
+  state_->record("line-abs-2", {x, y});
 }
 
 void GraphicsSystem::move_rel_2(double dx, double dy) {
   const RoundToNearest nearest;
-  move_to(pen_.object + Point3(dx, dy, 0.0));
-  record("move-rel-2", {dx, dy});
+  state_->move_to(state_->pen_.object + Point3(dx, dy, 0.0));
+  state_->record("move-rel-2", {dx, dy});
 }
 
 void GraphicsSystem::line_rel_2(double dx, double dy) {
   const RoundToNearest nearest;
-  line_to(pen_.object + Point3(dx, dy, 0.0));
-  record("line-rel-2", {dx, dy});
+  state_->line_to(state_->pen_.object + Point3(dx, dy, 0.0));
+  state_->record("line-rel-2", {dx, dy});
 }
 
 void GraphicsSystem::text(std::string_view characters) {
   const RoundToNearest nearest;
-  require_open();
-  require_no_solid("a text");
+  state_->require_open();
+  state_->require_no_solid("a text");
   if (characters.size() > kLongestText) {
     throw Error(
         fmt::format("text of {} bytes: expected at most {}", characters.size(), kLongestText));
@@ -92,17 +92,18 @@ void GraphicsSystem::text(std::string_view characters) {
   if (const std::size_t good = drawable_length(characters); good < characters.size()) {
     throw Error(not_drawable(characters.substr(good)));
   }
-  if (!characters.empty() && cutting_planes_.outcode(pen_.world) == 0) {
-    if (RetainedScene* scene = retaining()) {
-      scene->enter_text(pen_.world, characters, attributes_);
+  if (!characters.empty() && state_->cutting_planes_.outcode(state_->pen_.world) == 0) {
+    if (RetainedScene* scene = state_->retaining()) {
+      scene->enter_text(state_->pen_.world, characters, state_->attributes_);
     }
-    if (!is_viewed_later()) {
-      view_stage_->enter_text(pen_.world, characters, attributes_, display_file_.segment(*open_));
+    if (!state_->is_viewed_later()) {
+      state_->view_stage_->enter_text(state_->pen_.world, characters, state_->attributes_,
+                                      state_->display_file_.segment(*state_->open_));
     }
   }
-  if (recorder_ == nullptr) return;
+  if (state_->recorder_ == nullptr) return;
   const std::string quoted = in_quotation_marks(characters);
-  record("text", {std::string_view(quoted)});
+  state_->record("text", {std::string_view(quoted)});
 }
 
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "displayfile/graphics_system.h"
+#include "displayfile/user_routines/system_state.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "clip/back_face.h"
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/planarity.h"
@@ -14,17 +15,20 @@
 #include "displayfile/pick_of_ordinal.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
+#include "displayfile/user_routines/system_inside.h"
 
 namespace displayfile {
 
-void GraphicsSystem::require_open() const {
+void GraphicsSystem::State::require_open() const {
   if (!open_) throw Error("no segment open: open one first");
 }
 
 /// The pick identifier of the next polygon.
-int GraphicsSystem::next_pick() const { return pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal_); }
+int GraphicsSystem::State::next_pick() const {
+  return pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal_);
+}
 
-Point3 GraphicsSystem::to_world(const Point3& object) const {
+Point3 GraphicsSystem::State::to_world(const Point3& object) const {
   if (!in_range(object)) {
     throw Error(
         fmt::format("coordinates {} {} {}: expected finite numbers of magnitude at most 1e100",
@@ -35,44 +39,45 @@ Point3 GraphicsSystem::to_world(const Point3& object) const {
   return world;
 }
 
-void GraphicsSystem::polygon_abs_3(std::span<const Point3> vertices) {
-  if (recorder_ == nullptr) [[likely]]
-    return polygon(vertices);
-  polygon(vertices);
-  recorder_->write("polygon-abs-3", vertices, 3);
+void GraphicsSystem::polygon_abs_3(PointList<Point3> vertices) {
+  if (state_->recorder_ == nullptr) [[likely]]
+    return state_->polygon(vertices);
+  state_->polygon(vertices);
+  state_->recorder_->write("polygon-abs-3", vertices, 3);
 }
 
-void GraphicsSystem::polygon_rel_3(std::span<const Point3> steps) {
+void GraphicsSystem::polygon_rel_3(PointList<Point3> steps) {
   const RoundToNearest nearest;
-  object_points_.clear();
-  Point3 p = pen_.object;
-  for (const Point3& step : steps) object_points_.push_back(p += step);
-  polygon(object_points_);
-  if (recorder_ != nullptr) recorder_->write("polygon-rel-3", steps, 3);
+  state_->object_points_.clear();
+  Point3 p = state_->pen_.object;
+  for (const Point3& step : steps) state_->object_points_.push_back(p += step);
+  state_->polygon(state_->object_points_);
+  if (state_->recorder_ != nullptr) state_->recorder_->write("polygon-rel-3", steps, 3);
 }
 
-void GraphicsSystem::polygon_abs_2(std::span<const Point2> vertices) {
-  object_points_.clear();
-  for (const Point2& v : vertices) object_points_.emplace_back(v, pen_.object.z);
-  polygon(object_points_);
-  if (recorder_ != nullptr) recorder_->write("polygon-abs-2", object_points_, 2);
+void GraphicsSystem::polygon_abs_2(PointList<Point2> vertices) {
+  state_->object_points_.clear();
+  for (const Point2& v : vertices) state_->object_points_.emplace_back(v, state_->pen_.object.z);
+  state_->polygon(state_->object_points_);
+  if (state_->recorder_ != nullptr)
+    state_->recorder_->write("polygon-abs-2", state_->object_points_, 2);
 }
 
-void GraphicsSystem::polygon_rel_2(std::span<const Point2> steps) {
+void GraphicsSystem::polygon_rel_2(PointList<Point2> steps) {
   const RoundToNearest nearest;
-  object_points_.clear();
-  Point3 p = pen_.object;
-  for (const Point2& step : steps) object_points_.push_back(p += Point3(step, 0.0));
-  polygon(object_points_);
-  if (recorder_ == nullptr) return;
-  object_points_.clear();
-  for (const Point2& step : steps) object_points_.emplace_back(step, 0.0);
-  recorder_->write("polygon-rel-2", object_points_, 2);
+  state_->object_points_.clear();
+  Point3 p = state_->pen_.object;
+  for (const Point2& step : steps) state_->object_points_.push_back(p += Point3(step, 0.0));
+  state_->polygon(state_->object_points_);
+  if (state_->recorder_ == nullptr) return;
+  state_->object_points_.clear();
+  for (const Point2& step : steps) state_->object_points_.emplace_back(step, 0.0);
+  state_->recorder_->write("polygon-rel-2", state_->object_points_, 2);
 }
 
 /// The way of one polygon: to world coordinates, to triangles if it is not flat or its vertices
 /// have normals that differ, and each piece through the pipeline into the display file.
-void GraphicsSystem::polygon(std::span<const Point3> object) {
+void GraphicsSystem::State::polygon(std::span<const Point3> object) {
   const RoundToNearest nearest;
   require_open();
   if (object.size() < 3) {
@@ -102,7 +107,7 @@ void GraphicsSystem::polygon(std::span<const Point3> object) {
 }
 
 /// The normals that the application gave the polygon's vertices, in world coordinates.
-std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
+std::span<const Point3> GraphicsSystem::State::world_normals(const Point3& own) {
   world_normals_.clear();
   for (const Point3& n : vertex_normals_) world_normals_.push_back(modelling_.apply_to_normal(n));
   orient(world_normals_, own);
@@ -111,8 +116,8 @@ std::span<const Point3> GraphicsSystem::world_normals(const Point3& own) {
 
 /// Enters triangles of the polygon whose vertices are world_points_; `entered` are the same as the
 /// application entered them.
-void GraphicsSystem::enter_triangles(std::span<const Point3> entered, const Point3& normal,
-                                     std::span<const Point3> vertex_normals, int pick) {
+void GraphicsSystem::State::enter_triangles(std::span<const Point3> entered, const Point3& normal,
+                                            std::span<const Point3> vertex_normals, int pick) {
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
     return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
   };
@@ -128,14 +133,14 @@ void GraphicsSystem::enter_triangles(std::span<const Point3> entered, const Poin
   }
 }
 
-void GraphicsSystem::enter(const WorldPolygon& polygon) {
+void GraphicsSystem::State::enter(const WorldPolygon& polygon) {
   if (!solids_.empty()) {
     return solids_.add(polygon, attributes_, static_cast<std::uint32_t>(ordinal_));
   }
   cutting_planes_.any() ? enter_cut(polygon) : enter_whole(polygon);
 }
 
-void GraphicsSystem::enter_whole(const WorldPolygon& polygon) {
+void GraphicsSystem::State::enter_whole(const WorldPolygon& polygon) {
   if (RetainedScene* scene = retaining()) {
     scene->enter_polygon(polygon, attributes_);
     if (is_viewed_later()) return;
@@ -146,7 +151,7 @@ void GraphicsSystem::enter_whole(const WorldPolygon& polygon) {
 namespace {
 
 /// Checks what polygons_abs_3 is given, but for coordinates, and says how many polygons they are.
-std::size_t require_polygons(const GraphicsSystem::ManyPolygons& many) {
+std::size_t require_polygons(const ManyPolygons& many) {
   std::size_t of_all = 0;
   for (const std::uint32_t n : many.sides) {
     if (n < 3) throw Error(fmt::format("polygon of {} sides: expected at least 3", n));
@@ -167,7 +172,7 @@ std::size_t require_polygons(const GraphicsSystem::ManyPolygons& many) {
 }
 
 /// Checks what they look like.
-void require_looks(const GraphicsSystem::ManyPolygons& many, std::size_t polygons) {
+void require_looks(const ManyPolygons& many, std::size_t polygons) {
   if (many.fills.size() > 1 && many.fills.size() != polygons) {
     throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each",
                             many.fills.size(), polygons));
@@ -189,14 +194,18 @@ void require_looks(const GraphicsSystem::ManyPolygons& many, std::size_t polygon
   for (const Point3& n : many.normals) require_finite({n.x, n.y, n.z}, "vertex normal");
 }
 
-}  // namespace
-
-void GraphicsSystem::polygons_abs_3(std::span<const Point3> vertices,
-                                    std::span<const std::uint32_t> corners,
-                                    std::span<const std::uint32_t> sides,
-                                    std::span<const FillStyle> fills) {
-  polygons_abs_3({vertices, corners, sides, fills, {}, {}});
+/// As set_vertex_normals and polygon_abs_3 enter it; the content of `of_corners` is lost.
+void enter_with_normals(GraphicsSystem& system, const ManyPolygons& many,
+                        std::span<const std::uint32_t> corners, std::vector<Point3>& of_corners) {
+  of_corners.clear();
+  for (const std::uint32_t corner : corners) of_corners.push_back(many.normals[corner]);
+  system.set_vertex_normals(of_corners);
+  of_corners.clear();
+  for (const std::uint32_t corner : corners) of_corners.push_back(many.vertices[corner]);
+  system.polygon_abs_3(of_corners);
 }
+
+}  // namespace
 
 void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   const RoundToNearest nearest;
@@ -204,96 +213,83 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   const std::span corners = many.corners, sides = many.sides;
   const std::span fills = many.fills;
   const std::span picks = many.picks;
-  require_open();
+  state_->require_open();
   const std::size_t polygons = require_polygons(many);
-  if (!vertex_normals_.empty()) {
+  if (!state_->vertex_normals_.empty()) {
     throw Error("normals of one polygon's vertices are set: expected none before many polygons");
   }
   require_looks(many, polygons);
   ask_budget();  // nothing is entered yet, and all is when it is asked again
-  Segment& segment = display_file_.segment(*open_);
-  const std::size_t styles = attributes_.light ? polygons : fills.size();
-  bool is_solid = takes_whole_solids();
+  Segment& segment = state_->display_file_.segment(*state_->open_);
+  const std::size_t styles = state_->attributes_.light ? polygons : fills.size();
+  bool is_solid = SystemInside::takes_whole_solids(*this);
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
           styles * sizeof(Colour),
       [&] { return fmt::format("entering {} polygons of {} corners", polygons, corners.size()); },
       [&] {
-        const std::span<const Point3> of_all = shared_world(vertices);
+        const std::span<const Point3> of_all = state_->shared_world(vertices);
         is_solid = is_solid && !open_side(of_all, corners, sides);
-        if (!is_solid && solids_.empty() && normals.empty()) {
-          make_room_for_shared({of_all, vertices, modelling_matrix()}, polygons, corners.size(),
-                               styles);
+        if (!is_solid && state_->solids_.empty() && normals.empty()) {
+          state_->make_room_for_shared({of_all, vertices, state_->modelling_matrix()}, polygons,
+                                       corners.size(), styles);
         }
         return of_all;
       });
-  const std::int32_t pick_in_force = pick_;
-  const RetainedScene::SharedVertices shared{world, vertices, modelling_matrix()};
+  const std::int32_t pick_in_force = state_->pick_;
+  const RetainedScene::SharedVertices shared{world, vertices, state_->modelling_matrix()};
   const auto enter_all = [&] {
     const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
-    const bool at_once = of_one_kind && !cutting_planes_.any() && solids_.empty();
-    if (is_viewed_later() && at_once && recorder_ == nullptr) {
-      if (!fills.empty() && fills[0] != attributes_.fill) set_fill_style(fills[0]);
-      retaining()->enter_shared_triangles(shared, corners, attributes_, next_pick(),
-                                          pick_ >= 0 ? 0 : 1);
-      ordinal_ += static_cast<std::int64_t>(polygons);
+    const bool at_once = of_one_kind && !state_->cutting_planes_.any() && state_->solids_.empty();
+    if (state_->is_viewed_later() && at_once && state_->recorder_ == nullptr) {
+      if (!fills.empty() && fills[0] != state_->attributes_.fill) set_fill_style(fills[0]);
+      state_->retaining()->enter_shared_triangles(shared, corners, state_->attributes_,
+                                                  state_->next_pick(), state_->pick_ >= 0 ? 0 : 1);
+      state_->ordinal_ += static_cast<std::int64_t>(polygons);
       return;
     }
     std::size_t first = 0;
     for (std::size_t k = 0; k < polygons; ++k) {
-      if (k < fills.size() && fills[k] != attributes_.fill) set_fill_style(fills[k]);
-      if (!picks.empty() && picks[k] != pick_) set_pick_id(picks[k]);
+      if (k < fills.size() && fills[k] != state_->attributes_.fill) set_fill_style(fills[k]);
+      if (!picks.empty() && picks[k] != state_->pick_) set_pick_id(picks[k]);
       const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
       first += polygon.size();
       if (!normals.empty()) {
-        enter_with_normals(vertices, normals, polygon);
+        enter_with_normals(*this, many, polygon, state_->object_points_);
         continue;
       }
-      enter_shared(shared, polygon, segment);
-      if (recorder_ == nullptr) continue;
-      object_points_.clear();
-      for (const std::uint32_t corner : polygon) object_points_.push_back(vertices[corner]);
-      recorder_->write("polygon-abs-3", object_points_, 3);
+      state_->enter_shared(shared, polygon, segment);
+      if (state_->recorder_ == nullptr) continue;
+      state_->object_points_.clear();
+      for (const std::uint32_t corner : polygon) state_->object_points_.push_back(vertices[corner]);
+      state_->recorder_->write("polygon-abs-3", state_->object_points_, 3);
     }
-    if (pick_ != pick_in_force) set_pick_id(pick_in_force);
+    if (state_->pick_ != pick_in_force) set_pick_id(pick_in_force);
   };
   try {
     if (is_solid) {
-      as_solid([&] { keep_fill_style(enter_all); });
+      SystemInside::as_solid(*this, [&] { SystemInside::keep_fill_style(*this, enter_all); });
     } else {
-      keep_fill_style(enter_all);
+      SystemInside::keep_fill_style(*this, enter_all);
     }
   } catch (...) {
-    if (pick_ != pick_in_force) set_pick_id(pick_in_force);
+    if (state_->pick_ != pick_in_force) set_pick_id(pick_in_force);
     throw;
   }
-  if (!corners.empty()) pen_ = {vertices[corners.back()], world[corners.back()]};
-}
-
-/// As set_vertex_normals and polygon_abs_3 enter it.
-void GraphicsSystem::enter_with_normals(std::span<const Point3> vertices,
-                                        std::span<const Point3> normals,
-                                        std::span<const std::uint32_t> corners) {
-  std::vector<Point3>& of_corners = object_points_;
-  of_corners.clear();
-  for (const std::uint32_t corner : corners) of_corners.push_back(normals[corner]);
-  set_vertex_normals(of_corners);
-  of_corners.clear();
-  for (const std::uint32_t corner : corners) of_corners.push_back(vertices[corner]);
-  polygon_abs_3(of_corners);
+  if (!corners.empty()) state_->pen_ = {vertices[corners.back()], world[corners.back()]};
 }
 
 /// Valid until the next call, and as long as the vertices themselves.
-std::span<const Point3> GraphicsSystem::shared_world(std::span<const Point3> vertices) {
+std::span<const Point3> GraphicsSystem::State::shared_world(std::span<const Point3> vertices) {
   if (modelling_.is_identity() && std::ranges::all_of(vertices, in_range)) return vertices;
   shared_world_.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) shared_world_[i] = to_world(vertices[i]);
   return shared_world_;
 }
 
-void GraphicsSystem::make_room_for_shared(const RetainedScene::SharedVertices& shared,
-                                          std::size_t polygons, std::size_t corners,
-                                          std::size_t fills) {
+void GraphicsSystem::State::make_room_for_shared(const RetainedScene::SharedVertices& shared,
+                                                 std::size_t polygons, std::size_t corners,
+                                                 std::size_t fills) {
   const std::size_t vertices = shared.world.size();
   if (RetainedScene* scene = retaining()) scene->begin_shared(vertices, polygons, corners);
   if (is_viewed_later()) return;
@@ -304,8 +300,8 @@ void GraphicsSystem::make_room_for_shared(const RetainedScene::SharedVertices& s
 }
 
 /// One polygon of many.
-void GraphicsSystem::enter_shared(const RetainedScene::SharedVertices& shared,
-                                  std::span<const std::uint32_t> corners, Segment& segment) {
+void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& shared,
+                                         std::span<const std::uint32_t> corners, Segment& segment) {
   const std::span world = shared.world;
   const int pick = next_pick();
   ++ordinal_;

@@ -1,4 +1,4 @@
-#include "displayfile/graphics_system.h"
+#include "displayfile/user_routines/system_state.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "clip/round_to_nearest.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/user_routines/ranges.h"
+#include "displayfile/user_routines/system_inside.h"
 
 namespace displayfile {
 
@@ -28,38 +29,40 @@ void require_no_segments(const DisplayFile& display_file) {
 
 void GraphicsSystem::open_segment(int name) {
   const RoundToNearest nearest;
-  if (open_) throw Error(fmt::format("segment already open: segment {}; close it first", *open_));
-  const View view = windows_.in_picture(view_, said_);
+  if (state_->open_)
+    throw Error(fmt::format("segment already open: segment {}; close it first", *state_->open_));
+  const View view = state_->windows_.in_picture(state_->view_, state_->said_);
   const ViewVolume volume(view);
-  Segment& segment = display_file_.create(name);
-  views_at_close_ = retaining() != nullptr && !retains_alone_ && !lines_.is_all_alone();
-  if (!is_viewed_later()) segment.keep_entered(touching_, volume);
-  view_stage_.emplace(volume);
-  open_ = name;
-  if (RetainedScene* scene = retaining()) scene->open_segment(name, view, touching_);
-  windows_.opened(name, view, said_);
-  record("open-segment", {name});
+  Segment& segment = state_->display_file_.create(name);
+  state_->views_at_close_ = state_->retaining() != nullptr && !state_->retains_alone_ &&
+                            !state_->surfaces_.lines.is_all_alone();
+  if (!state_->is_viewed_later()) segment.keep_entered(state_->surfaces_.touching, volume);
+  state_->view_stage_.emplace(volume);
+  state_->open_ = name;
+  if (RetainedScene* scene = state_->retaining())
+    scene->open_segment(name, view, state_->surfaces_.touching);
+  state_->windows_.opened(name, view, state_->said_);
+  state_->record("open-segment", {name});
 }
 
 /// Algorithm 9.5, CLOSE-SEGMENT. The polygons are already in the display file, in order of entry;
 /// if hidden surfaces are to be sorted they are added back to front.
 void GraphicsSystem::close_segment() {
-  if (!open_) throw Error("no segment open");
-  if (!solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
-  const BudgetInForce in_force(budget_);
+  if (!state_->open_) throw Error("no segment open");
+  if (!state_->solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
   try {
-    close(display_file_.segment(*open_));
+    state_->close(state_->display_file_.segment(*state_->open_));
   } catch (...) {
-    if (RetainedScene* scene = retaining()) scene->reopen_segment();
+    if (RetainedScene* scene = state_->retaining()) scene->reopen_segment();
     throw;
   }
-  open_.reset();
-  view_stage_.reset();  // vertices that polygons shared are in them
-  shared_world_ = decltype(shared_world_)();
-  record("close-segment", {});
+  state_->open_.reset();
+  state_->view_stage_.reset();  // vertices that polygons shared are in them
+  state_->shared_world_ = decltype(state_->shared_world_)();
+  state_->record("close-segment", {});
 }
 
-void GraphicsSystem::close(Segment& segment) {
+void GraphicsSystem::State::close(Segment& segment) {
   std::optional<Segment> selected;
   if (retaining() != nullptr) selected = with_lines_selected(segment.name());
   Segment& whole = selected ? *selected : segment;
@@ -67,13 +70,14 @@ void GraphicsSystem::close(Segment& segment) {
   whole.free_room();
   std::shared_ptr<const SortedScene> sorted;
   std::optional<SortByItself> put_off;
-  const bool each_on_its_own = scope_.value_or(HiddenScope::segment) == HiddenScope::segment;
+  const bool each_on_its_own =
+      surfaces_.scope.value_or(HiddenScope::segment) == HiddenScope::segment;
   SortOptions options = sort_options_;
-  options.intersections = contains(lines_.kinds, LineKind::intersection);
-  if (hidden_ && is_object_space(method_) && !each_on_its_own) {
-    put_off = {method_, options.precision, options.hidden_lines, options.intersections};
-  } else if (hidden_ && is_object_space(method_)) {
-    sorted = hidden_surface_check(whole.entered(), {}, method_, options);
+  options.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
+  if (surfaces_.removal && is_object_space(surfaces_.method) && !each_on_its_own) {
+    put_off = {surfaces_.method, options.precision, options.hidden_lines, options.intersections};
+  } else if (surfaces_.removal && is_object_space(surfaces_.method)) {
+    sorted = hidden_surface_check(whole.entered(), {}, surfaces_.method, options);
   }
   if (selected) segment.take_instructions(std::move(*selected));
   if (sorted) segment.set_sorted(std::move(sorted));
@@ -82,7 +86,7 @@ void GraphicsSystem::close(Segment& segment) {
 }
 
 /// What was entered is in the retained scene too: it stays there alone.
-void GraphicsSystem::keep_entered_once(Segment& closing) {
+void GraphicsSystem::State::keep_entered_once(Segment& closing) {
   const RetainedScene* const scene = retained();
   if (scene == nullptr || retains_alone_) return;
   const RetainedPolygons polygons = scene->entered_polygons(scene->segments().back());
@@ -92,7 +96,7 @@ void GraphicsSystem::keep_entered_once(Segment& closing) {
 
 /// Where the scene has other arrays since, as it has more or less in them, its old ones are kept
 /// by no segment.
-void GraphicsSystem::follow_retained() {
+void GraphicsSystem::State::follow_retained() {
   const RetainedScene* const scene = retained();
   if (scene == nullptr || retains_alone_ || scene->segments().empty()) return;
   const auto place = scene->entered_polygons(scene->segments().back()).place();
@@ -104,7 +108,7 @@ void GraphicsSystem::follow_retained() {
   }
 }
 
-GraphicsSystem::Entered GraphicsSystem::entered() const {
+GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
   return {.segments = display_file_.segments().size(),
           .pen = pen_,
           .ordinal = ordinal_,
@@ -119,12 +123,10 @@ GraphicsSystem::Entered GraphicsSystem::entered() const {
           .vertex_normals = vertex_normals_,
           .cutting_planes = cutting_planes_,
           .cut_faces = cut_faces_,
-          .surface_curves = surface_curves_,
-          .surface_sides = surface_sides_,
-          .lower_line = lower_line_};
+          .surface_looks = surface_looks_};
 }
 
-void GraphicsSystem::take_back(const Entered& before) {
+void GraphicsSystem::State::take_back(const Entered& before) {
   while (!solids_.empty()) discard_solid();
   open_.reset();
   while (display_file_.segments().size() > before.segments) {
@@ -146,87 +148,116 @@ void GraphicsSystem::take_back(const Entered& before) {
   vertex_normals_ = before.vertex_normals;
   cutting_planes_ = before.cutting_planes;
   cut_faces_ = before.cut_faces;
-  surface_curves_ = before.surface_curves;
-  surface_sides_ = before.surface_sides;
-  lower_line_ = before.lower_line;
+  surface_looks_ = before.surface_looks;
+}
+
+void GraphicsSystem::enter_segments(const std::function<void()>& enter) {
+  const State::Entered before = state_->entered();
+  Recorder::Hold recorded(state_->recorder_);
+  try {
+    enter();
+    recorded.end();
+  } catch (...) {
+    state_->take_back(before);
+    throw;
+  }
+}
+
+void GraphicsSystem::all_or_nothing(const std::function<void()>& change) {
+  State before(*state_);
+  Recorder::Hold recorded(state_->recorder_);
+  try {
+    change();
+    recorded.end();
+  } catch (...) {
+    *state_ = std::move(before);
+    throw;
+  }
 }
 
 void GraphicsSystem::delete_segment(int name) {
   const RoundToNearest nearest;
-  if (open_ == name) throw Error(fmt::format("segment {} still open: close it first", name));
-  display_file_.remove(name);
-  if (RetainedScene* scene = retaining()) scene->remove(name);
-  follow_retained();
-  record("delete-segment", {name});
+  if (state_->open_ == name)
+    throw Error(fmt::format("segment {} still open: close it first", name));
+  state_->display_file_.remove(name);
+  if (RetainedScene* scene = state_->retaining()) scene->remove(name);
+  state_->follow_retained();
+  state_->record("delete-segment", {name});
 }
 
 void GraphicsSystem::delete_all_segments() {
-  if (open_) throw Error(fmt::format("segment {} still open: close it first", *open_));
-  display_file_.remove_all();
-  has_hatching_ = false;
-  if (RetainedScene* scene = retaining()) scene->remove_all();
-  record("delete-all-segments", {});
+  if (state_->open_)
+    throw Error(fmt::format("segment {} still open: close it first", *state_->open_));
+  state_->display_file_.remove_all();
+  state_->has_hatching_ = false;
+  if (RetainedScene* scene = state_->retaining()) scene->remove_all();
+  state_->record("delete-all-segments", {});
 }
 
 void GraphicsSystem::rename_segment(int from, int to) {
-  if (open_ == from) throw Error(fmt::format("segment {} still open: close it first", from));
-  display_file_.rename(from, to);
-  if (RetainedScene* scene = retaining()) scene->rename(from, to);
-  record("rename-segment", {from, to});
+  if (state_->open_ == from)
+    throw Error(fmt::format("segment {} still open: close it first", from));
+  state_->display_file_.rename(from, to);
+  if (RetainedScene* scene = state_->retaining()) scene->rename(from, to);
+  state_->record("rename-segment", {from, to});
 }
 
 void GraphicsSystem::set_visibility(int name, bool on) {
-  display_file_.segment(name).visible = on;
-  record("set-visibility", {name, on});
+  state_->display_file_.segment(name).visible = on;
+  state_->record("set-visibility", {name, on});
 }
 
 void GraphicsSystem::set_image_translation(int name, double tx, double ty) {
   const RoundToNearest nearest;
   require_within(kOfImageParts, {tx, ty}, "image translation");
-  display_file_.segment(name).image.translation = {tx, ty};
-  record("set-image-translation", {name, tx, ty});
+  state_->display_file_.segment(name).image.translation = {tx, ty};
+  state_->record("set-image-translation", {name, tx, ty});
 }
 
 void GraphicsSystem::set_image_scale(int name, double sx, double sy) {
   const RoundToNearest nearest;
   require_within(kOfImageParts, {sx, sy}, "image scale");
-  display_file_.segment(name).image.scale = {sx, sy};
-  record("set-image-scale", {name, sx, sy});
+  state_->display_file_.segment(name).image.scale = {sx, sy};
+  state_->record("set-image-scale", {name, sx, sy});
 }
 
 void GraphicsSystem::set_image_rotation(int name, double angle) {
   const RoundToNearest nearest;
   require_finite({angle}, "angle");
-  display_file_.segment(name).image.rotation = angle;
-  record("set-image-rotation", {name, angle});
+  state_->display_file_.segment(name).image.rotation = angle;
+  state_->record("set-image-rotation", {name, angle});
 }
 
 void GraphicsSystem::set_image_centre(int name, double x, double y) {
   const RoundToNearest nearest;
   require_within(kOfImageCentres, {x, y}, "image centre");
-  display_file_.segment(name).image.centre = {x, y};
-  record("set-image-centre", {name, x, y});
+  state_->display_file_.segment(name).image.centre = {x, y};
+  state_->record("set-image-centre", {name, x, y});
 }
 
 void GraphicsSystem::retain(RetainedScene* scene) {
-  if (scene != nullptr) require_no_segments(display_file_);
-  if (scene == nullptr && !lines_.is_all_alone()) {
+  if (scene != nullptr) require_no_segments(state_->display_file_);
+  if (scene == nullptr && !state_->surfaces_.lines.is_all_alone()) {
     throw Error("lines are selected among what is retained: expected set-lines all before");
   }
-  retained_ = scene;
-  own_retained_.reset();
-  retains_alone_ = false;
+  state_->retained_ = scene;
+  state_->own_retained_.reset();
+  state_->retains_alone_ = false;
 }
 
 void GraphicsSystem::retain() {
-  if (retained() != nullptr) return;
-  require_no_segments(display_file_);
-  own_retained_.emplace();
+  if (state_->retained() != nullptr) return;
+  require_no_segments(state_->display_file_);
+  state_->own_retained_.emplace();
 }
 
-void GraphicsSystem::retain_alone(RetainedScene& scene) {
-  retain(&scene);
-  retains_alone_ = true;
+void SystemInside::retain_alone(GraphicsSystem& system, RetainedScene& scene) {
+  system.retain(&scene);
+  system.state_->retains_alone_ = true;
+}
+
+bool SystemInside::retains_alone(const GraphicsSystem& system) {
+  return system.state_->retains_alone_;
 }
 
 }  // namespace displayfile

@@ -13,47 +13,72 @@
 #include "clip/point.h"
 #include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
+#include "clip/unit.h"
 #include "clip/view.h"
-#include "displayfile/graphics_system.h"
+#include "clip/words.h"
 #include "displayfile/looks/gouraud.h"
 #include "displayfile/solids/cut_solid.h"
 #include "displayfile/solids/hatched_loops.h"
 #include "displayfile/user_routines/ranges.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {
 
-void GraphicsSystem::require_no_solid(std::string_view what) const {
+namespace {
+
+constexpr Word<SolidOperation> kOperations[] = {{SolidOperation::unite, "union"},
+                                                {SolidOperation::intersect, "intersection"},
+                                                {SolidOperation::difference, "difference"}};
+
+constexpr Word<CutFaces::Kind> kCutFaces[] = {{CutFaces::Kind::open, "open"},
+                                              {CutFaces::Kind::closed, "closed"},
+                                              {CutFaces::Kind::hatched, "hatched"}};
+
+}  // namespace
+
+SolidOperation solid_operation(std::string_view text) {
+  return value_of(kOperations, text, "what is made of solids is");
+}
+std::string_view name_of(SolidOperation operation) { return word_of(kOperations, operation); }
+
+CutFaces::Kind cut_faces_kind(std::string_view text) {
+  return value_of(kCutFaces, text, "cut faces are");
+}
+std::string_view name_of(CutFaces::Kind kind) { return word_of(kCutFaces, kind); }
+
+void GraphicsSystem::State::require_no_solid(std::string_view what) const {
   if (solids_.empty()) return;
   throw Error(fmt::format("{} within a solid: expected shapes and polygons until end-solid", what));
 }
 
 void GraphicsSystem::begin_solid(SolidOperation operation) {
-  require_open();
-  solids_.begin(operation);
-  before_solids_.push_back({pen_, ordinal_, triangulated_});
-  record("begin-solid", {name_of(operation)});
+  state_->require_open();
+  state_->solids_.begin(operation);
+  state_->before_solids_.push_back({state_->pen_, state_->ordinal_, state_->triangulated_});
+  state_->record("begin-solid", {name_of(operation)});
 }
 
 void GraphicsSystem::end_solid() {
   const RoundToNearest nearest;
-  if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
-  const bool is_hatched = solids_.depth() == 1 && hatches_cut_faces();
+  if (state_->solids_.empty()) throw Error("no solid open: expected begin-solid before");
+  const bool is_hatched = state_->solids_.depth() == 1 && state_->hatches_cut_faces();
   std::optional<OpenSolids> before;  // should there be too many hatching lines
-  if (is_hatched) before = solids_;
-  std::optional<SolidFaces> whole = solids_.end();
+  if (is_hatched) before = state_->solids_;
+  std::optional<SolidFaces> whole = state_->solids_.end();
   double spacing = 1.0;
   try {
-    if (is_hatched && whole) spacing = hatching_spacing(*whole);
+    if (is_hatched && whole) spacing = state_->hatching_spacing(*whole);
   } catch (...) {
-    solids_ = std::move(*before);
+    state_->solids_ = std::move(*before);
     throw;
   }
-  before_solids_.pop_back();
-  if (whole) enter_solid(*whole, spacing);
-  record("end-solid", {});
+  state_->before_solids_.pop_back();
+  if (whole) state_->enter_solid(*whole, spacing);
+  state_->record("end-solid", {});
 }
 
-void GraphicsSystem::discard_solid() {
+void GraphicsSystem::State::discard_solid() {
   if (solids_.empty()) throw Error("no solid open: expected begin-solid before");
   solids_.discard();
   const BeforeSolid before = before_solids_.back();
@@ -65,6 +90,27 @@ void GraphicsSystem::discard_solid() {
   record("discard-solid", {});
 }
 
+void GraphicsSystem::discard_solid() { state_->discard_solid(); }
+
+bool SystemInside::takes_whole_solids(const GraphicsSystem& system) {
+  const GraphicsSystem::State& s = *system.state_;
+  return !s.solids_.empty() ||
+         (s.cut_faces_.kind != CutFaces::Kind::open && s.cutting_planes_.any());
+}
+
+void SystemInside::as_solid(GraphicsSystem& system, const std::function<void()>& enter) {
+  if (!takes_whole_solids(system)) return enter();
+  const std::size_t depth = system.counts().solids_open;
+  system.begin_solid();
+  try {
+    enter();
+    system.end_solid();
+  } catch (...) {
+    if (system.counts().solids_open > depth) system.discard_solid();
+    throw;
+  }
+}
+
 void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
   const RoundToNearest nearest;
   require_finite({faces.angle}, "angle");
@@ -72,19 +118,19 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
     throw Error(
         fmt::format("hatching {} apart: expected a number above 0, at most 1e100", *faces.spacing));
   }
-  cut_faces_ = {faces.kind};
-  if (faces.kind == CutFaces::Kind::hatched) cut_faces_ = faces;  // or they have no meaning
+  state_->cut_faces_ = {faces.kind};
+  if (faces.kind == CutFaces::Kind::hatched) state_->cut_faces_ = faces;  // or they have no meaning
   const std::string_view kind = name_of(faces.kind);
-  if (cut_faces_.spacing) {
-    record("set-cut-faces", {kind, *cut_faces_.spacing, cut_faces_.angle});
-  } else if (cut_faces_.angle != CutFaces{}.angle) {
-    record("set-cut-faces", {kind, kUsualSpacing, cut_faces_.angle});
+  if (state_->cut_faces_.spacing) {
+    state_->record("set-cut-faces", {kind, *state_->cut_faces_.spacing, state_->cut_faces_.angle});
+  } else if (state_->cut_faces_.angle != CutFaces{}.angle) {
+    state_->record("set-cut-faces", {kind, kUsualSpacing, state_->cut_faces_.angle});
   } else {
-    record("set-cut-faces", {kind});
+    state_->record("set-cut-faces", {kind});
   }
 }
 
-bool GraphicsSystem::hatches_cut_faces() const {
+bool GraphicsSystem::State::hatches_cut_faces() const {
   return cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
 }
 
@@ -110,7 +156,7 @@ double hatching_crossings(const SolidFaces& solid, double spacing) {
 
 /// Between hatching lines on a solid. Error: there would be too many, or they would be cut into too
 /// many parts.
-double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
+double GraphicsSystem::State::hatching_spacing(const SolidFaces& solid) const {
   if (solid.corners.empty()) return 1.0;
   Point3 low = solid.vertices[solid.corners.front().vertex], high = low, farthest(0.0);
   for (const SolidFaces::Corner& corner : solid.corners) {
@@ -142,7 +188,7 @@ double GraphicsSystem::hatching_spacing(const SolidFaces& solid) const {
 
 /// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn
 /// with; what was in force is in force again.
-void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
+void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing) {
   if (whole.faces.empty()) {
     ++empty_solids_;
     return;
@@ -182,7 +228,7 @@ void GraphicsSystem::enter_solid(const SolidFaces& whole, double spacing) {
 }
 
 /// A face of a solid as a polygon, or as triangles where its normals differ.
-void GraphicsSystem::enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut) {
+void GraphicsSystem::State::enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut) {
   const SolidFaces::Face& face = solid.faces[i];
   FacePolygon polygon;
   set_to_face(polygon, solid, i);
@@ -233,8 +279,8 @@ struct DirectionsInPlane {
 /// Lines within the loops of a cut face, filled even-odd, in the line style in force. They are
 /// entered a millionth of the solid's size before it, so that rounding does not hide them behind
 /// it, and end a little before its outline, so that none sticks out where it is seen from aside.
-void GraphicsSystem::enter_hatching(const SolidFaces& solid, std::size_t face,
-                                    const Hatching& hatching) {
+void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t face,
+                                           const Hatching& hatching) {
   if (attributes_.line.kind == LineStyle::Kind::none) return;
   has_hatching_ = true;
   constexpr double kBefore = 1e-6;

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "clip/back_face.h"
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/round_to_nearest.h"
 #include "clip/work_budget.h"
-#include "displayfile/graphics_system.h"
 #include "displayfile/pick_of_ordinal.h"
+#include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {
 
@@ -31,73 +32,74 @@ Point3 point_of(const SurfaceGrid& grid, std::size_t k) {
 }  // namespace
 
 void GraphicsSystem::set_surface_curves(SurfaceCurves curves) {
-  surface_curves_ = curves;
-  record("set-surface-curves", {name_of(curves)});
+  state_->surface_looks_.curves = curves;
+  state_->record("set-surface-curves", {name_of(curves)});
 }
 
 void GraphicsSystem::set_surface_sides(SurfaceSides sides) {
-  surface_sides_ = sides;
-  record("set-surface-sides", {name_of(sides)});
+  state_->surface_looks_.sides = sides;
+  state_->record("set-surface-sides", {name_of(sides)});
 }
 
 void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style) {
   if (!style) {
-    lower_line_.reset();
-    return record("set-lower-line-style", {"same"});
+    state_->surface_looks_.lower_line.reset();
+    return state_->record("set-lower-line-style", {"same"});
   }
-  const LineStyle checked = require_line_style(*style);
-  record_line_style("set-lower-line-style", checked);
-  lower_line_ = checked;
+  const LineStyle checked = state_->require_line_style(*style);
+  state_->record_line_style("set-lower-line-style", checked);
+  state_->surface_looks_.lower_line = checked;
 }
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   const RoundToNearest nearest;
-  require_open();
-  require_no_solid("a surface");
+  state_->require_open();
+  state_->require_no_solid("a surface");
   require_surface(grid);
-  if (!vertex_normals_.empty()) {
+  if (!state_->vertex_normals_.empty()) {
     throw Error("normals of one polygon's vertices are set: expected none before a surface");
   }
   ask_budget();
   const std::vector<Point3> world = with_memory(
       grid.heights.size() * sizeof(Point3),
       [&] { return fmt::format("a surface of {} x {} points", grid.x_points, grid.y_points); },
-      [&] { return world_points_of(grid); });
-  Segment& segment = display_file_.segment(*open_);
-  const Point3 upward = modelling_.apply_to_difference({0.0, 0.0, 1.0});
+      [&] { return state_->world_points_of(grid); });
+  Segment& segment = state_->display_file_.segment(*state_->open_);
+  const Point3 upward = state_->modelling_.apply_to_difference({0.0, 0.0, 1.0});
   auto x_points = static_cast<std::uint32_t>(grid.x_points);
   auto y_points = static_cast<std::uint32_t>(grid.y_points);
-  if (modelling_.mirrors()) std::swap(x_points, y_points);
-  if (RetainedScene* scene = retaining()) scene->mark_surface({upward, x_points, y_points});
+  if (state_->modelling_.mirrors()) std::swap(x_points, y_points);
+  if (RetainedScene* scene = state_->retaining()) scene->mark_surface({upward, x_points, y_points});
   std::vector<Point3> entered;
-  if (!is_viewed_later()) {
+  if (!state_->is_viewed_later()) {
     segment.mark_surface(
-        {view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
-    view_stage_->view_vertices(world);
+        {state_->view_stage_->pipeline().volume().infinitely_far(upward), x_points, y_points});
+    state_->view_stage_->view_vertices(world);
     if (segment.keeping_entered() != nullptr) {
       for (std::size_t k = 0; k < world.size(); ++k) entered.push_back(point_of(grid, k));
-      view_stage_->note_entered(entered, modelling_matrix(), segment);
+      state_->view_stage_->note_entered(entered, state_->modelling_matrix(), segment);
     }
     const std::size_t triangles = 2 * grid.cells();
-    segment.reserve_polygons(triangles, 3 * triangles, attributes_.light ? triangles : 0);
+    segment.reserve_polygons(triangles, 3 * triangles, state_->attributes_.light ? triangles : 0);
   }
-  enter_cells(grid, world, segment);
-  pen_ = {{grid.x_max, grid.y_max, known_height(grid.heights.back())}, world.back()};
-  if (recorder_ == nullptr) return;
-  recorder_->write("surface-3",
-                   {grid.x_min, grid.x_max, grid.x_points, grid.y_min, grid.y_max, grid.y_points},
-                   grid.heights);
+  state_->enter_cells(grid, world, segment);
+  state_->pen_ = {{grid.x_max, grid.y_max, known_height(grid.heights.back())}, world.back()};
+  if (state_->recorder_ == nullptr) return;
+  state_->recorder_->write(
+      "surface-3", {grid.x_min, grid.x_max, grid.x_points, grid.y_min, grid.y_max, grid.y_points},
+      grid.heights);
 }
 
 /// In the line styles of both sides of the surface; afterwards that of other primitives is in force
 /// again.
-void GraphicsSystem::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
-                                 Segment& segment) {
+void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
+                                        Segment& segment) {
   constexpr LineStyle kNotDrawn{LineStyle::Kind::none};
   const LineStyle in_force = attributes_.line;
-  const LineStyle upper = surface_sides_ == SurfaceSides::lower ? kNotDrawn : in_force;
-  const LineStyle lower =
-      surface_sides_ == SurfaceSides::upper ? kNotDrawn : lower_line_.value_or(in_force);
+  const LineStyle upper = surface_looks_.sides == SurfaceSides::lower ? kNotDrawn : in_force;
+  const LineStyle lower = surface_looks_.sides == SurfaceSides::upper
+                              ? kNotDrawn
+                              : surface_looks_.lower_line.value_or(in_force);
   if (upper != lower) {
     attributes_.line = upper;
     attributes_.dark_line = lower;
@@ -120,8 +122,8 @@ void GraphicsSystem::enter_cells(const SurfaceGrid& grid, std::span<const Point3
 /// Row by row; or where the modelling transformation mirrors column by column, which is row by row
 /// with x in the place of y: so the triangles run counterclockwise from above there too. Ordinals
 /// go row by row.
-void GraphicsSystem::enter_cells_in_order(const SurfaceGrid& grid, std::span<const Point3> world,
-                                          Segment& segment) {
+void GraphicsSystem::State::enter_cells_in_order(const SurfaceGrid& grid,
+                                                 std::span<const Point3> world, Segment& segment) {
   const int columns = grid.x_points - 1, rows = grid.y_points - 1;
   std::vector<std::int64_t> next_of_row;
   for (int j = 0; j < rows; ++j) {
@@ -143,7 +145,7 @@ void GraphicsSystem::enter_cells_in_order(const SurfaceGrid& grid, std::span<con
 }
 
 /// All are looked at before any is entered.
-std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) const {
+std::vector<Point3> GraphicsSystem::State::world_points_of(const SurfaceGrid& grid) const {
   std::vector<Point3> world;
   world.reserve(grid.heights.size());
   for (std::size_t k = 0; k < grid.heights.size(); ++k)
@@ -153,8 +155,8 @@ std::vector<Point3> GraphicsSystem::world_points_of(const SurfaceGrid& grid) con
 
 /// Two triangles, counterclockwise from above, with an invisible diagonal from the least corner to
 /// the greatest.
-void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world,
-                                const SurfaceCell& cell, Segment& segment) {
+void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world,
+                                       const SurfaceCell& cell, Segment& segment) {
   const auto index = [&](int x, int y) {
     return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(grid.x_points) +
            static_cast<std::uint32_t>(x);
@@ -162,8 +164,8 @@ void GraphicsSystem::enter_cell(const SurfaceGrid& grid, std::span<const Point3>
   const auto& [i, j, ordinal] = cell;
   std::uint32_t b = index(i + 1, j), d = index(i, j + 1);
   const std::uint32_t a = index(i, j), c = index(i + 1, j + 1);
-  std::uint8_t along_ab = surface_curves_ != SurfaceCurves::y;
-  std::uint8_t along_ad = surface_curves_ != SurfaceCurves::x;
+  std::uint8_t along_ab = surface_looks_.curves != SurfaceCurves::y;
+  std::uint8_t along_ad = surface_looks_.curves != SurfaceCurves::x;
   if (modelling_.mirrors()) {
     std::swap(b, d);
     std::swap(along_ab, along_ad);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/order_on_line.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/hidden_parts.h"

@@ -6,9 +6,8 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "clip/surfaces.h"
 #include "hidden/exact/precision_policies.h"
-#include "hidden/line_cuts.h"
-#include "hidden/line_kinds.h"
 #include "hidden/lines/chains.h"
 #include "hidden/lines/grid_surface.h"
 #include "hidden/lines/hidden_pieces.h"

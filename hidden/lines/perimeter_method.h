@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/cells_in_order.h"
 #include "hidden/lines/grid_surface.h"

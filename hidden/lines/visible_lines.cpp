@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "clip/budgeted_work.h"
 #include "clip/corners.h"
 #include "clip/error.h"
 #include "clip/work_budget.h"

@@ -5,9 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_scene.h"

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/cell_walk.h"

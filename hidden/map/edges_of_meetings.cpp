@@ -1,6 +1,7 @@
 #include <array>
 #include <span>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_pieces.h"

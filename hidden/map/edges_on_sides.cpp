@@ -1,6 +1,7 @@
 #include <glm/common.hpp>
 #include <span>
 
+#include "clip/budgeted_work.h"
 #include "clip/corners.h"
 #include "clip/work_budget.h"
 #include "hidden/lines/visible_pieces.h"

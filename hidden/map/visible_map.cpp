@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/map/map_edges.h"
 #include "hidden/map/map_vertices.h"

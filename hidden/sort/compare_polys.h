@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/polygon_table.h"
 #include "hidden/sort/touching_vertices.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/depth_tests.h"
 #include "hidden/sort/drawing_graph.h"

@@ -5,21 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/bsp_sort.h"
 #include "hidden/sort/depth_sort.h"
 
 namespace displayfile {
-
-RootChoice root_choice(std::string_view name) {
-  if (name == "last") return RootChoice::last;
-  if (name == "first") return RootChoice::first;
-  if (name == "sample") return RootChoice::sample;
-  if (name == "free") return RootChoice::free;
-  throw Error("root '" + std::string(name) +
-              "' of a BSP tree: expected last, first, sample or free");
-}
 
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options) {

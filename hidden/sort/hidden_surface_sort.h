@@ -4,33 +4,14 @@
 #include <functional>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
-#include "hidden/line_cuts.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 #include "hidden/primitives.h"
 #include "hidden/work_progress.h"
 
 namespace displayfile {
-
-/// How the root of a (sub)tree of polygons is chosen, by `bsp`.
-enum class RootChoice {
-  last,    ///< the textbook's: the polygon entered last (algorithm 9.8)
-  first,   ///< the polygon entered first
-  sample,  ///< of a sample of polygons the one with the lowest cost of cuts and balance
-  free,    ///< also of planes that belong to no polygon; and only among polygons that overlap
-};
-
-/// By the names last, first, sample and free. Throws Error for any other.
-RootChoice root_choice(std::string_view name);
-
-/// Into how many pieces a sort may cut polygons, if nobody says otherwise.
-inline constexpr std::size_t kMostPieces = 10'000'000;
 
 struct SortOptions {
   Precision precision;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/parallel.h"
 #include "hidden/sort/sort_scene.h"

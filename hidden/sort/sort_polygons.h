@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/choose_root.h"
 #include "hidden/sort/islands.h"

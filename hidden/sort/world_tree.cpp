@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/sort/sort_polygons.h"
 

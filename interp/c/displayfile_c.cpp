@@ -15,14 +15,12 @@
 #include <vector>
 
 #include "clip/work_budget.h"
-#include "displayfile/drawn_pieces.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
-#include "displayfile/text/user_routine.h"
 #include "interp/c/system.h"
+#include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/steps/steps.h"
 #include "interp/truth/truth.h"
@@ -295,12 +293,7 @@ int df_dump(df_system* system, const char** text, size_t* length) {
 int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces) {
   return drawn(system, options, [&](const DrawOptions& asked) {
     require_given(pieces, "df_pieces");
-    const GraphicsSystem& from = looked_at(*system);
-    const HiddenMethod method = drawing_method(from, asked, PictureKind::vector);
-    const HiddenSurfaceOptions hidden = hidden_surface_options(asked);
-    const DisplayFile& file = system->sorted.update(from, method, hidden);
-    require_hidden_lines_dumped(file, method, hidden);
-    system->pieces = drawn_pieces(file);
+    system->pieces = drawn_pieces(looked_at(*system), asked, system->sorted);
     hand_out(arrays_of(system->pieces), pieces, "df_pieces");
   });
 }

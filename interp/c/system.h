@@ -15,11 +15,11 @@
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "displayfile/collected_text.h"
-#include "displayfile/drawn_pieces.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/c/displayfile_c.h"
+#include "interp/device/output_device.h"
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
 

@@ -2,7 +2,10 @@
 
 #include <vector>
 
-#include "clip/work_budget.h"
+#include "clip/budgeted_work.h"
+#include "clip/intensity.h"
+#include "displayfile/instructions.h"
+#include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "hidden/lines/strokes_once.h"
 
@@ -13,6 +16,13 @@ LineStyle scaled(LineStyle style, double by) {
   style.dash *= by;
   style.gap *= by;
   return style;
+}
+
+static_assert(DrawnPolygon::kDrawnSide == op::line);
+
+FillStyle even_fill(const DrawnPolygon& polygon) {
+  if (polygon.intensities.empty()) return polygon.fill;
+  return lit(polygon.fill, mean_intensity(polygon.intensities));
 }
 
 namespace {

@@ -9,24 +9,8 @@
 
 namespace displayfile {
 
-/// Which instructions to interpret. A device with a depth buffer draws all fills before any line,
-/// so that a line meets the final depths (and wins where they are equal); otherwise everything is
-/// drawn in order.
-enum class Pass { everything, fills, lines };
-
-/// Which order of the instructions: that of drawing, back to front where hidden surfaces were
-/// sorted, or that of entry, every polygon whole, for a method that finds hidden surfaces itself.
-enum class Order { drawn, entered };
-
 /// A style with widths and dashes so many times as large.
 LineStyle scaled(LineStyle style, double by);
-
-/// Walks the visible segments in order of creation, applies their image transformations and
-/// hands each instruction to the device. Where all visible segments were sorted together, a
-/// segment may begin and end several times. The widths and dashes of lines are so many times as
-/// large: they are in pixels, and a pixel may have several samples across.
-void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass = Pass::everything,
-               Order order = Order::drawn, double line_scale = 1.0);
 
 /// Calls visit(item, style) for the items of a scene that draw lines, in order of entry; the style
 /// with widths and dashes so many times as large.

@@ -1,27 +1,25 @@
 #pragma once
 
+/// Pictures: pixels, picks, paper and pens, and the options of vectors.
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
-#include "clip/error.h"
 #include "clip/point.h"
-#include "displayfile/looks/background.h"
 #include "displayfile/looks/style.h"
-#include "hidden/hidden_lines.h"
-#include "hidden/hidden_method.h"
 
 namespace displayfile {
 
-struct ViewedWorld;
+// Pixels.
 
-/// What becomes of a display file: pixels, or vectors.
+/// The two kinds of pictures: pixels, or vectors.
 enum class PictureKind { raster, vector };
 
-/// A raster picture, top row first. ids and depth are empty unless they were asked for.
+/// A raster picture, top row first. ids and depth are empty unless the options want them.
 struct Picture {
   int width = 0, height = 0;
   /// 0xAABBGGRR, colours not multiplied by A (in_bytes gives R, G, B, A in memory). Opaque, unless
@@ -38,34 +36,6 @@ struct Picture {
 /// Rows of a picture from its top, from one up to, but not including, another.
 struct PictureRows {
   int first, end;
-};
-
-/// What to draw of a display file, and how large.
-struct RasterRequest {
-  int width = 512, height = 512;
-  /// Only these rows of it, as a picture of so many; none given: all.
-  std::optional<PictureRows> rows = std::nullopt;
-  /// An image-space method (interp/visibility/image_space.h), or `automatic` for the one that is
-  /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands
-  /// in the order; any other: what is drawn last.
-  HiddenMethod method = HiddenMethod::none;
-  /// True if fills that are drawn in order are in exact back-to-front order: what is nearest is
-  /// then to be seen also where cuts were rounded and where polygons touch.
-  bool sorted = false;
-  Background background = {};
-  bool ids = false, depth = false;
-  /// Over fills whose surfaces are found in image space, beside the lines that are seen
-  /// (hidden/lines/README.md); an order of polygons has those that it was made with.
-  HiddenLines hidden_lines = HiddenLines::none;
-  bool intersections = false;
-  bool crumbs = false;  ///< as DrawOptions::crumbs
-  bool texts = true;    ///< drawn over the pixels: not where these are not kept
-  int threads = 1;
-  double line_scale = 1.0;  ///< of the widths and dashes of lines
-  /// Depths closer than this count as equal (the textbook's ROUNDOFF); none: exact.
-  std::optional<double> roundoff = std::nullopt;
-  /// Whose display file it is, for world_ray_cast. A renderer that is used again needs it alive.
-  const ViewedWorld* world = nullptr;
 };
 
 /// The pixel as a number whose bytes in this machine's memory are R, G, B, A, as files and OpenGL
@@ -96,11 +66,105 @@ inline constexpr int kLargestSide = 65535;
 inline constexpr int kMostSamples = 16;  ///< of antialiasing, along a pixel's side
 
 /// Throws Error unless both sides are 1 to kLargestSide.
-inline void require_picture_size(long long width, long long height) {
-  if (width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide) return;
-  const std::string most = std::to_string(kLargestSide);
-  throw Error("picture size " + std::to_string(width) + "x" + std::to_string(height) +
-              ": expected 1x1 to " + most + "x" + most + " pixels");
-}
+void require_picture_size(long long width, long long height);
+
+// Picking.
+
+/// The primitive seen at a place of a picture: the nearest solid polygon, of equally near ones the
+/// one entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
+/// WorldViews (interp/draw/world_views.h) in a scene before viewing.
+struct Pick {
+  enum class Kind {
+    polygon,  ///< the fill of one
+    edge,     ///< a drawn side of a polygon
+    line,
+  };
+  Kind kind;
+  /// The pick identifier of the polygon; of a line the one that the application set, -1 if none.
+  std::int32_t id;
+  int segment;   ///< the name of the segment that it is in
+  double depth;  ///< normalised: 0 on the back plane, 1 on the front plane, larger is nearer
+  /// Where it is seen, in world coordinates: the exact point, rounded. From WorldViews alone.
+  std::optional<Point3> world;
+};
+
+// Paper and pens. All lengths are millimetres.
+
+/// A sheet of paper on which a picture of vectors is drawn, as large as fits between its margins
+/// and in the middle.
+struct Paper {
+  enum class Turned { automatic, portrait, landscape };
+  double width = 210.0, height = 297.0;
+  double margin = 10.0;
+  /// automatic: landscape if the picture is wider than high, portrait if it is not.
+  Turned turned = Turned::automatic;
+  bool operator==(const Paper&) const = default;
+};
+
+/// A4, A3 and so on from A0 to A6, letter, legal, tabloid, in letters of either case, or WxH, which
+/// stays as it is; after each of them -portrait or -landscape if it is to lie so. Throws Error for
+/// any other word, and for sides that are not 1 to kLargestSheet.
+Paper paper_of(std::string_view word);
+std::vector<std::string> sheet_names();  ///< a4 and so on, without those of WxH
+inline constexpr double kLargestSheet = 10'000.0;
+
+inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
+
+/// The place of a picture on a sheet.
+struct PaperFit {
+  double width, height;  ///< of the sheet as it lies
+  double left, top;      ///< the picture's upper left corner, from that of the sheet
+  double pixel;          ///< a pixel's side
+};
+/// Throws Error if the margins leave nothing, or are negative, or for a sheet that paper_of
+/// refuses.
+PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height);
+
+/// Fills as parallel lines: the darker a fill, the more of them.
+struct Hatching {
+  double spacing = 1.0;  ///< of lines where the fill is as dark as the pen
+  double angle = 45.0;   ///< degrees, counterclockwise from the horizontal
+  bool cross = false;    ///< what is darker than the middle tone gets lines at right angles too
+  std::optional<Colour> colour{};  ///< of the pen; black by default, white on dark paper
+  double width = 0.3;              ///< of the pen's line
+  bool operator==(const Hatching&) const = default;
+};
+inline constexpr double kClosestHatching = 0.05;
+
+/// A picture drawn by pens, or cut by a laser: lines in a layer for each pen, none twice, in an
+/// order in which the pen travels little (interp/vector/pens/README.md).
+struct Pens {
+  std::optional<Hatching> hatching{};  ///< none: fills are not drawn
+  bool crumbs = false;                 ///< as VectorOptions::crumbs
+  bool operator==(const Pens&) const = default;
+};
+/// Throws Error for lengths or angles that are out of their range.
+void require_pens(const Pens& pens);
+
+// Vectors.
+
+/// How disjoint fills, which tile the picture, are written next to each other in vectors
+/// (interp/vector/seams.md).
+enum class Seams {
+  trapped,  ///< none is seen: the earlier of two neighbours reaches under the later
+  butted    ///< side to side, in a smaller file; where it is antialiased, what is behind shows
+};
+
+/// How vectors are written.
+struct VectorOptions {
+  /// Vertices are rounded to multiples of this part of a pixel, kFinestPrecision to
+  /// kCoarsestPrecision.
+  double precision = 0.01;
+  Seams seams = Seams::trapped;
+  /// The picture as large as fits, on a sheet of this size; none: in pixels, or points.
+  std::optional<Paper> paper = std::nullopt;
+  bool crumbs = false;    ///< strokes are drawn that are shorter than they are wide, and join none
+  bool pick_ids = false;  ///< each pick identifier is an element of its own, and named; of SVG
+
+  static constexpr double kFinestPrecision = 0.001, kCoarsestPrecision = 1.0;
+};
+
+/// Throws Error for a precision out of its range.
+void require_vector_options(const VectorOptions& options);
 
 }  // namespace displayfile

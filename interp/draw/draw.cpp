@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_plan.h"
@@ -46,7 +47,8 @@ namespace {
 
 /// Why it is a method that was not picked.
 std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
-  if (options.hidden || system.z_buffer() || system.hidden_line_removal()) return "as asked for";
+  if (options.hidden || system.hidden_surfaces().z_buffer || system.hidden_surfaces().removal)
+    return "as asked for";
   const auto& segments = system.display_file().segments();
   const bool some_sorted = std::any_of(segments.begin(), segments.end(),
                                        [](const Segment& s) { return s.sorted() != nullptr; });

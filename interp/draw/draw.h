@@ -1,23 +1,23 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "clip/surfaces.h"
 #include "clip/work_budget.h"
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/looks/background.h"
-#include "displayfile/sorted_display_file.h"
-#include "hidden/exact/precision.h"
-#include "interp/device/paper.h"
+#include "displayfile/looks/style.h"
+#include "interp/device/output_device.h"
 #include "interp/device/picture.h"
-#include "interp/device/vector_options.h"
 
 namespace displayfile {
+
+struct HiddenSurfaceOptions;
+class SortedDisplayFile;
 
 /// What a picture does not show that its user may have expected.
 struct DrawWarning {
@@ -62,8 +62,8 @@ struct DrawOptions {
   /// leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is franklin, or
   /// where fills are hatched the map.
   std::optional<Pens> pens = std::nullopt;
-  std::filesystem::path ids = {};    ///< item buffer as int32 .npy, if not empty
-  std::filesystem::path depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
+  std::string ids = {};    ///< item buffer as int32 .npy, if not empty
+  std::string depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
   WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
@@ -126,6 +126,19 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 /// drawing a system into a file does.
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options);
 Picture draw(const DisplayFile& display_file, const DrawOptions& options = {});
+
+/// Draws the visible segments, as vectors, on a device of the application's own
+/// (interp/device/README.md): in the order of drawing, with the hidden surfaces found that the
+/// options, or else the application, have set; of the options those count alone. Throws Error as
+/// drawn_pieces does, and all that the device throws.
+void draw(const GraphicsSystem& system, OutputDevice& device, const DrawOptions& options = {});
+
+/// The pieces that a drawing of the system in vectors consists of, as arrays: with the hidden
+/// surfaces found that the options, or else the application, have set. Throws Error as draw does,
+/// and where hidden lines are set and the method finds none. `kept` is as in draw.
+DrawnPieces drawn_pieces(const GraphicsSystem& system, const DrawOptions& options = {});
+DrawnPieces drawn_pieces(const GraphicsSystem& system, const DrawOptions& options,
+                         SortedDisplayFile& kept);
 
 /// What a picture can be drawn as, or what can draw it: a name, and a few words about it.
 struct Choice {

@@ -27,7 +27,7 @@ SeenIn seen_in(const DrawOptions& options, PictureKind kind);
 bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in = {});
 
 /// The same of what the application drew, where that is not in the display file
-/// (GraphicsSystem::retain_alone). Looks no further than the first polygon or line that shows.
+/// (SystemInside::retain_alone). Looks no further than the first polygon or line that shows.
 bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
                      const SeenIn& in = {});
 

@@ -7,10 +7,10 @@
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
+#include "displayfile/files.h"
 #include "displayfile/scene_in_one_view.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/taken_scene.h"
-#include "displayfile/text/drawing_program.h"
 #include "displayfile/text/program_in_view.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_plan.h"
@@ -23,9 +23,10 @@ namespace {
 
 /// What pictures follow beside what was drawn.
 auto settings_of(const GraphicsSystem& system) {
-  return std::tuple(system.hidden_line_removal(), system.z_buffer(), system.hidden_method(),
-                    system.hidden_scope(), system.precision(), system.hidden_lines(),
-                    system.lines(), system.background(), system.aspect_ratio());
+  return std::tuple(system.hidden_surfaces().removal, system.hidden_surfaces().z_buffer,
+                    system.hidden_surfaces().method, system.hidden_surfaces().scope,
+                    system.hidden_surfaces().precision, system.hidden_surfaces().hidden_lines,
+                    system.hidden_surfaces().lines, system.background(), system.aspect_ratio());
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ std::string OtherEye::program() const {
 
 bool OtherEye::draws(const DrawOptions& options) const {
   const HiddenMethod method = drawing_method(kept_->told, options);
-  return !kept_->told.has_hatching() && is_image_space(method) &&
+  return !kept_->told.counts().has_hatching && is_image_space(method) &&
          surfaces_of(method) != HiddenMethod::world_ray_cast &&
          resolve(options).is_on_first_device();
 }

@@ -10,6 +10,7 @@
 #include "clip/error.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/output.h"
+#include "displayfile/sorted_display_file.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/image_space.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "clip/memory.h"
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/picture_plan.h"

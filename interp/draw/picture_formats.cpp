@@ -11,6 +11,7 @@
 #include "clip/error.h"
 #include "clip/nearest_word.h"
 #include "displayfile/file_extension.h"
+#include "interp/device/raster_request.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"

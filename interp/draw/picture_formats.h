@@ -6,10 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/looks/background.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/row_file.h"
 #include "interp/raster/software.h"

@@ -108,7 +108,7 @@ bool has_one_depth(const DisplayFile& file) {
 }
 
 bool sets_nothing_of_surfaces(const GraphicsSystem& system) {
-  return !system.z_buffer() && !system.hidden_line_removal() &&
+  return !system.hidden_surfaces().z_buffer && !system.hidden_surfaces().removal &&
          !system.said().contains(Setting::hidden_line_removal) &&
          !system.said().contains(Setting::hidden_method);
 }

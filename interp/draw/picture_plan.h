@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "displayfile/surface_plan.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"

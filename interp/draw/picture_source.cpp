@@ -10,6 +10,7 @@
 #include "clip/work_budget.h"
 #include "displayfile/looks/background.h"
 #include "displayfile/sorted_display_file.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/row_file.h"

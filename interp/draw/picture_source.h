@@ -5,10 +5,11 @@
 #include <tuple>
 
 #include "clip/view.h"
-#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/scene_viewer.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/nothing_seen.h"
 #include "interp/draw/picture_checks.h"

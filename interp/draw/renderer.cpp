@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/round_to_nearest.h"
@@ -17,6 +18,8 @@
 #include "displayfile/retained_views.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/taken_scene.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
@@ -123,7 +126,7 @@ namespace {
 
 /// What tells why nothing is seen, if the display file is what is drawn.
 EnteredScene retained_beside(const GraphicsSystem& system) {
-  return {.scene = system.retains_alone() ? nullptr : system.retained()};
+  return {.scene = SystemInside::retains_alone(system) ? nullptr : system.retained()};
 }
 
 DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,
@@ -182,7 +185,10 @@ class KeptOfScene {
     Renderer::Trees all;
     if (trees_) {
       all = {.sorted = trees_->trees(),
-             .counts = trees_->counts(),
+             .pieces = trees_->counts().pieces,
+             .cuts = trees_->counts().cuts,
+             .comparisons = trees_->counts().comparisons,
+             .depth = trees_->counts().depth,
              .walks = trees_->walks(),
              .reused = trees_->reused()};
     }

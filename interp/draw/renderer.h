@@ -7,14 +7,13 @@
 #include <optional>
 
 #include "clip/view.h"
-#include "displayfile/destination.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
-#include "hidden/sort/hidden_surface_sort.h"
-#include "interp/device/pick.h"
+#include "displayfile/files.h"
+#include "interp/device/picture.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {
+
+class RetainedScene;
 
 /// A retained scene in a view: what a system's application drew, from any eye. What is drawn is
 /// what the system would have drawn in that view, to the last bit.
@@ -114,9 +113,9 @@ class Renderer {
   std::size_t bytes_of_casters() const;  ///< kept for shadows
   /// Of the trees in world coordinates by which views were drawn last.
   struct Trees {
-    std::size_t sorted = 0;             ///< BSP trees: one, or one for each segment
-    SortCounts counts = {};             ///< theirs, for all views
-    std::uint64_t walks = 0;            ///< of a tree
+    std::size_t sorted = 0;  ///< BSP trees: one, or one for each segment
+    std::uint64_t pieces = 0, cuts = 0, comparisons = 0, depth = 0;  ///< theirs; the deepest
+    std::uint64_t walks = 0;                                         ///< of a tree
     std::uint64_t reused = 0;           ///< orders that needed no walk: the eye crossed no plane
     std::size_t polygons_in_boxes = 0;  ///< of the tree of boxes
   };

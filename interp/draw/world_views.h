@@ -9,7 +9,7 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
-#include "interp/device/pick.h"
+#include "interp/device/picture.h"
 #include "interp/device/viewed_world.h"
 #include "interp/draw/draw.h"
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "interp/files/row_file.h"
 
 namespace displayfile {

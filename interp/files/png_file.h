@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/files/row_file.h"
 

@@ -14,6 +14,7 @@
 
 #include "clip/error.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/opengl.h"
 #include "interp/opengl/osmesa_context.h"
 #include "interp/opengl/triangle_list.h"

@@ -1,4 +1,5 @@
 #include "clip/error.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 
 namespace displayfile {

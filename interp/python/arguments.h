@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "displayfile/text/user_routine.h"
+#include "displayfile/files.h"
 
 namespace displayfile::python {
 

@@ -2,7 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
 
 namespace displayfile::python {
 

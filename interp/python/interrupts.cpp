@@ -3,6 +3,8 @@
 #include <atomic>
 #include <chrono>
 
+#include "clip/budgeted_work.h"
+
 namespace displayfile::python {
 
 namespace py = pybind11;

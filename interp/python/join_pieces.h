@@ -4,7 +4,7 @@
 #include <span>
 
 #include "clip/point.h"
-#include "displayfile/drawn_pieces.h"
+#include "interp/device/output_device.h"
 
 namespace displayfile::python {
 

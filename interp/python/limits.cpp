@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "interp/python/arguments.h"
 

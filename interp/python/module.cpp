@@ -1,7 +1,7 @@
 #include <pybind11/pybind11.h>
 
-#include "displayfile/text/user_routine.h"
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
+#include "displayfile/files.h"
 #include "interp/python/errors.h"
 #include "interp/python/limits.h"
 #include "interp/python/pieces.h"

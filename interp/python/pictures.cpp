@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "clip/surfaces.h"
 #include "displayfile/collected_text.h"
-#include "displayfile/drawn_pieces.h"
+#include "displayfile/files.h"
 #include "displayfile/hidden_lines_left.h"
 #include "displayfile/sorted_display_file.h"
-#include "displayfile/text/dump.h"
-#include "hidden/line_kinds.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/device/output_device.h"
 #include "interp/device/picture.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/python/arguments.h"
@@ -338,14 +339,8 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
 
 py::tuple pieces(System& self, const py::kwargs& said) {
   const DrawOptions options = draw_options_in(py::int_(1), said);
-  return arrays_of(self.work([&](GraphicsSystem& system, Renderer&) {
-    SortedDisplayFile sorted;
-    const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-    const HiddenSurfaceOptions asked = hidden_surface_options(options);
-    const DisplayFile& file = sorted.update(system, method, asked);
-    require_hidden_lines_dumped(file, method, asked);
-    return drawn_pieces(file);
-  }));
+  return arrays_of(
+      self.work([&](GraphicsSystem& system, Renderer&) { return drawn_pieces(system, options); }));
 }
 
 std::string dump_of(System& self, const py::kwargs& said) {
@@ -386,12 +381,13 @@ void add_pictures(SystemClass& system) {
   });
   system.def("_replace_lines", [](System& self, py::handle words) {
     const LineSelection selection = line_selection(word_in(words, "lines"));
-    self.call([&](GraphicsSystem& s) { s.replace_lines(selection); });
+    self.call([&](GraphicsSystem& s) { SystemInside::replace_lines(s, selection); });
   });
   system.def("_require_lines", [](System& self, py::handle words) {
     if (words.is_none()) return;
     const LineSelection asked = line_selection(word_in(words, "lines"));
-    const LineSelection selected = self.call([](GraphicsSystem& s) { return s.lines(); });
+    const LineSelection selected =
+        self.call([](GraphicsSystem& s) { return s.hidden_surfaces().lines; });
     if (asked == selected) return;
     throw Error(fmt::format(
         "lines '{}': the system selects '{}' as segments are closed: expected System(lines=...), "

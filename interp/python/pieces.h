@@ -2,7 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "displayfile/drawn_pieces.h"
+#include "interp/device/output_device.h"
 
 namespace displayfile::python {
 

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "clip/error.h"
-#include "displayfile/drawn_pieces.h"
+#include "clip/surfaces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/sorted_display_file.h"
-#include "hidden/touching.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/device/output_device.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/interrupts.h"
@@ -109,13 +110,13 @@ void enter(const Polygons& polygons, const std::vector<Point3>& given, bool side
     device.first.push_back(device.first.back() + polygons.sides[k]);
   }
   GraphicsSystem& system = device.system;
-  system.set_touching(in_device(touching, unit, given, device.axes));
-  if (lines) system.replace_lines(*lines);
+  system.set_hidden_surfaces({.touching = in_device(touching, unit, given, device.axes)});
+  if (lines) SystemInside::replace_lines(system, *lines);
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
   system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   system.open_segment(1);
-  GraphicsSystem::ManyPolygons all;
+  ManyPolygons all;
   all.vertices = std::span(device.points).first(corner_count);
   all.corners = corners;
   all.sides = polygons.sides;
@@ -189,7 +190,7 @@ struct PiecesRequest {
   bool lines_alone;  ///< no fills: the lines that are seen
   int threads;
   Touching touching;
-  double unit;  ///< of the numbers given, hidden/touching.h
+  double unit;  ///< of the numbers given, clip/surfaces.h
   bool whole = false, hidden = false;
   std::optional<LineSelection> lines{};
 

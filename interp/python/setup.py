@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def version() -> str:
-    header = (ROOT / "clip/version.h").read_text()
+    header = (ROOT / "interp/displayfile.h").read_text()
     return ".".join(re.findall(r"#define DISPLAYFILE_VERSION_\w+ ([0-9]+)", header))
 
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/surface_grid.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/user_routine.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/camera.h"
@@ -332,7 +332,7 @@ void enter_cells(const SurfacePoints& surface, GraphicsSystem& system) {
     }
   }
   const std::vector<std::uint32_t> sides(corners.size() / 4, 4);
-  system.polygons_abs_3(vertices, corners, sides);
+  system.polygons_abs_3({vertices, corners, sides});
 }
 
 int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle segment) {

@@ -12,8 +12,8 @@
 
 #include "clip/error.h"
 #include "displayfile/collected_text.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 #include "interp/draw/renderer.h"
 #include "interp/python/interrupts.h"
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "hidden/hidden_method.h"
 
 namespace displayfile {
 

@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
-#include "hidden/exact/precision.h"
 #include "hidden/lines/visible_lines.h"
 
 namespace displayfile {

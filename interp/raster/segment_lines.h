@@ -1,5 +1,6 @@
 #pragma once
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "interp/device/output_device.h"
 #include "interp/raster/line_painter.h"

@@ -6,9 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "hidden/parallel.h"
 #include "interp/device/interpreter.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/line_painter.h"
 #include "interp/raster/lines_by_depth.h"
 #include "interp/raster/painter.h"

@@ -8,6 +8,7 @@
 #include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/files/row_file.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/kept_surfaces.h"

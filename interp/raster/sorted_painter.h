@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 #include "displayfile/display_file.h"
 #include "interp/device/output_device.h"

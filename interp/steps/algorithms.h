@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 #include "interp/steps/listing.h"
 
 namespace displayfile {

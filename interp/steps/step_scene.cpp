@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "displayfile/display_file.h"
 #include "hidden/exact/depth_order.h"
 #include "interp/scan/pixel_depth.h"
 #include "interp/scan/scan_convert.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/display_file.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/plane.h"
 #include "interp/scan/pixel_box.h"

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "clip/error.h"
+#include "displayfile/display_file.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"
 #include "interp/steps/algorithms.h"

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "clip/surfaces.h"
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/style.h"
-#include "hidden/hidden_method.h"
 #include "hidden/primitives.h"
 #include "interp/scan/pixel_box.h"
 #include "interp/steps/listing.h"

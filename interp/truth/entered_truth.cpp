@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "displayfile/entered_polygons.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/retained_picture.h"

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "clip/surfaces.h"
 #include "displayfile/retained_scene.h"
-#include "hidden/touching.h"
 #include "interp/truth/truth.h"
 
 namespace displayfile {

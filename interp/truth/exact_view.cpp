@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <glm/mat4x4.hpp>
 
 #include "clip/error.h"
 #include "clip/view_volume.h"

@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_method.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/work_progress.h"
 #include "interp/truth/true_lines.h"

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "clip/budgeted_work.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"
 #include "displayfile/display_file.h"

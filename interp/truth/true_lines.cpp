@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/work_budget.h"
 #include "hidden/parallel.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/budgeted_work.h"
 #include "clip/large_pages.h"
 #include "clip/work_budget.h"
 #include "interp/truth/whole_numbers.h"

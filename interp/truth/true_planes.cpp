@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "clip/back_face.h"
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {

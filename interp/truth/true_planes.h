@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/retained_scene.h"
-#include "hidden/touching.h"
 #include "interp/truth/whole_points.h"
 
 namespace displayfile {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "clip/work_budget.h"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "clip/budgeted_work.h"
 #include "clip/clip_pipeline.h"
 #include "clip/transformation.h"
 #include "clip/work_budget.h"

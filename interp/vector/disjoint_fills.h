@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "interp/device/vector_options.h"
+#include "interp/device/picture.h"
 #include "interp/vector/fill_paint.h"
 #include "interp/vector/lattice_loops.h"
 

@@ -3,13 +3,14 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string_view>
 #include <vector>
 
 #include "displayfile/collected_text.h"
-#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
-#include "interp/device/paper.h"
+#include "displayfile/files.h"
+#include "interp/device/picture.h"
 #include "interp/vector/vector_device.h"
 
 struct _cairo;
@@ -23,7 +24,7 @@ enum class PageFormat { pdf, eps };
 /// Draws a PDF page, or an EPS picture, through Cairo, one point a pixel, on a background unless
 /// there is none. The bytes depend on what is drawn (and on Cairo's version; of texts on the fonts
 /// that it finds) alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those
-/// of each kind are a layer of its name, those of several that of the first (hidden/line_kinds.h);
+/// of each kind are a layer of its name, those of several that of the first (clip/surfaces.h);
 /// EPS has none.
 class PdfDevice : public VectorDevice {
  public:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/intensity.h"
+#include "displayfile/looks/lighting.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"
 

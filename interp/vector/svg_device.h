@@ -11,9 +11,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "displayfile/destination.h"
 #include "displayfile/display_file.h"
-#include "interp/device/paper.h"
+#include "displayfile/files.h"
+#include "interp/device/picture.h"
 #include "interp/vector/svg_ramps.h"
 #include "interp/vector/vector_device.h"
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 
 namespace displayfile {
 

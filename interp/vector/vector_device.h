@@ -90,7 +90,7 @@ class VectorDevice : public OutputDevice {
   /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
   /// in one for each segment.
   virtual void paint_figure(const Figure& figure) = 0;
-  /// Lines that are all of the same kinds (hidden/line_kinds.h). A run of two equal points with
+  /// Lines that are all of the same kinds (clip/surfaces.h). A run of two equal points with
   /// round caps is a disc.
   virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
                            LineCap cap) = 0;

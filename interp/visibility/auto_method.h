@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
 #include "displayfile/looks/background.h"
-#include "hidden/hidden_method.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

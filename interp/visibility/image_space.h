@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "clip/surfaces.h"
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "hidden/hidden_method.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 
 #include "displayfile/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/device/pick.h"
+#include "interp/device/picture.h"
 #include "interp/visibility/decided_centres.h"
 #include "interp/visibility/line_picker.h"
 #include "interp/visibility/ray_cast.h"

@@ -10,6 +10,7 @@
 
 #include "displayfile/viewed_scene.h"
 #include "interp/device/interpreter.h"
+#include "interp/device/raster_request.h"
 #include "interp/scan/sort_stably.h"
 
 namespace displayfile {

@@ -6,6 +6,7 @@
 
 #include "displayfile/display_file.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <span>
 #include <utility>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 #include "programs/bench/report.h"
 
 namespace displayfile::bench {

@@ -103,7 +103,7 @@ void enter(const ApplicationMesh& mesh, GraphicsSystem& system) {
   system.set_line_style({LineStyle::Kind::none});
   system.set_back_face_removal(mesh.back_faces_removed);
   system.open_segment(1);
-  system.polygons_abs_3(mesh.vertices, mesh.corners, {}, mesh.fills);
+  system.polygons_abs_3({mesh.vertices, mesh.corners, {}, mesh.fills});
   system.close_segment();
 }
 

@@ -13,9 +13,9 @@
 
 #include "clip/error.h"
 #include "clip/secret_hash.h"
+#include "clip/surfaces.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
-#include "hidden/exact/precision.h"
 #include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
 #include "programs/bench/environment.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "displayfile/hidden_surface_check.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/plain_z_buffer.h"

@@ -10,9 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_method.h"
 #include "interp/device/picture.h"
 
 namespace displayfile::bench {

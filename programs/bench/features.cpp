@@ -6,7 +6,9 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_views.h"
+#include "displayfile/sorted_display_file.h"
 #include "interp/device/interpreter.h"
+#include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"
 #include "interp/vector/svg_device.h"
@@ -61,7 +63,7 @@ std::vector<Feature> table() {
        "",
        [](FeatureUse& u) { u.cutting_planes = true; },
        {"CuttingPlanes::set", "CuttingPlanes::cut", "CuttingPlanes::outcode",
-        "GraphicsSystem::enter_cut"}},
+        "GraphicsSystem::State::enter_cut"}},
       {"perspective", "set-perspective", "", [](FeatureUse& u) { u.perspective = true; }, {}},
       {"modelling transformation",
        "rotate-z-3",
@@ -77,7 +79,7 @@ std::vector<Feature> table() {
        "polygon-abs-3",
        "",
        [](FeatureUse& u) { u.bent_polygons = true; },
-       {"Triangulation::", "GraphicsSystem::enter_triangles"}},
+       {"Triangulation::", "GraphicsSystem::State::enter_triangles"}},
       {"outlines beside the fill",
        "set-line-style solid",
        "",
@@ -250,21 +252,21 @@ void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
     system.set_cutting_plane(1, 1.0, 0.0, 0.0, -0.5);
     system.set_cutting_plane(2, 0.0, 1.0, 1.0, -1.0);
   }
-  if (!use.method) system.set_hidden_line_removal(false);  // in order of entry
+  if (!use.method) system.set_hidden_surfaces({.removal = false});  // in order of entry
   if (use.back_face_removal) system.set_back_face_removal(true);
   if (use.light) system.set_light({1.0, 2.0, 3.0});
   if (use.vertex_normals) system.set_shading(use.shading);
   if (use.shadows) system.set_shadows(true);
   if (!use.method) return;
   if (*use.method == HiddenMethod::z_buffer) {
-    system.set_z_buffer(true);
+    system.set_hidden_surfaces({.z_buffer = true});
   } else {
-    system.set_hidden_line_removal(true);
+    system.set_hidden_surfaces({.removal = true});
     system.set_back_face_removal(false);
-    system.set_hidden_method(*use.method);
-    if (use.scope == HiddenScope::all) system.set_hidden_scope(use.scope);
+    system.set_hidden_surfaces({.method = *use.method});
+    if (use.scope == HiddenScope::all) system.set_hidden_surfaces({.scope = use.scope});
   }
-  system.set_precision(use.precision);
+  system.set_hidden_surfaces({.precision = use.precision});
 }
 
 /// Any will do: those of a ball about the scene.
@@ -358,7 +360,7 @@ void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look) {
   std::optional<RetainedScene> retained;
   std::optional<RecordedProgram> program;
   if (use.retained) system.retain(&retained.emplace());
-  if (use.selects_lines) system.set_lines(line_selection("outline,crease"));
+  if (use.selects_lines) system.set_hidden_surfaces({.lines = line_selection("outline,crease")});
   if (use.recorded) system.set_recorder(&program.emplace().recorder);
   set_view(use, system);
   set_attributes(use, system);

@@ -7,12 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/display_file.h"
-#include "displayfile/hidden_scope.h"
-#include "displayfile/looks/shading.h"
 #include "displayfile/looks/style.h"
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_method.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {

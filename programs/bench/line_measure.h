@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/exact/precision.h"
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 #include "programs/bench/report.h"
 #include "programs/bench/timing.h"
 

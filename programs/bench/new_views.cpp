@@ -4,6 +4,8 @@
 
 #include "displayfile/retained_scene.h"
 #include "displayfile/scene_viewer.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 
 namespace displayfile::bench {
@@ -28,7 +30,7 @@ NewViews::NewViews(const ApplicationMesh& mesh, const PictureSize& size, int thr
   kept_->request.threads = threads;
   kept_->request.method = HiddenMethod::z_buffer;
   kept_->system.set_threads(threads);
-  kept_->system.retain_alone(kept_->scene);
+  SystemInside::retain_alone(kept_->system, kept_->scene);
   enter(mesh, kept_->system);
 }
 

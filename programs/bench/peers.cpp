@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/raster_band.h"

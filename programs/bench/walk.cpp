@@ -5,6 +5,7 @@
 
 #include "displayfile/retained_scene.h"
 #include "displayfile/retained_views.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "programs/scenes/generated_scenes.h"
 

@@ -14,8 +14,8 @@
 
 #include "clip/error.h"
 #include "displayfile/file_extension.h"
+#include "displayfile/files.h"
 #include "displayfile/input_file.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "programs/each_input.h"
 #include "programs/input_names.h"

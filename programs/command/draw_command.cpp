@@ -198,7 +198,9 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                                    MadeFolders* folders, NotInPicture& left_out) const {
   const auto make_folders = [&] {
     if (folders == nullptr) return;
-    for (const auto& written : {file, drawing.ids, drawing.depth}) folders->make_for(written);
+    for (const auto& written : {file.string(), drawing.ids, drawing.depth}) {
+      folders->make_for(written);
+    }
   };
   if (turntable) {
     make_folders();
@@ -305,8 +307,8 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
     return folder / file.filename();
   };
   DrawOptions of_first = options;
-  of_first.ids = beside(options.ids, ids);
-  of_first.depth = beside(options.depth, depth);
+  of_first.ids = beside(options.ids, ids).string();
+  of_first.depth = beside(options.depth, depth).string();
   require_drawable(beside(output, first), of_first);
 }
 
@@ -365,12 +367,13 @@ int DrawCommand::run() {
     return status;
   }
   for (const auto& file : {drawing.ids, drawing.depth}) {
-    if (!is_name_pattern(file.string())) continue;
-    throw Error(fmt::format("{}: has a field, and {} has none: expected both or neither",
-                            file.string(), output));
+    if (!is_name_pattern(file)) continue;
+    throw Error(
+        fmt::format("{}: has a field, and {} has none: expected both or neither", file, output));
   }
   std::vector<std::string> written;
-  for (const auto& file : {std::filesystem::path(output), drawing.ids, drawing.depth}) {
+  for (const auto& file : {std::filesystem::path(output), std::filesystem::path(drawing.ids),
+                           std::filesystem::path(drawing.depth)}) {
     std::ranges::move(files_written(file), std::back_inserter(written));
   }
   require_files_of_their_own(written, inputs, lists_);

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "displayfile/files.h"
 #include "displayfile/output_file.h"
-#include "displayfile/text/dump.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"
 #include "programs/output_paths.h"

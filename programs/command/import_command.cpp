@@ -48,7 +48,7 @@ int ImportCommand::run() {
   options.start(system, aspect);
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   if (start_with != Shading::flat) system.set_shading(start_with);
-  if (in_force) system.set_touching(*in_force);
+  if (in_force) system.set_hidden_surfaces({.touching = *in_force});
   const Progress progress("importing " + meshes.front());
   std::vector<Mesh::Skipped> skipped;
   {

@@ -79,8 +79,10 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   if (const Shading start_with = shading.shading(); start_with != Shading::flat) {
     system.set_shading(start_with);
   }
-  if (const auto lines = hidden_surfaces.line_selection()) system.set_lines(*lines);
-  if (const auto touching = hidden_surfaces.touching_in_force()) system.set_touching(*touching);
+  if (const auto lines = hidden_surfaces.line_selection())
+    system.set_hidden_surfaces({.lines = *lines});
+  if (const auto touching = hidden_surfaces.touching_in_force())
+    system.set_hidden_surfaces({.touching = *touching});
   enter_inputs(inputs, system, meshes, size.aspect(), hidden_surface_options(options));
   const std::string name = std::filesystem::path(input_name(inputs.front())).filename().string();
   data["scenes"].push_back(scene_data(name, program.str()));

@@ -11,7 +11,7 @@
 
 #include "clip/error.h"
 #include "clip/without_choice.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "programs/camera_options.h"
 #include "programs/hidden_surface_words.h"
 #include "programs/input_names.h"

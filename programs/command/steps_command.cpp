@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "clip/error.h"
+#include "clip/surfaces.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/output_file.h"
-#include "hidden/hidden_method.h"
 #include "interp/steps/steps.h"
 #include "programs/input_names.h"
 #include "programs/inputs.h"

@@ -10,6 +10,7 @@
 #include "clip/error.h"
 #include "clip/memory.h"
 #include "displayfile/output_file.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/draw.h"
 #include "programs/keep_freed_memory.h"
 #include "programs/not_in_picture.h"
@@ -73,14 +74,14 @@ void record_drawing(Recorder& recorder, const DrawOptions& options,
                     const std::optional<LineSelection>& lines) {
   GraphicsSystem said;
   said.set_recorder(&recorder);
-  said.set_hidden_line_removal(true);
+  said.set_hidden_surfaces({.removal = true});
   said.set_back_face_removal(false);
-  said.set_hidden_method(*options.hidden);
-  said.set_hidden_scope(*options.scope);
-  if (options.precision) said.set_precision(*options.precision);
-  if (options.hidden_lines) said.set_hidden_lines(*options.hidden_lines);
+  said.set_hidden_surfaces({.method = *options.hidden});
+  said.set_hidden_surfaces({.scope = *options.scope});
+  if (options.precision) said.set_hidden_surfaces({.precision = *options.precision});
+  if (options.hidden_lines) said.set_hidden_surfaces({.hidden_lines = *options.hidden_lines});
   if (options.background) said.set_background(*options.background);
-  if (lines) said.set_lines(*lines);
+  if (lines) said.set_hidden_surfaces({.lines = *lines});
 }
 
 }  // namespace
@@ -231,11 +232,11 @@ int SurfaceCommand::run() const {
     record_drawing(*recorder, options, lines);
     system.set_recorder(&*recorder);
   }
-  if (touching) system.set_touching(*touching);  // the program has it too
+  if (touching) system.set_hidden_surfaces({.touching = *touching});  // the program has it too
   if (lines) {
-    system.replace_lines(*lines);
+    SystemInside::replace_lines(system, *lines);
   } else if (data.size() > 1 && !needs_surface(*options.hidden)) {
-    system.set_lines(line_selection("all,intersection"));
+    system.set_hidden_surfaces({.lines = line_selection("all,intersection")});
   }
   {
     const Progress progress("entering surfaces");

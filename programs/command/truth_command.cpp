@@ -14,9 +14,9 @@
 
 #include "clip/error.h"
 #include "clip/nearest_word.h"
+#include "displayfile/files.h"
 #include "displayfile/output_file.h"
 #include "displayfile/retained_scene.h"
-#include "displayfile/text/dump.h"
 #include "interp/files/npy_file.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"

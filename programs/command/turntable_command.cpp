@@ -16,7 +16,7 @@ namespace {
 /// What of the statistics does not depend on the kind of tree.
 std::string polygons_entered(const GraphicsSystem& system) {
   return fmt::format("polygons entered   {} ({} not flat, triangulated)\n",
-                     system.polygons_entered(), system.polygons_triangulated());
+                     system.counts().polygons, system.counts().triangulated);
 }
 
 std::string statistics(const GraphicsSystem& system, const Renderer& renderer, int views) {
@@ -32,7 +32,6 @@ std::string statistics(const GraphicsSystem& system, const Renderer& renderer, i
     return polygons_entered(system) +
            fmt::format("views              {}, each viewed anew and not sorted\n", views);
   }
-  const SortCounts& counts = trees.counts;
   return polygons_entered(system) +
          fmt::format(
              "views              {}, from {} tree{} in world coordinates\n"
@@ -41,8 +40,8 @@ std::string statistics(const GraphicsSystem& system, const Renderer& renderer, i
              "comparisons        {}\n"
              "depth of the tree  {}\n"
              "walks              {}, and {} needless: the eye crossed no plane\n",
-             views, trees.sorted, trees.sorted == 1 ? "" : "s", counts.pieces, counts.cuts,
-             counts.comparisons, counts.depth, trees.walks, trees.reused);
+             views, trees.sorted, trees.sorted == 1 ? "" : "s", trees.pieces, trees.cuts,
+             trees.comparisons, trees.depth, trees.walks, trees.reused);
 }
 
 std::string explanation(const DrawOptions& options) {
@@ -81,7 +80,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
         "a turntable's views are not hatched: expected --pens without --hatch, or no --turntable");
   }
   require_turntable_method(options);
-  for (const auto& file : {output, options.ids, options.depth}) {
+  for (const auto& file : {output.string(), options.ids, options.depth}) {
     if (file == "-") throw Error("--turntable draws many views: expected a file name, not -");
   }
   require_views_drawable(views, output, options);

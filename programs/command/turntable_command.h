@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "displayfile/mesh/mesh_options.h"
+#include "displayfile/mesh/mesh.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
 #include "programs/mesh_words.h"

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "clip/transformation.h"
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 

@@ -77,7 +77,7 @@ void Scene::add(const std::vector<Polygon>& polygons) {
 
 void enter(const Scene& scene, GraphicsSystem& system) {
   set_view(scene.view, system);
-  system.set_touching(scene.touching);
+  system.set_hidden_surfaces({.touching = scene.touching});
   system.set_line_style({LineStyle::Kind::none});
   std::vector<Scene::Segment> segments = scene.segments;
   if (segments.empty() || segments.front().first_polygon > 0) {

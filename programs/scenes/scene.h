@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "clip/surfaces.h"
+#include "clip/transformation.h"
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/set_view.h"
-#include "hidden/touching.h"
 
 namespace displayfile {
 

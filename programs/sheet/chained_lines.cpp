@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <map>
 #include <utility>
 

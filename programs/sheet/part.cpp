@@ -14,11 +14,14 @@
 
 #include "clip/error.h"
 #include "clip/secret_hash.h"
+#include "clip/unit.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
 #include "displayfile/input_file.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "displayfile/retained_scene.h"
-#include "displayfile/text/drawing_program.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs.h"
 #include "programs/progress.h"
 #include "programs/sheet/closed_pieces.h"
@@ -172,7 +175,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
                const ImportLimits& limits) {
   RetainedScene scene;
   GraphicsSystem system;
-  system.retain_alone(scene);
+  SystemInside::retain_alone(system, scene);
   std::optional<Upright> standing;
   if (!up.empty()) standing = upright(up);
   for (const std::string& input : inputs) {

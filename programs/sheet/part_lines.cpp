@@ -6,10 +6,11 @@
 #include <glm/mat3x3.hpp>
 
 #include "clip/planarity.h"
+#include "clip/surfaces.h"
+#include "displayfile/display_file.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/sorted_display_file.h"
 #include "displayfile/view_stage.h"
-#include "hidden/touching.h"
 #include "hidden/triangulation.h"
 
 namespace displayfile {

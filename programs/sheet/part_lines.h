@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "clip/bounds.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 #include "programs/sheet/part.h"
 #include "programs/sheet/part_view.h"
 

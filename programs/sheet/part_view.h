@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 #include "programs/sheet/part.h"
 
 namespace displayfile {

@@ -3,7 +3,7 @@
 
 #include "displayfile/output_file.h"
 #include "interp/device/cairo.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "interp/vector/cairo_stream.h"
 #include "programs/sheet/drawing_sheet.h"
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/surface_grid.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
 

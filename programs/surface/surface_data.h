@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/surface_grid.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
 
-/// Where a grid's points are: displayfile/surface_grid.h without heights.
+/// Where a grid's points are: displayfile/graphics_system.h without heights.
 struct GridRange {
   double x_min = -1.0, x_max = 1.0;
   int x_points = 50;

@@ -11,6 +11,7 @@
 
 #include "clip/error.h"
 #include "displayfile/axes.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "programs/surface/contours.h"
 #include "programs/surface/height_colours.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh/camera.h"
+#include "displayfile/mesh/mesh.h"
 #include "programs/surface/surface_data.h"
 
 namespace displayfile {

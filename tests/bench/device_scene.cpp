@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 #include "interp/draw/draw.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/scene.h"

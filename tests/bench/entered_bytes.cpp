@@ -62,7 +62,7 @@ void enter(const Field& field, const Entering& how, GraphicsSystem& system) {
   if (how.turned) system.rotate_z_3(30.0);
   system.open_segment(1);
   if (how.shared) {
-    system.polygons_abs_3(field.vertices, field.corners);
+    system.polygons_abs_3({field.vertices, field.corners});
   } else {
     for (std::size_t k = 0; k < field.corners.size(); k += 3) {
       const Point3 triangle[3]{field.vertices[field.corners[k]],

@@ -55,7 +55,7 @@ void enter(const Field& field, bool at_once, Drawn drawn, GraphicsSystem& system
       each ? std::span(field.fills) : std::span<const FillStyle>();
   system.open_segment(1);
   if (at_once) {
-    system.polygons_abs_3(field.vertices, field.corners, {}, fills);
+    system.polygons_abs_3({field.vertices, field.corners, {}, fills});
   } else {
     for (std::size_t k = 0; k < field.corners.size(); k += 3) {
       if (each) system.set_fill_style(fills[k / 3]);

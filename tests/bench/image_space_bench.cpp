@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "displayfile/mesh/mesh.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/fill_paints.h"
 #include "interp/raster/software.h"

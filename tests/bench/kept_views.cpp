@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "displayfile/scene_viewer.h"
+#include "interp/device/raster_request.h"
 #include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "programs/bench/side_by_side.h"

@@ -4,6 +4,7 @@
 #include "displayfile/retained_scene.h"
 #include "displayfile/turntable.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 
 namespace displayfile::bench {
 

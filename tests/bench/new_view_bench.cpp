@@ -15,6 +15,7 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "programs/bench/side_by_side.h"
@@ -54,7 +55,7 @@ void enter_terrain(int n, GraphicsSystem& system) {
   system.set_view_up({0, 0, 1});
   system.set_window(-1.3, 1.3, -1.3, 1.3);
   system.open_segment(1);
-  system.polygons_abs_3(vertices, corners);
+  system.polygons_abs_3({vertices, corners});
   system.close_segment();
 }
 
@@ -93,7 +94,7 @@ class Bench {
 
   void run() {
     if (wanted_.kept) {
-      fmt::print("{} polygons, {} x {}, {} threads, {} views\n", system_.polygons_entered(),
+      fmt::print("{} polygons, {} x {}, {} threads, {} views\n", system_.counts().polygons,
                  wanted_.size, wanted_.size, wanted_.threads, wanted_.views);
       return bench::print_kept_views(scene_, system_.display_file(), *turntable_, request_,
                                      wanted_.views);
@@ -102,12 +103,12 @@ class Bench {
     for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
     const double all = bench::spread(times_.new_views).median;
     fmt::print("{} polygons, {} x {}, {} threads, {} views: anew {:.2f} in units of a new view\n",
-               system_.polygons_entered(), wanted_.size, wanted_.size, wanted_.threads,
+               system_.counts().polygons, wanted_.size, wanted_.size, wanted_.threads,
                wanted_.views, bench::spread(times_.anew).median / all);
     fmt::print(
         "viewing {:.2f} and drawing {:.2f} of it; memory of the views: {:.0f} bytes a polygon\n",
         bench::spread(times_.viewing).median / all, bench::spread(times_.drawing).median / all,
-        static_cast<double>(viewer_->bytes()) / static_cast<double>(system_.polygons_entered()));
+        static_cast<double>(viewer_->bytes()) / static_cast<double>(system_.counts().polygons));
     if (wanted_.against_truth) {
       fmt::print("wrong pixels in all views: {}\n", times_.wrong_pixels);
     }

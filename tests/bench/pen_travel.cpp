@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/unit.h"
 #include "displayfile/sorted_display_file.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "interp/vector/pens/pen_files.h"

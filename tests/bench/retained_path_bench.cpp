@@ -12,8 +12,9 @@
 #include <sstream>
 #include <string>
 
+#include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/text/drawing_program.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "programs/bench/indexed_triangles.h"
@@ -88,7 +89,7 @@ void parsing() {
     times.push_back(seconds([&] { replay(program, "bench.draw", system); }));
   }
   print("replaying a drawing program: of 1 million polygons a second",
-        static_cast<double>(recorded.polygons_entered()) / spread(times).median / 1e6, "x");
+        static_cast<double>(recorded.counts().polygons) / spread(times).median / 1e6, "x");
 }
 
 void interpreting(const std::string& name, const GraphicsSystem& system) {

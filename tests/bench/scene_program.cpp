@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 
 namespace displayfile::bench {
 

@@ -16,8 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "clip/surfaces.h"
 #include "displayfile/mesh/mesh.h"
-#include "hidden/hidden_method.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "programs/bench/side_by_side.h"
 #include "tests/bench/command_line.h"

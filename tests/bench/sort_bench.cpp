@@ -287,9 +287,9 @@ constexpr std::string_view kMemoryScene = "terrain";
 void print_memory(const Options& options) {
   const Scene scene = generated_scene(kMemoryScene).make(options.polygons, 1);
   GraphicsSystem system;
-  system.set_hidden_line_removal(true);
+  system.set_hidden_surfaces({.removal = true});
   system.set_back_face_removal(false);
-  system.set_hidden_method(hidden_method(options.memory_of));
+  system.set_hidden_surfaces({.method = hidden_method(options.memory_of)});
   system.set_threads(options.threads);
   const auto bytes = peak_bytes([&] { enter(scene, system); });
   if (!bytes) throw Error("the system does not tell how much memory a process takes");

@@ -7,10 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/recorder.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
 #include "displayfile/text/dump_compare.h"
 #include "hidden/triangulation.h"
 #include "programs/bench/temporary_folder.h"

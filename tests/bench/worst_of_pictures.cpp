@@ -1,8 +1,8 @@
 #include <array>
 #include <string>
 
-#include "displayfile/surface_grid.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
 #include "tests/bench/worst_scenes.h"
@@ -20,10 +20,10 @@ template <class Enter>
 Cost sorted(HiddenMethod method, const Enter& enter, LineKinds lines = {}) {
   GraphicsSystem g;
   begin(g);
-  g.set_hidden_line_removal(true);
+  g.set_hidden_surfaces({.removal = true});
   g.set_back_face_removal(false);
-  g.set_hidden_method(method);
-  if (lines != LineKinds{}) g.set_lines({.kinds = lines});
+  g.set_hidden_surfaces({.method = method});
+  if (lines != LineKinds{}) g.set_hidden_surfaces({.lines = LineSelection{.kinds = lines}});
   g.open_segment(1);
   enter(g);
   Cost cost = cost_of([&] {

@@ -3,8 +3,7 @@
 
 #include <sstream>
 
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/fuzz/failed.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -18,7 +17,7 @@ void close_open_segment(displayfile::GraphicsSystem& system) {
   try {
     system.close_segment();
   } catch (const displayfile::Error&) {
-    system.set_hidden_line_removal(false);
+    system.set_hidden_surfaces({.removal = false});
     system.close_segment();
   }
 }
@@ -35,9 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   first.set_recorder(&recorder);
   test::RandomApplication application([&] { return input.byte() * kEachByte; }, first);
   while (!input.empty()) application.call();
-  while (first.solids_open() > 0) first.discard_solid();
+  while (first.counts().solids_open > 0) first.discard_solid();
   close_open_segment(first);
-  while (first.transformations_saved() > 0) first.restore_transformation_3();
+  while (first.counts().transformations_saved > 0) first.restore_transformation_3();
   replay(recording.str(), "recording", second);
   if (const auto difference =
           first_difference(dump(second.display_file()), dump(first.display_file()))) {

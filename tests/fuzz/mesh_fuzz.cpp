@@ -5,6 +5,7 @@
 
 #include "clip/error.h"
 #include "displayfile/mesh/mesh.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/fuzz/failed.h"

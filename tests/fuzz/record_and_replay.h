@@ -9,8 +9,7 @@
 
 #include "clip/error.h"
 #include "clip/work_budget.h"
-#include "displayfile/text/drawing_program.h"
-#include "displayfile/text/dump.h"
+#include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 
 namespace displayfile {
@@ -39,9 +38,9 @@ inline std::optional<std::string> difference_after_record_and_replay(std::string
   GraphicsSystem first, second;
   first.set_recorder(&recorder);
   replay_lines(program, first);
-  while (first.solids_open() > 0) first.discard_solid();
+  while (first.counts().solids_open > 0) first.discard_solid();
   if (first.open_segment_name()) first.close_segment();
-  while (first.transformations_saved() > 0) first.restore_transformation_3();
+  while (first.counts().transformations_saved > 0) first.restore_transformation_3();
   replay(recording.str(), "recording", second);
   return first_difference(dump(second.display_file()), dump(first.display_file()));
 }

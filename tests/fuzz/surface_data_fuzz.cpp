@@ -5,8 +5,8 @@
 #include <string>
 
 #include "clip/error.h"
+#include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/recorder.h"
 #include "programs/surface/surface_data.h"
 #include "tests/fuzz/failed.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -16,6 +16,7 @@
 #include "brute_force_truth.h"
 #include "hard/methods.h"
 #include "hard/right_picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"

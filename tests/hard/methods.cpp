@@ -8,6 +8,7 @@
 #include <string>
 
 #include "displayfile/hidden_surface_check.h"
+#include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"

@@ -11,6 +11,7 @@
 #include "clip/error.h"
 #include "hard/methods.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 #include "interp/files/png_file.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"

@@ -35,7 +35,7 @@ void enter(const Mesh& mesh, GraphicsSystem& system) {
   system.set_line_style({LineStyle::Kind::none});
   system.set_light({1, 1, 1});
   system.open_segment(1);
-  system.polygons_abs_3(mesh.vertices, mesh.corners);
+  system.polygons_abs_3({mesh.vertices, mesh.corners});
   system.close_segment();
 }
 

@@ -6,7 +6,7 @@
 
 #include "clip/point.h"
 #include "clip/rectangle.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "interp/vector/pens/stroke.h"
 
 namespace displayfile {

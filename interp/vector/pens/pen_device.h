@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "interp/device/output_device.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "interp/vector/pens/hatched_fills.h"
 #include "interp/vector/pens/hatching.h"
 #include "interp/vector/pens/stroke.h"

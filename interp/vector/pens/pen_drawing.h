@@ -4,7 +4,7 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/looks/background.h"
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 #include "interp/vector/pens/pen_device.h"
 #include "interp/vector/pens/stroke_chains.h"
 

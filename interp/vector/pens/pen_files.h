@@ -1,6 +1,6 @@
 #pragma once
 
-#include "displayfile/destination.h"
+#include "displayfile/files.h"
 #include "interp/vector/pens/pen_drawing.h"
 
 namespace displayfile {

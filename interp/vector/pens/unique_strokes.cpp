@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "clip/budgeted_work.h"
 #include "clip/work_budget.h"
 
 namespace displayfile {

@@ -33,25 +33,25 @@ switch(clip/transformation.h "return identity_;"
        "return is_left_out(PartLeftOut::modelling) || identity_;")
 switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
        "if (is_left_out(PartLeftOut::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
-switch(clip/work_budget.h "if (--left_ == 0) ask();"
+switch(clip/budgeted_work.h "if (--left_ == 0) ask();"
        "if (!is_left_out(PartLeftOut::budgets) && --left_ == 0) ask();")
-switch(clip/work_budget.h "if (steps >= left_)"
+switch(clip/budgeted_work.h "if (steps >= left_)"
        "if (is_left_out(PartLeftOut::budgets)) return;\n    if (steps >= left_)")
-switch(clip/work_budget.h "if (const WorkBudget* const budget = work_in_force().budget) {"
+switch(clip/budgeted_work.h "if (const WorkBudget* const budget = work_in_force().budget) {"
        "if (is_left_out(PartLeftOut::budgets)) return;
         if (const WorkBudget* const budget = work_in_force().budget) {")
-switch(displayfile/looks/attributes.h "std::optional<Light> light;"
+switch(displayfile/looks/style.h "std::optional<Light> light;"
        "Switch<PartLeftOut::light, std::optional<Light>> light;")
-switch(displayfile/looks/attributes.h "bool back_face_removal ="
+switch(displayfile/looks/style.h "bool back_face_removal ="
        "Switch<PartLeftOut::back_face_removal, bool> back_face_removal =")
-switch(displayfile/looks/attributes.h "bool shadows ="
+switch(displayfile/looks/style.h "bool shadows ="
        "Switch<PartLeftOut::shadows, bool> shadows =")
-switch(displayfile/graphics_system.h "Recorder* recorder_ ="
+switch(displayfile/user_routines/system_state.h "Recorder* recorder_ ="
        "Switch<PartLeftOut::recording, Recorder*> recorder_ =")
-switch(displayfile/graphics_system.h "RetainedScene* retaining() { return own_retained_ ?"
+switch(displayfile/user_routines/system_state.h "RetainedScene* retaining() { return own_retained_ ?"
        "RetainedScene* retaining() { return is_left_out(PartLeftOut::retaining) ? nullptr :
                                         own_retained_ ?")
-switch(displayfile/looks/attributes.h "Shading shading ="
+switch(displayfile/looks/style.h "Shading shading ="
        "Switch<PartLeftOut::shading, Shading> shading =")
 switch(displayfile/instructions.h "return has_shadows_;"
        "return !is_left_out(PartLeftOut::shadows) && has_shadows_;")

@@ -14,10 +14,11 @@
 
 #include "clip/corners.h"
 #include "clip/error.h"
+#include "clip/surfaces.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/scene_lines.h"
-#include "hidden/line_kinds.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {
@@ -158,7 +159,7 @@ void enter_mesh(const PeerScene& scene, GraphicsSystem& system) {
     sides[i] = static_cast<std::uint32_t>(scene.mesh.face(i).size());
   }
   system.open_segment(1);
-  system.polygons_abs_3(scene.mesh.vertices, scene.mesh.corners, sides);
+  system.polygons_abs_3({scene.mesh.vertices, scene.mesh.corners, sides});
   system.close_segment();
 }
 
@@ -256,10 +257,10 @@ EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds) {
 
 RetainedMesh::RetainedMesh(const PeerScene& scene, const LineKinds& kinds)
     : view_(scene.view), intersections_(kinds.intersection) {
-  system_.retain_alone(retained_);
+  SystemInside::retain_alone(system_, retained_);
   std::string words = kinds.words;  // theirs are named as ours, and boundaries count as outlines
   if (kinds.outline) words += ",boundary";
-  system_.set_lines(line_selection(words));
+  system_.set_hidden_surfaces({.lines = line_selection(words)});
   enter_mesh(scene, system_);
   viewer_.emplace(retained_, system_.display_file());
 }

@@ -8,7 +8,6 @@
 #include "clip/view.h"
 #include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/mesh/camera.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/retained_scene.h"
 #include "displayfile/scene_viewer.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <random>

@@ -1,4 +1,4 @@
-#include "hidden/hidden_method.h"
+#include "clip/surfaces.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hidden/line_kinds.h"
+#include "clip/surfaces.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hidden/touching.h"
+#include "clip/surfaces.h"
 
 #include <fmt/format.h>
 

@@ -1,15 +1,15 @@
-#include "displayfile/drawn_pieces.h"
+#include "interp/device/output_device.h"
 
 #include <cassert>
 #include <span>
 
+#include "clip/budgeted_work.h"
 #include "clip/round_to_nearest.h"
-#include "clip/work_budget.h"
+#include "clip/surfaces.h"
+#include "displayfile/display_file.h"
 #include "displayfile/intensity_plane.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
-#include "displayfile/segment.h"
-#include "hidden/line_cuts.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "interp/device/paper.h"
+#include "interp/device/picture.h"
 
 #include <fmt/format.h>
 
@@ -134,6 +134,20 @@ void require_pens(const Pens& pens) {
   if (!(hatching.width > 0.0 && hatching.width <= kLargestSheet)) {
     throw Error(fmt::format("hatching by a pen of {} mm: expected more than 0", hatching.width));
   }
+}
+
+void require_picture_size(long long width, long long height) {
+  if (width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide) return;
+  throw Error(fmt::format("picture size {}x{}: expected 1x1 to {}x{} pixels", width, height,
+                          kLargestSide, kLargestSide));
+}
+
+void require_vector_options(const VectorOptions& options) {
+  constexpr double kFinest = VectorOptions::kFinestPrecision;
+  constexpr double kCoarsest = VectorOptions::kCoarsestPrecision;
+  if (options.precision >= kFinest && options.precision <= kCoarsest) return;
+  throw Error("precision of vectors " + std::to_string(options.precision) +
+              ": expected 0.001 to 1 pixels");
 }
 
 }  // namespace displayfile

@@ -1,0 +1,37 @@
+#include "displayfile/looks/style.h"
+
+#include <algorithm>
+
+#include "clip/words.h"
+
+namespace displayfile {
+
+namespace {
+
+using Alignment = TextStyle::Alignment;
+constexpr Word<Alignment> kAlignments[] = {
+    {Alignment::left, "left"}, {Alignment::centre, "centre"}, {Alignment::right, "right"}};
+
+constexpr Word<Shading> kShadings[] = {
+    {Shading::flat, "flat"}, {Shading::gouraud, "gouraud"}, {Shading::phong, "phong"}};
+
+}  // namespace
+
+TextStyle::Alignment alignment(std::string_view text) {
+  return value_of(kAlignments, text, "expected");
+}
+std::string_view name_of(TextStyle::Alignment alignment) { return word_of(kAlignments, alignment); }
+
+Shading shading(std::string_view text) { return value_of(kShadings, text, "shading is"); }
+std::string_view name_of(Shading shading) { return word_of(kShadings, shading); }
+
+LineStyle hidden_line_style(const LineStyle& line) {
+  LineStyle hidden = line;
+  hidden.kind = LineStyle::Kind::dashed;
+  hidden.width = std::min(line.width, std::max(0.5, line.width / 2.0));
+  hidden.dash *= std::max(1.0, hidden.width);
+  hidden.gap *= std::max(1.0, hidden.width);
+  return hidden;
+}
+
+}  // namespace displayfile

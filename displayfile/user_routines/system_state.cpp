@@ -1,0 +1,98 @@
+#include "displayfile/user_routines/system_state.h"
+
+#include <utility>
+
+#include "displayfile/user_routines/system_inside.h"
+
+namespace displayfile {
+
+GraphicsSystem::GraphicsSystem() : state_(std::make_unique<State>()) {}
+GraphicsSystem::GraphicsSystem(const GraphicsSystem& other)
+    : state_(std::make_unique<State>(*other.state_)) {}
+GraphicsSystem::GraphicsSystem(GraphicsSystem&& other) noexcept = default;
+GraphicsSystem::~GraphicsSystem() = default;
+
+// In place where there is a state: others may refer to its display file.
+GraphicsSystem& GraphicsSystem::operator=(const GraphicsSystem& other) {
+  if (this == &other) return *this;
+  return *this = GraphicsSystem(other);
+}
+GraphicsSystem& GraphicsSystem::operator=(GraphicsSystem&& other) noexcept {
+  if (this == &other) return *this;
+  if (state_ == nullptr) {
+    state_ = std::move(other.state_);
+  } else {
+    *state_ = std::move(*other.state_);
+  }
+  return *this;
+}
+
+// Settings and counts.
+
+const View& GraphicsSystem::view() const { return state_->view_; }
+double GraphicsSystem::aspect_ratio() const { return state_->windows_.aspect(); }
+const std::optional<StretchedWindow>& GraphicsSystem::stretched_window() const {
+  return state_->windows_.stretched();
+}
+const ModellingTransformation& GraphicsSystem::modelling_transformation() const {
+  return state_->modelling_;
+}
+std::optional<int> GraphicsSystem::open_segment_name() const { return state_->open_; }
+const DisplayFile& GraphicsSystem::display_file() const { return state_->display_file_; }
+const Attributes& GraphicsSystem::attributes() const { return state_->attributes_; }
+const CutFaces& GraphicsSystem::cut_faces() const { return state_->cut_faces_; }
+const SurfaceLooks& GraphicsSystem::surface_looks() const { return state_->surface_looks_; }
+const Background& GraphicsSystem::background() const { return state_->background_; }
+const RetainedScene* GraphicsSystem::retained() const { return state_->retained(); }
+const SaidSettings& GraphicsSystem::said() const { return state_->said_; }
+SystemCounts GraphicsSystem::counts() const {
+  return {.polygons = state_->ordinal_,
+          .triangulated = state_->triangulated_,
+          .solids_open = state_->solids_.depth(),
+          .empty_solids = state_->empty_solids_,
+          .transformations_saved = state_->modelling_.saved(),
+          .has_hatching = state_->has_hatching_};
+}
+
+// Work and records.
+
+void GraphicsSystem::set_threads(int threads) { state_->sort_options_.threads = threads; }
+void GraphicsSystem::set_progress(WorkProgress progress) {
+  state_->sort_options_.progress = std::move(progress);
+}
+void GraphicsSystem::set_recorder(Recorder* recorder) { state_->recorder_ = recorder; }
+
+const CuttingPlanes& SystemInside::cutting_planes(const GraphicsSystem& system) {
+  return system.state_->cutting_planes_;
+}
+
+void SystemInside::comment(GraphicsSystem& system, std::string_view text) {
+  if (Recorder* const recorder = system.state_->recorder_) recorder->comment(text);
+}
+
+void SystemInside::by_default(GraphicsSystem& system, Setting setting,
+                              const std::function<void()>& set) {
+  SaidSettings& in_force = system.state_->said_;
+  if (in_force.contains(setting)) return;
+  const SaidSettings before = in_force;
+  set();
+  in_force = before;
+}
+
+void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
+  const FillStyle in_force = system.attributes().fill;
+  const SaidSettings said = system.said();
+  const auto restore = [&] {
+    if (system.attributes().fill != in_force) system.set_fill_style(in_force);
+    system.state_->said_ = said;
+  };
+  try {
+    enter();
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
+}  // namespace displayfile

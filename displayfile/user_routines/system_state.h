@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "clip/cutting_planes.h"
+#include "clip/transformation.h"
+#include "displayfile/display_file.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/picture_windows.h"
+#include "displayfile/retained_scene.h"
+#include "displayfile/solids/open_solids.h"
+#include "displayfile/view_stage.h"
+#include "hidden/sort/hidden_surface_sort.h"
+#include "hidden/triangulation.h"
+
+namespace displayfile {
+
+/// The insides of a GraphicsSystem, and the steps that its routines share.
+struct GraphicsSystem::State {
+  struct Pen {
+    Point3 object{0.0};  ///< the current position as the application gave it
+    Point3 world{0.0};   ///< the same after the modelling transformation of that time
+  };
+
+  /// All that entering primitives changes beside the segments, and settings made meanwhile.
+  struct Entered {
+    std::size_t segments;
+    Pen pen;
+    std::int64_t ordinal, triangulated, empty_solids;
+    std::int32_t pick;
+    bool has_hatching;
+    SaidSettings said;
+    ModellingTransformation modelling;
+    Attributes attributes;
+    Background background;
+    std::vector<Point3> vertex_normals;
+    CuttingPlanes cutting_planes;
+    CutFaces cut_faces;
+    SurfaceLooks surface_looks;
+  };
+  Entered entered() const;
+  void take_back(const Entered& before);
+
+  void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
+    if (recorder_ != nullptr) recorder_->write(routine, arguments);
+  }
+  void require(const HiddenSurfaceSettings& settings);
+  void record_touching(const Touching& touching);
+  void record_said(Setting setting, std::string_view routine,
+                   std::initializer_list<Recorder::Argument> arguments) {
+    said_.insert(setting);
+    record(routine, arguments);
+  }
+  static LineStyle require_line_style(const LineStyle& style);
+  void record_line_style(std::string_view routine, const LineStyle& style);
+  void discard_solid();
+  void require_open() const;
+  void require_view_may_change() const;
+  int next_pick() const;
+  Point3 to_world(const Point3& object) const;
+  void move_to(const Point3& object);
+  void line_to(const Point3& object);
+  void polygon(std::span<const Point3> object);
+  void enter(const WorldPolygon& polygon);
+  void enter_cut(const WorldPolygon& polygon);
+  void enter_solid(const SolidFaces& whole, double spacing);
+  void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
+  struct Hatching {
+    double spacing;
+    bool is_there;  ///< its face is, in the view
+  };
+  void enter_hatching(const SolidFaces& solid, std::size_t face, const Hatching& hatching);
+  void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
+  double hatching_spacing(const SolidFaces& solid) const;
+  bool hatches_cut_faces() const;
+  void require_no_solid(std::string_view what) const;
+  void enter_whole(const WorldPolygon& polygon);
+  std::span<const Point3> shared_world(std::span<const Point3> vertices);
+  void make_room_for_shared(const RetainedScene::SharedVertices& shared, std::size_t polygons,
+                            std::size_t corners, std::size_t fills);
+  void enter_shared(const RetainedScene::SharedVertices& vertices,
+                    std::span<const std::uint32_t> corners, Segment& segment);
+  /// Primitives go into the retained scene alone, at least until the segment is closed.
+  bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
+  const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
+  RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
+  void retain_for(std::string_view what);
+  std::optional<Segment> with_lines_selected(int name);
+  void close(Segment& segment);
+  void keep_entered_once(Segment& closing);
+  void follow_retained();
+  void attributes_changed() {
+    if (view_stage_) view_stage_->attributes_changed();
+  }
+  /// The matrix of the modelling transformation; null if that is the identity.
+  const glm::dmat4x3* modelling_matrix() const {
+    return modelling_.is_identity() ? nullptr : &modelling_.affine();
+  }
+  void enter_triangles(std::span<const Point3> entered, const Point3& normal,
+                       std::span<const Point3> vertex_normals, int pick);
+  std::span<const Point3> world_normals(const Point3& own);
+  std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
+  void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);
+  void enter_cells_in_order(const SurfaceGrid& grid, std::span<const Point3> world,
+                            Segment& segment);
+  struct SurfaceCell {
+    int i, j;
+    std::int64_t ordinal;
+  };
+  void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, const SurfaceCell& cell,
+                  Segment& segment);
+
+  View view_;
+  PictureWindows windows_;
+  SaidSettings said_;
+  ModellingTransformation modelling_;
+  DisplayFile display_file_;
+  std::optional<int> open_;
+  std::optional<ViewStage> view_stage_;  // of the open segment
+  Pen pen_;
+  Attributes attributes_;
+  Background background_;
+  std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
+  CuttingPlanes cutting_planes_;
+  CutFaces cut_faces_;
+  OpenSolids solids_;
+  struct BeforeSolid {
+    Pen pen;
+    std::int64_t ordinal, triangulated;
+  };
+  std::vector<BeforeSolid> before_solids_;  // of each that is open
+  std::int64_t empty_solids_ = 0;
+  bool has_hatching_ = false;  // since all segments were deleted
+  bool touching_replaced_ = false;
+  SurfaceLooks surface_looks_;
+  std::int32_t pick_ = -1;
+  std::int64_t ordinal_ = 0, triangulated_ = 0;
+  HiddenSurfaces surfaces_;
+  SortOptions sort_options_;  // of close_segment: threads and progress
+  bool lines_replaced_ = false;
+  Recorder* recorder_ = nullptr;
+  RetainedScene* retained_ = nullptr;          // the application's
+  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
+  bool retains_alone_ = false;
+  bool views_at_close_ = false;            // lines were selected when the segment was opened
+  RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
+
+  Triangulation triangulation_;
+  std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
+  std::vector<Point3> world_normals_;                 // of its vertices
+  std::vector<Point3> shared_world_;                  // vertices that polygons share
+};
+
+}  // namespace displayfile

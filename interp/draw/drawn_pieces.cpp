@@ -1,0 +1,39 @@
+#include "displayfile/hidden_lines_left.h"
+#include "displayfile/sorted_display_file.h"
+#include "displayfile/surface_plan.h"
+#include "interp/draw/draw.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The display file in the order in which vectors are drawn.
+const DisplayFile& in_order(const GraphicsSystem& system, const DrawOptions& options,
+                            SortedDisplayFile& kept) {
+  const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
+  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
+  const DisplayFile& file = kept.update(system, method, hidden);
+  require_hidden_lines_dumped(file, method, hidden);
+  return file;
+}
+
+}  // namespace
+
+void draw(const GraphicsSystem& system, OutputDevice& device, const DrawOptions& options) {
+  const BudgetInForce in_force(options.budget);
+  SortedDisplayFile kept;
+  interpret(in_order(system, options, kept), device);
+}
+
+DrawnPieces drawn_pieces(const GraphicsSystem& system, const DrawOptions& options,
+                         SortedDisplayFile& kept) {
+  const BudgetInForce in_force(options.budget);
+  return drawn_pieces(in_order(system, options, kept));
+}
+
+DrawnPieces drawn_pieces(const GraphicsSystem& system, const DrawOptions& options) {
+  SortedDisplayFile kept;
+  return drawn_pieces(system, options, kept);
+}
+
+}  // namespace displayfile

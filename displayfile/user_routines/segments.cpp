@@ -8,6 +8,7 @@
 
 #include "clip/error.h"
 #include "clip/round_to_nearest.h"
+#include "clip/work_budget.h"
 #include "displayfile/hidden_surface_check.h"
 #include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_inside.h"
@@ -48,6 +49,7 @@ void GraphicsSystem::open_segment(int name) {
 /// Algorithm 9.5, CLOSE-SEGMENT. The polygons are already in the display file, in order of entry;
 /// if hidden surfaces are to be sorted they are added back to front.
 void GraphicsSystem::close_segment() {
+  const BudgetInForce as_it_is(nullptr);  // rounds to nearest, and other work begins
   if (!state_->open_) throw Error("no segment open");
   if (!state_->solids_.empty()) throw Error("a solid is still open: end it first, by end-solid");
   try {
@@ -72,7 +74,9 @@ void GraphicsSystem::State::close(Segment& segment) {
   std::optional<SortByItself> put_off;
   const bool each_on_its_own =
       surfaces_.scope.value_or(HiddenScope::segment) == HiddenScope::segment;
-  SortOptions options = sort_options_;
+  SortOptions options = sort_options_;  // threads and progress
+  options.precision = surfaces_.precision;
+  options.hidden_lines = surfaces_.hidden_lines;
   options.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
   if (surfaces_.removal && is_object_space(surfaces_.method) && !each_on_its_own) {
     put_off = {surfaces_.method, options.precision, options.hidden_lines, options.intersections};

@@ -61,11 +61,11 @@ switch(displayfile/looks/style.h "std::optional<FillShadow> shadow{};"
        "Switch<PartLeftOut::shadows, std::optional<FillShadow>> shadow{};")
 switch(displayfile/looks/style.h "enum class Kind { solid, dashed, none };\n  Kind kind ="
        "enum class Kind { solid, dashed, none };\n  Switch<PartLeftOut::lines, Kind, Kind::none> kind =")
-switch(displayfile/view_stage.h "std::span<const Point3> vertex_normals; "
+switch(displayfile/looks/world_polygon.h "std::span<const Point3> vertex_normals; "
        "Switch<PartLeftOut::shading, std::span<const Point3>> vertex_normals; ")
 switch(interp/draw/draw.h "int samples = 1;" "Switch<PartLeftOut::antialiasing, int, 1> samples = 1;")
-switch(interp/device/picture.h "bool ids = false, depth = false;"
+switch(interp/device/raster_request.h "bool ids = false, depth = false;"
        "Switch<PartLeftOut::item_buffer, bool> ids = false;\n  Switch<PartLeftOut::depths, bool> depth = false;")
-switch(interp/device/picture.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")
+switch(interp/device/raster_request.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")
 
 include_directories(BEFORE ${overlay})

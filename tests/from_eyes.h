@@ -33,7 +33,7 @@ class FromEyes {
 
  private:
   InView in(const View& view, const glm::dmat3& lights_turned) const {
-    return {scene_, attributes_, view, lights_turned};
+    return {scene_, attributes_, view, &lights_turned};
   }
   const RetainedScene& scene_;
   const DisplayFile& attributes_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <glm/mat3x3.hpp>
 #include <memory>
 #include <new>
 #include <string_view>
@@ -282,6 +283,11 @@ void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOpti
   });
 }
 
+const glm::dmat3& lights_of(const InView& scene) {
+  static const glm::dmat3 kAsTheyAre(1.0);
+  return scene.lights_turned != nullptr ? *scene.lights_turned : kAsTheyAre;
+}
+
 // ---- In a view -----------------------------------------------------------------------------
 
 bool works_in_image_space(HiddenMethod method) {
@@ -306,24 +312,24 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, Softwar
   kept.take(in.scene, in.attributes);
   plan.surfaces.intersections = plan.surfaces.options.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
-    const ViewedWorld world = kept.world().view(in.view, in.lights_turned);
+    const ViewedWorld world = kept.world().view(in.view, lights_of(in));
     const PicturePlan cast = by_rays(world, plan);
     return draw(source_of(world, cast, software), raster_request(world, cast), cast);
   }
   if (works_in_image_space(plan.method)) {
     SceneViewer& viewer = kept.viewer();
-    return draw(ViewSource(viewer, in.view, in.lights_turned, plan, software,
+    return draw(ViewSource(viewer, in.view, lights_of(in), plan, software,
                            kept.casters(plan.options.threads)),
                 raster_request(plan), plan);
   }
   if (surfaces_of(plan.method) == HiddenMethod::bsp) {
     RetainedViews& trees = kept.trees(sort_options(plan.surfaces), *plan.surfaces.options.scope);
-    const DisplayFile seen = trees.view(in.view, in.lights_turned);
+    const DisplayFile seen = trees.view(in.view, lights_of(in));
     const PicturePlan ordered = in_its_order(plan);
     return draw(DisplayFileSource(seen, false, ordered, software, {&in.scene, &in.view}),
                 raster_request(seen, ordered), ordered);
   }
-  const DisplayFile whole = kept.viewer().display_file(in.view, in.lights_turned);
+  const DisplayFile whole = kept.viewer().display_file(in.view, lights_of(in));
   SortedDisplayFile sorted;
   const DisplayFile& seen =
       is_object_space(plan.method)
@@ -464,7 +470,7 @@ void Renderer::draw(const InView& scene, const Destination& to, const DrawOption
 DisplayFile Renderer::display_file(const InView& scene) {
   const RoundToNearest nearest;
   kept_->of_scene.take(scene.scene, scene.attributes);
-  return kept_->of_scene.viewer().display_file(scene.view, scene.lights_turned);
+  return kept_->of_scene.viewer().display_file(scene.view, lights_of(scene));
 }
 
 Picture Renderer::take_picture() { return std::exchange(kept_->picture, Picture()); }

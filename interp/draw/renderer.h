@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/mat3x3.hpp>
+#include <glm/fwd.hpp>
 #include <memory>
 #include <optional>
 
@@ -23,7 +23,7 @@ struct InView {
   /// images are transformed.
   const DisplayFile& attributes;
   View view = {};
-  glm::dmat3 lights_turned = glm::dmat3(1.0);  ///< a rotation
+  const glm::dmat3* lights_turned = nullptr;  ///< a rotation, which must last; null: none
   /// Has settings that hold where options leave something open; null: the options alone hold.
   const GraphicsSystem* settings = nullptr;
 };

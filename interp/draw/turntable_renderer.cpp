@@ -114,6 +114,7 @@ struct TurntableRenderer::Kept {
   Turntable turntable;
   DrawOptions options;
   Renderer renderer = {};
+  Turntable::Turn turn = {};  // of the view drawn last
 
   void bring_up_to_date() {
     if (taken.is_same()) return;
@@ -127,8 +128,8 @@ struct TurntableRenderer::Kept {
     }
     const BudgetInForce in_force(options.budget);
     bring_up_to_date();
-    const auto [seen, lights] = turntable.at(360.0 * view / turned.number);
-    return {taken.scene(), taken.attributes(), seen, lights};
+    turn = turntable.at(360.0 * view / turned.number);
+    return {taken.scene(), taken.attributes(), turn.view, &turn.lights};
   }
 };
 

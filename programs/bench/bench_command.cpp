@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
@@ -16,18 +17,14 @@
 #include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
 #include "hidden/exact/precision.h"
-#include "programs/bench/analysis.h"
 #include "programs/bench/beside.h"
 #include "programs/bench/environment.h"
 #include "programs/bench/feature_costs.h"
-#include "programs/bench/json_report.h"
 #include "programs/bench/line_measure.h"
 #include "programs/bench/measure.h"
-#include "programs/bench/page.h"
+#include "programs/bench/page_template.h"
 #include "programs/bench/partial_file.h"
-#include "programs/bench/readme_figures.h"
-#include "programs/bench/summary.h"
-#include "programs/bench/text_report.h"
+#include "programs/bench/viewing.h"
 #include "programs/bench/walk.h"
 #include "programs/output_paths.h"
 #include "programs/progress.h"
@@ -98,10 +95,18 @@ bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) 
   });
 }
 
+/// True of the exact methods, and of one precision of each other method: of these is seen how their
+/// times grow.
+bool is_in_series(const Contender& contender) {
+  constexpr std::array<std::string_view, 6> kOthers{"",        "float",  "double",
+                                                    "24 bits", "single", "bsp, best root"};
+  return contender.exact || std::ranges::find(kOthers, contender.precision) != kOthers.end();
+}
+
 bool is_measured(const BenchScene& scene, bool largest, const Contender& contender, int threads) {
   if (scene.kind == BenchScene::Kind::hard_case) return threads == 1;
   if (threads > 1) return largest && contender.threaded && contender.exact;
-  return largest || is_in_series({contender.method, contender.precision, contender.exact});
+  return largest || is_in_series(contender);
 }
 
 Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
@@ -155,128 +160,190 @@ class Run {
         threads_(thread_counts(command)),
         partial_(command.page + ".partial", identity_of(command)) {}
 
-  Report report() {
-    Report report{kReference, environment(), {}};
-    {
-      Progress progress("measuring");
-      for (std::size_t i = 0; i < scenes_.size(); ++i) {
-        progress.update(i, scenes_.size());
-        report.scenes.push_back(has_surfaces() ? measured(scenes_[i]) : unmeasured(scenes_[i]));
-      }
+  Json report() {
+    Json report{{"format", 2}, {"reference", kReference}};
+    for (const auto& [name, value] : environment()) report["environment"][name] = value;
+    report["beside"] = Json::array();
+    const bool measures = has_surfaces() && !command_.moving_camera;
+    for_each_scene("measuring", [&](const BenchScene& scene) {
+      report["scenes"].push_back(unmeasured(scene));
+      if (measures) measure(scene, report);
+    });
+    if (command_.moving_camera) {
+      for_each_name("moving the camera",
+                    [&](const Scenes& named) { compare_views(named, report); });
+      return report;
     }
     if (!line_contenders_.empty()) measure_lines(report);
-    if (has_surfaces()) compare(report);
+    if (!measures) return report;
+    for_each_name("comparing", [&](const Scenes& named) { compare(named, report); });
+    for_each_scene("viewing in exact arithmetic", [&](const BenchScene& scene) {
+      if (scene.kind != BenchScene::Kind::hard_case && !is_largest(scene, scenes_)) return;
+      if (const auto row = rounding_of_viewing(scene)) report["viewing"].push_back(*row);
+    });
     return report;
   }
-  /// Nothing but new views of retained scenes.
-  Report report_of_moving_camera() {
-    Report report{kReference, environment(), {}};
-    for (const BenchScene& scene : scenes_) {
-      report.scenes.push_back(unmeasured(scene));
-    }
-    Progress progress("moving the camera");
-    const std::vector<std::string> all_names = names_but_hard_cases(report);
-    for (std::size_t i = 0; i < all_names.size(); ++i) {
-      progress.update(i, all_names.size());
-      compare_new_views(all_names[i], report);
-    }
-    return report;
-  }
-  /// Methods of surfaces are chosen, not only methods of lines.
-  bool has_surfaces() const { return !contenders_.empty(); }
   void finish() { partial_.remove(); }
   std::size_t measured_now() const { return measured_now_; }
   std::size_t from_before() const { return from_before_; }
 
  private:
-  static SceneRow unmeasured(const BenchScene& scene) {
-    return {scene, scene.make().polygons(), std::nullopt, {}};
+  using Scenes = std::vector<const BenchScene*>;  // of one name
+
+  /// Methods of surfaces are chosen, not only methods of lines.
+  bool has_surfaces() const { return !contenders_.empty(); }
+
+  void for_each_scene(const char* what, const auto& work) const {
+    Progress progress(what);
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      progress.update(i, scenes_.size());
+      work(scenes_[i]);
+    }
+  }
+  /// All but hard cases and the walk, by their names.
+  void for_each_name(const char* what, const auto& work) const {
+    std::vector<Scenes> all;
+    for (const BenchScene& scene : scenes_) {
+      const bool is_one_picture =
+          scene.kind != BenchScene::Kind::hard_case && scene.kind != BenchScene::Kind::walk;
+      if (!is_one_picture) continue;
+      if (all.empty() || all.back().front()->name != scene.name) all.emplace_back();
+      all.back().push_back(&scene);
+    }
+    Progress progress(what);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      progress.update(i, all.size());
+      work(all[i]);
+    }
+  }
+
+  static Json unmeasured(const BenchScene& scene) {
+    const DisplayFile file = scene.make();
+    Json row{{"scene", scene.id()},         {"name", scene.name}, {"kind", name_of(scene.kind)},
+             {"polygons", file.polygons()}, {"size", scene.size}, {"pixels", scene.pixels()}};
+    row.update(cover(scene, file));
+    if (scene.kind != BenchScene::Kind::hard_case) return row;
+    row["severity"] = scene.severity;
+    row["gap"] = scene.gap;
+    return row;
+  }
+
+  /// The figures of that key: taken over, or measured now and kept.
+  Json figures_of(const std::string& key, const auto& measure) {
+    if (const Json* before = partial_.find(key)) {
+      ++from_before_;
+      return *before;
+    }
+    ++measured_now_;
+    Json figures = measure();
+    partial_.add(key, figures);
+    return figures;
   }
 
   /// Scenes that differ in the picture's size alone are one to methods of lines.
-  void measure_lines(Report& report) {
-    Progress progress("measuring lines");
+  void measure_lines(Json& report) {
     std::set<std::string> done;
-    for (std::size_t i = 0; i < report.scenes.size(); ++i) {
-      progress.update(i, report.scenes.size());
-      SceneRow& row = report.scenes[i];
-      const bool is_still = row.scene.kind != BenchScene::Kind::walk;
-      if (is_still && done.insert(row.scene.id_but_size()).second) measure_lines(row);
-    }
+    report["line_reference"] = kLineReference;
+    report["line_cells"] = Json::array();
+    std::size_t place = 0;
+    for_each_scene("measuring lines", [&](const BenchScene& scene) {
+      Json& row = report["scenes"][place++];
+      const bool is_still = scene.kind != BenchScene::Kind::walk;
+      if (is_still && done.insert(scene.id_but_size()).second) measure_lines(scene, row, report);
+    });
   }
 
-  void measure_lines(SceneRow& row) {
-    const bool hard_case = row.scene.kind == BenchScene::Kind::hard_case;
+  void measure_lines(const BenchScene& scene, Json& row, Json& report) {
+    const bool hard_case = scene.kind == BenchScene::Kind::hard_case;
     const bool most_polygons = std::ranges::none_of(scenes_, [&](const BenchScene& other) {
-      return other.name == row.scene.name && other.n > row.scene.n;
+      return other.name == scene.name && other.n > scene.n;
     });
-    const std::string key = scene_key(row.scene) + " lines";
-    const int truth_threads = *std::ranges::max_element(threads_);
     bool taken = false;  // the truth of a scene is found where something is left to measure
     const auto take = [&] {
-      if (!std::exchange(taken, true)) {
-        line_measurer_.take(row.scene, effort_of(command_, row.scene), truth_threads);
-      }
+      if (std::exchange(taken, true)) return;
+      line_measurer_.take(scene, effort_of(command_, scene), *std::ranges::max_element(threads_));
     };
-    const bool grows = row.scene.kind == BenchScene::Kind::generated ||
-                       row.scene.kind == BenchScene::Kind::surface;
-    if (grows) {
+    if (scene.kind == BenchScene::Kind::generated || scene.kind == BenchScene::Kind::surface) {
       take();
-      row.line_growth = line_measurer_.growth();
+      row["line_reference_growth"] = line_measurer_.growth();
     }
     for (const LineContender& contender : line_contenders_) {
-      if (!draws(contender, row.scene)) continue;
+      if (!draws(contender, scene)) continue;
       for (const int threads : threads_) {
         const bool exact = contender.precision.exact;
         if (threads > 1 && (hard_case || !most_polygons || !exact)) continue;
         if (!most_polygons && !exact && !command_.scenes.full) continue;
-        const CellKey cell_key{row.scene.id_but_size(), contender.method_name(),
-                               contender.precision_name(), threads};
-        if (const Cell* before = partial_.find(key, cell_key)) {
-          row.line_cells.push_back(*before);
-          ++from_before_;
-          continue;
-        }
-        take();
-        row.line_cells.push_back(line_measurer_.measure(contender, threads));
-        row.line_cells.back().key.scene = cell_key.scene;
-        ++measured_now_;
-        partial_.add(key, row.line_cells.back());
+        const std::string key =
+            fmt::format("{} lines {} {} {}", scene_key(scene), contender.method_name(),
+                        contender.precision_name(), threads);
+        report["line_cells"].push_back(figures_of(key, [&] {
+          take();
+          return line_measurer_.measure(contender, threads);
+        }));
       }
     }
   }
 
-  SceneRow measured(const BenchScene& scene) {
+  void measure(const BenchScene& scene, Json& report) {
     measurer_.take(scene, effort_of(command_, scene));
     const std::string key = scene_key(scene);
-    SceneRow row{scene, measurer_.polygons(), std::nullopt, {}};
-    if (scene.kind != BenchScene::Kind::hard_case) row.growth = measurer_.growth();
+    const bool is_short = scene.kind == BenchScene::Kind::hard_case;
+    if (!is_short) report["scenes"].back()["reference_growth"] = measurer_.growth();
     std::vector<Contender> all = contenders_;
+    if (scene.kind == BenchScene::Kind::walk && is_chosen("bsp")) all.push_back(retained_tree());
     const bool whole = command_.scenes.full || is_largest(scene, scenes_);
-    if (scene.kind == BenchScene::Kind::walk && has_bsp()) all.push_back(retained_tree());
-    const bool short_scene = scene.kind == BenchScene::Kind::hard_case;
     std::vector<Visited> visited;
     for (const Contender& contender : all) {
       for (const int threads : threads_) {
         if (!is_measured(scene, whole, contender, threads)) continue;
-        const CellKey cell_key{scene.id(), contender.method, contender.precision, threads};
-        if (const Cell* before = partial_.find(key, cell_key)) {
-          row.cells.push_back(*before);
-          ++from_before_;
-          continue;
-        }
-        row.cells.push_back(measurer_.measure(contender, threads));
-        ++measured_now_;
-        if (short_scene) {
-          visited.push_back({&contender, row.cells.size() - 1, {}});
+        const std::string cell_key =
+            fmt::format("{} {} {} {}", key, contender.method, contender.precision, threads);
+        const auto measured = [&] { return measurer_.measure(contender, threads); };
+        Json& cells = report["cells"];
+        if (!is_short || partial_.find(cell_key) != nullptr) {
+          cells.push_back(figures_of(cell_key, measured));
         } else {
-          partial_.add(key, row.cells.back());
+          cells.push_back(measured());
+          visited.push_back({&contender, cell_key, cells.size() - 1, {}});
         }
       }
     }
-    visit_again(visited, row);
-    for (const Visited& v : visited) partial_.add(key, row.cells[v.cell]);
-    return row;
+    visit_again(visited, report["cells"]);
+  }
+
+  /// A cell of a scene so short that a pause of the machine's may fall on all rounds of it.
+  struct Visited {
+    const Contender* contender;
+    std::string key;
+    std::size_t cell;
+    std::vector<Json> times;
+  };
+  /// Visits all cells in turn, and gives each the median of its visits.
+  void visit_again(std::vector<Visited>& visited, Json& cells) {
+    constexpr int kVisits = 3;
+    for (int visit = 1; visit < kVisits; ++visit) {
+      for (Visited& v : visited) {
+        const Json& cell = cells[v.cell];
+        if (cell.contains("skipped")) continue;
+        if (const auto time = measurer_.time_again(*v.contender, cell)) v.times.push_back(*time);
+      }
+    }
+    for (Visited& v : visited) {
+      Json& cell = cells[v.cell];
+      if (!v.times.empty()) {
+        v.times.push_back(cell["time"]);
+        std::vector<double> least, median, greatest;
+        for (const Json& time : v.times) {
+          least.push_back(time["least"]);
+          median.push_back(time["median"]);
+          greatest.push_back(time["greatest"]);
+        }
+        cell["time"] =
+            figures({spread(least).least, spread(median).median, spread(greatest).greatest});
+      }
+      ++measured_now_;
+      partial_.add(v.key, cell);
+    }
   }
 
   bool is_chosen(const std::string& method) const {
@@ -285,95 +352,60 @@ class Run {
 
   /// With what of the peers was chosen, on the largest picture of each scene; sorts on the most
   /// polygons; and exact methods with themselves.
-  void compare(Report& report) {
-    Progress progress("comparing");
-    const std::vector<std::string> all_names = names_but_hard_cases(report);
-    for (std::size_t i = 0; i < all_names.size(); ++i) {
-      progress.update(i, all_names.size());
-      const SceneRow& large = largest_picture(report, all_names[i]);
-      if (large.scene.kind == BenchScene::Kind::walk) continue;
-      for (const int threads : threads_) {
-        for (const char* peer : {"osmesa", "embree"}) {
-          if (is_chosen(peer)) compare(large, threads, peer, report);
-        }
+  void compare(const Scenes& named, Json& report) {
+    const auto large = **std::ranges::max_element(
+        named, {}, [](const BenchScene* scene) { return std::pair(scene->size, scene->n); });
+    const auto most = **std::ranges::max_element(
+        named, {}, [](const BenchScene* scene) { return std::pair(scene->n, scene->size); });
+    for (const int threads : threads_) {
+      for (const char* peer : {"osmesa", "embree"}) {
+        if (is_chosen(peer)) compare(large, threads, peer, report);
       }
-      if (is_chosen("osmesa")) compare_new_views(all_names[i], report);
-      if (is_chosen("gl2ps")) compare(shown_scene(report, all_names[i]), 1, "gl2ps", report);
-      compare(large, 1, "rounded", report);
+    }
+    if (is_chosen("osmesa")) compare_views(named, report);
+    if (is_chosen("gl2ps")) compare(most, 1, "gl2ps", report);
+    compare(large, 1, "rounded", report);
+  }
+
+  /// The scene at every number of polygons that it has with its largest picture.
+  void compare_views(const Scenes& named, Json& report) {
+    const int size = (*std::ranges::max_element(named, {}, &BenchScene::size))->size;
+    std::vector<BenchScene> scenes;
+    for (const BenchScene* scene : named) {
+      if (scene->size == size) scenes.push_back(*scene);
+    }
+    const std::size_t first = std::ranges::min_element(scenes, {}, &BenchScene::n)->n;
+    for (const BenchScene& scene : scenes) {
+      for (const int threads : threads_) {
+        compare({scene,
+                 threads,
+                 "views",
+                 {},
+                 {},
+                 effort_of(command_, scene),
+                 scene.n > first ? first : 0},
+                report);
+      }
     }
   }
 
-  /// The scene is measured at every number of polygons that it has with its largest picture.
-  void compare_new_views(const std::string& name, Report& report) {
-    const int size = largest_picture(report, name).scene.size;
-    std::vector<const BenchScene*> scenes;
-    for (const SceneRow& row : report.scenes) {
-      if (row.scene.name == name && row.scene.size == size) scenes.push_back(&row.scene);
-    }
-    const std::size_t first = (*std::ranges::min_element(scenes, {}, &BenchScene::n))->n;
-    for (const BenchScene* scene : scenes) {
-      for (const int threads : threads_) {
-        BesideTask task{*scene, threads, {"views"}, {}, {}, effort_of(command_, *scene)};
-        if (scene->n > first) task.first_polygons = first;
-        compare(task, report);
-      }
-    }
-  }
-
-  void compare(const SceneRow& row, int threads, const std::string& other, Report& report) {
-    BesideTask task{row.scene, threads, {other}, {}, {}, effort_of(command_, row.scene)};
+  void compare(const BenchScene& scene, int threads, const std::string& other, Json& report) {
+    BesideTask task{scene, threads, other, {}, {}, effort_of(command_, scene), 0};
     for (const Contender& contender : contenders_) {
-      const bool wanted = other == "rounded" && contender.exact;
-      if (wanted) task.methods.push_back(contender.method);
+      if (other == "rounded" && contender.exact) task.methods.push_back(contender.method);
     }
-    for (const Cell& cell : row.cells) {
-      if (cell.exact && cell.key.threads == 1 && !cell.skipped.empty()) {
-        task.left_out[cell.key.method] = cell.skipped;
-      }
+    for (const Json& cell : report["cells"]) {
+      const bool is_left_out = cell["scene"] == scene.id() && cell["exact"] == true &&
+                               cell["threads"] == 1 && cell.contains("skipped");
+      if (is_left_out) task.left_out[cell["method"]] = cell["skipped"];
     }
     compare(task, report);
   }
 
-  void compare(const BesideTask& task, Report& report) {
-    const std::string key = scene_key(task.scene) + ' ' + to_json(task).dump();
-    const std::vector<Beside>* const before = partial_.find_beside(key);
-    const std::vector<Beside> found = before ? *before : compare_in_own_process(task);
-    ++(before ? from_before_ : measured_now_);
-    if (before == nullptr) partial_.add(key, found);
-    report.beside.insert(report.beside.end(), found.begin(), found.end());
-  }
-
-  /// A cell of a scene so short that a pause of the machine's may fall on all rounds of it.
-  struct Visited {
-    const Contender* contender;
-    std::size_t cell;
-    std::vector<Spread> times;
-  };
-  /// Visits all cells in turn, and gives each the median of its visits.
-  void visit_again(std::vector<Visited>& visited, SceneRow& row) {
-    constexpr int kVisits = 3;
-    for (int visit = 1; visit < kVisits; ++visit) {
-      for (Visited& v : visited) {
-        const Cell& cell = row.cells[v.cell];
-        if (!cell.skipped.empty()) continue;
-        const auto time = measurer_.time_again(*v.contender, cell);
-        if (time) v.times.push_back(*time);
-      }
-    }
-    for (Visited& v : visited) {
-      Spread& time = row.cells[v.cell].time;
-      std::vector<double> medians{time.median};
-      for (const Spread& later : v.times) {
-        medians.push_back(later.median);
-        time.least = std::min(time.least, later.least);
-        time.greatest = std::max(time.greatest, later.greatest);
-      }
-      time.median = spread(std::move(medians)).median;
-    }
-  }
-
-  bool has_bsp() const {
-    return std::ranges::find(contenders_, "bsp", &Contender::method) != contenders_.end();
+  void compare(const BesideTask& task, Json& report) {
+    const Json found = figures_of(scene_key(task.scene) + ' ' + text_of(task),
+                                  [&] { return compare_in_own_process(task); });
+    for (const Json& row : found) report["beside"].push_back(row);
   }
 
   const BenchCommand& command_;
@@ -387,59 +419,94 @@ class Run {
   std::size_t measured_now_ = 0, from_before_ = 0;
 };
 
-FeatureCosts counted_features() {
-  Progress progress("counting what features cost");
-  progress.update(0, 1);
-  return feature_costs();
-}
-
-/// What the rounding of viewing decides of each scene, in its largest picture.
-std::vector<ViewingRow> rounding_of_viewing(const std::vector<BenchScene>& scenes) {
-  Progress progress("viewing in exact arithmetic");
-  std::vector<ViewingRow> rows;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    progress.update(i, scenes.size());
-    const BenchScene& scene = scenes[i];
-    if (scene.kind != BenchScene::Kind::hard_case && !is_largest(scene, scenes)) continue;
-    if (const auto row = bench::rounding_of_viewing(scene)) rows.push_back(*row);
-  }
-  return rows;
-}
-
-/// Nothing, or a file that ends so.
-void require_extension(const std::string& path, std::string_view extension) {
-  if (path.empty() || extension_of(path) == extension) return;
-  throw Error(fmt::format("{}: expected a file that ends in {}", path, extension));
-}
-
 void write_text(const std::string& path, const std::string& text) {
   OutputFile out(path);
   out.stream() << text;
   out.commit();
 }
 
-/// Says which exact methods were wrong where, in pixels or lengths; false if any was.
-bool exact_methods_are_right(const Report& report) {
-  bool right = true;
-  for (const SceneRow& row : report.scenes) {
-    for (const Cell& cell : row.cells) {
-      if (!cell.exact || cell.wrong_pixels == 0) continue;
-      std::cout << fmt::format("{}: {} wrong pixels by {}\n", cell.key.scene, cell.wrong_pixels,
-                               cell.key.contender());
-      right = false;
-    }
-    for (const Cell& cell : row.line_cells) {
-      if (!cell.exact || !cell.lines || cell.lines->missing + cell.lines->extra == 0.0) continue;
-      std::cout << fmt::format("{}: missing length {}, extra length {} by {}\n", cell.key.scene,
-                               cell.lines->missing, cell.lines->extra, cell.key.contender());
-      right = false;
+/// The page's template with its scripts and the figures, which no tag ends.
+std::string page_of(const Json& report) {
+  std::string text = report.dump(), page = kPageTemplate;
+  for (std::size_t at = 0; (at = text.find("</", at)) != text.npos;) text.insert(at + 1, 1, '\\');
+  const auto put = [&](std::string_view place, const std::string& what) {
+    page.replace(page.find(place), place.size(), what);
+  };
+  put("SCRIPTS", kPageScripts);
+  put("REPORT", text);
+  return page;
+}
+
+/// Rows of figures that are not hard cases', a line each: what is nested stands after a slash.
+void print(const char* title, const Json& rows, const std::set<std::string>& hard_cases) {
+  std::vector<std::string> heads;
+  std::vector<Json> all;
+  for (const Json& row : rows) {
+    if (row.contains("scene") && hard_cases.contains(row["scene"])) continue;
+    all.push_back(row.flatten());
+    for (const auto& [name, value] : all.back().items()) {
+      if (std::ranges::find(heads, name) == heads.end()) heads.push_back(name);
     }
   }
-  for (const Beside& b : report.beside) {
-    if (b.other != beside::kTruth || b.what != beside::kWrongPixels || *b.count == 0.0) continue;
-    std::cout << fmt::format("{}: {:g} wrong pixels in new views of it, {} threads\n", b.scene,
-                             *b.count, b.threads);
+  if (all.empty()) return;
+  std::vector<std::vector<std::string>> cells(all.size() + 1);
+  for (const std::string& head : heads) {
+    cells[0].push_back(head.substr(1));
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto value = all[k].find(head);
+      cells[k + 1].push_back(value == all[k].end() ? ""
+                             : value->is_string()  ? value->get<std::string>()
+                                                   : value->dump());
+    }
+  }
+  std::cout << title << '\n';
+  for (const auto& row : cells) {
+    for (std::size_t k = 0; k < heads.size(); ++k) {
+      std::size_t width = 0;
+      for (const auto& other : cells) width = std::max(width, other[k].size());
+      std::cout << fmt::format("  {:<{}}", row[k], width);
+    }
+    std::cout << '\n';
+  }
+  std::cout << '\n';
+}
+
+void print(const Json& report) {
+  std::set<std::string> hard_cases;
+  for (const Json& scene : report["scenes"]) {
+    if (!scene.contains("severity")) continue;
+    const std::string id = scene["scene"];
+    hard_cases.insert({id, id.substr(0, id.rfind(' '))});
+  }
+  std::cout << "Times are ratios to " << kReference << ", of lines to " << kLineReference
+            << ". Hard cases are on the page, and what follows from these figures.\n\n";
+  for (const char* rows : {"scenes", "cells", "line_cells", "beside"}) {
+    if (report.contains(rows)) print(rows, report[rows], hard_cases);
+  }
+  if (!report.contains("feature_costs")) return;
+  const Json& costs = report["feature_costs"];
+  print("feature_costs", costs["features"], {});
+  if (!costs.contains("instructions_not_counted")) return;
+  std::cout << "Instructions were not counted: "
+            << costs["instructions_not_counted"].get<std::string>() << '\n';
+}
+
+/// Prints which exact methods were wrong where, in pixels or lengths; false if any was.
+bool exact_methods_are_right(const Json& report) {
+  bool right = true;
+  const auto judge = [&](const Json& row, const char* part) {
+    if (row.value(part, 0.0) == 0.0) return;
+    std::cout << fmt::format("wrong: {} in {}\n", part, row.dump());
     right = false;
+  };
+  for (const char* cells : {"cells", "line_cells"}) {
+    for (const Json& cell : report.value(cells, Json::array())) {
+      if (cell["exact"] == false) continue;
+      for (const char* part : {"wrong_pixels", "missing_length", "extra_length"}) judge(cell, part);
+    }
+  }
+  for (const Json& row : report["beside"]) {
+    if (row["other"] == "truth" && row["what"] == "wrong pixels") judge(row, "count");
   }
   return right;
 }
@@ -456,43 +523,29 @@ int BenchCommand::run() const {
     std::cout << compared(beside);
     return 0;
   }
-  require_extension(page, ".html");
-  require_extension(plot, ".svg");
+  if (extension_of(page) != ".html") throw Error(page + ": expected a file that ends in .html");
   // Every output must be writable before the long work.
-  require_files_of_their_own({page, json, plot, readme}, scenes.names);
+  require_files_of_their_own({page, json}, scenes.names);
   OutputFile{page};
   if (!json.empty()) OutputFile{json};
-  if (!plot.empty()) OutputFile{plot};
-  if (!readme.empty()) {
-    OutputFile{readme};
-    ReadmeFigures{readme};
-  }
   // llvmpipe draws on the calling thread alone, as all methods do that have no threads of their
   // own.
   setenv("LP_NUM_THREADS", "0", 0);
   require_methods(*this);
-  const std::vector<BenchScene> measured =
-      moving_camera ? scenes_of_moving_camera(scenes) : chosen_scenes(scenes);
-  Run measuring(*this, measured);
-  Report report = moving_camera ? measuring.report_of_moving_camera() : measuring.report();
-  if (!moving_camera && measuring.has_surfaces()) report.viewing = rounding_of_viewing(measured);
-  const bool counts_features = has_default(scenes) && !moving_camera;
-  if (features.value_or(counts_features)) report.features = counted_features();
-  if (!json.empty()) write_text(json, to_json(report).dump(1) + '\n');
-  write_text(page, html_page(report));
-  if (!plot.empty()) {
-    const auto text = front_plot(report);
-    if (!text) throw Error(plot + ": there is no scene that all methods were measured on");
-    write_text(plot, *text);
+  Run measuring(*this, moving_camera ? scenes_of_moving_camera(scenes) : chosen_scenes(scenes));
+  Json report = measuring.report();
+  if (features.value_or(has_default(scenes) && !moving_camera)) {
+    Progress progress("counting what features cost");
+    progress.update(0, 1);
+    report["feature_costs"] = feature_costs();
   }
-  // Read anew: a long run is time enough to edit it.
-  if (!readme.empty()) write_text(readme, ReadmeFigures(readme).with(summaries(report)));
+  if (!json.empty()) write_text(json, report.dump(1) + '\n');
+  write_text(page, page_of(report));
   measuring.finish();
-  std::cout
-      << text_report(report)
-      << fmt::format(
-             "{} figures and comparisons measured, {} taken over from an interrupted run\n{}\n",
-             measuring.measured_now(), measuring.from_before(), page);
+  print(report);
+  std::cout << fmt::format(
+      "{} figures and comparisons measured, {} taken over from an interrupted run\n{}\n",
+      measuring.measured_now(), measuring.from_before(), page);
   return exact_methods_are_right(report) ? 0 : 1;
 }
 

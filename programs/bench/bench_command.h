@@ -8,7 +8,8 @@
 
 namespace displayfile {
 
-/// `displayfile bench`: speed against error, as a table, JSON and a page (programs/bench/bench.md).
+/// `displayfile bench`: speed against error, as rows of text, JSON and a page
+/// (programs/bench/bench.md).
 struct BenchCommand {
   bench::SceneChoice scenes;
   std::vector<std::string> methods;    ///< only these; all if empty
@@ -17,9 +18,7 @@ struct BenchCommand {
   int rounds = 0;                      ///< of a ratio; 0: the usual number
   double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
   std::string page = "report.html";
-  std::string json;    ///< not written if empty
-  std::string plot;    ///< the page's first, as SVG; not written if empty
-  std::string readme;  ///< whose blocks are rewritten; none if empty
+  std::string json;  ///< not written if empty
   /// Whether the costs of features are measured; not set: with the default scenes.
   std::optional<bool> features;
   bool moving_camera = false;  ///< only new views of retained scenes, no method by itself

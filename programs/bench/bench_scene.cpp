@@ -4,15 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <system_error>
 
 #include "clip/error.h"
 #include "displayfile/sorted_display_file.h"
+#include "displayfile/viewed_scene.h"
+#include "interp/scan/scan_convert.h"
 #include "programs/bench/walk.h"
 #include "programs/bench/waves.h"
 #include "programs/inputs.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "programs/scenes/random.h"
+#include "programs/scenes/shapes.h"
 
 namespace displayfile::bench {
 
@@ -21,6 +26,7 @@ namespace {
 constexpr int kHardCaseSize = 32;
 constexpr std::string_view kSurface = "surface";
 constexpr std::string_view kWalk = "walk";
+constexpr std::string_view kStack = "stack";
 constexpr std::string_view kDefault = "default";
 
 /// n polygons of it cover each pixel and pass through each other: it is measured at smaller sizes.
@@ -113,7 +119,7 @@ auto find(const Entries& entries, std::string_view name) {
 
 void add_named(const std::string& name, const SceneChoice& choice,
                std::vector<BenchScene>& scenes) {
-  if (find(generated_scenes(), name) != nullptr) {
+  if (find(generated_scenes(), name) != nullptr || name == kStack) {
     return add_generated(BenchScene::Kind::generated, name, choice, scenes);
   }
   if (name == kSurface) return add_generated(BenchScene::Kind::surface, name, choice, scenes);
@@ -128,7 +134,7 @@ void add_named(const std::string& name, const SceneChoice& choice,
   throw Error(
       fmt::format("{}: no such scene or file: expected one of {}, a family of hard cases "
                   "such as cycle_of_3 or parallel_sheets, a drawing program or a mesh",
-                  name, fmt::format("{}{} {}", generated, kSurface, kWalk)));
+                  name, fmt::format("{}{} {} {}", generated, kStack, kSurface, kWalk)));
 }
 
 /// All generated scenes, the surface, the walk and all hard cases.
@@ -179,7 +185,7 @@ void enter_as_users(Scene scene, GraphicsSystem& system) {
 void BenchScene::enter(GraphicsSystem& system) const {
   switch (kind) {
     case Kind::walk: return enter_as_users(walk(n, seed).front(), system);
-    case Kind::generated: return enter_as_users(generated_scene(name).make(n, seed), system);
+    case Kind::generated: return enter_as_users(generated(name, n, seed), system);
     case Kind::surface: return enter_waves(n, seed, system);
     case Kind::hard_case:
       return displayfile::enter(hard_case(name).make(n, severity, seed), system);
@@ -218,8 +224,64 @@ std::vector<BenchScene> chosen_scenes(const SceneChoice& choice) {
 
 std::vector<std::string> scene_names() {
   std::vector<std::string> names = default_names();
-  names.emplace_back(kDefault);
+  names.insert(names.end(), {std::string(kStack), std::string(kDefault)});
   return names;
+}
+
+Scene generated(const std::string& name, std::size_t n, std::uint64_t seed) {
+  if (name != kStack) return generated_scene(name).make(n, seed);
+  Random random(seed);
+  std::vector<Polygon> sheets;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+    sheets.push_back(random_regular(random, 4, {0.4, 0.6}, {0.5, 0.7}, {0.8 * z, 0.1, 0.05}));
+  }
+  random.shuffle(sheets);
+  Scene scene;
+  scene.add(sheets);
+  return scene;
+}
+
+Json cover(const BenchScene& of, const DisplayFile& file) {
+  const ViewedScene scene(file);
+  const auto side = static_cast<std::size_t>(of.size);
+  std::vector<bool> covered(side * side);
+  double pixels = 0.0, runs = 0.0;
+  struct Box {
+    Point2 low, high;
+  };
+  std::vector<Box> boxes;
+  ScanConverter converter;
+  for (ViewedScene::Fill fill = 1; fill < scene.end(); ++fill) {
+    const auto corners = scene.vertices(fill);
+    Box box{Point2(corners[0]), Point2(corners[0])};
+    for (const Point3& p : corners) {
+      box = {glm::min(box.low, Point2(p)), glm::max(box.high, Point2(p))};
+    }
+    boxes.push_back(box);
+    converter.scan_convert(
+        corners, {{of.size, of.size}, 0, of.size}, [&](int row, int first, int end) {
+          pixels += end - first;
+          runs += 1.0;
+          const auto at = static_cast<std::ptrdiff_t>(side) * row;
+          std::fill(covered.begin() + at + first, covered.begin() + at + end, true);
+        });
+  }
+  constexpr std::size_t kSample = 500;
+  const std::size_t step = std::max<std::size_t>(1, boxes.size() / kSample);
+  double sampled = 0.0, overlaps = 0.0;
+  for (std::size_t i = 0; i < boxes.size(); i += step, sampled += 1.0) {
+    for (const Box& other : boxes) {
+      overlaps += boxes[i].low.x < other.high.x && other.low.x < boxes[i].high.x &&
+                          boxes[i].low.y < other.high.y && other.low.y < boxes[i].high.y
+                      ? 1.0
+                      : 0.0;
+    }
+  }
+  const auto seen = static_cast<double>(std::ranges::count(covered, true));
+  return {{"deep", figure(pixels / std::max(1.0, seen))},
+          {"wide", figure(pixels / std::max(1.0, runs))},
+          {"overlapped", figure(sampled == 0.0 ? 0.0 : overlaps / sampled - 1.0)}};
 }
 
 std::string_view name_of(BenchScene::Kind kind) {

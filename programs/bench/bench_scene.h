@@ -8,6 +8,8 @@
 
 #include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
+#include "programs/bench/report.h"
+#include "programs/scenes/scene.h"
 
 namespace displayfile::bench {
 
@@ -53,6 +55,15 @@ bool has_default(const SceneChoice& choice);
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice);
 
 std::vector<std::string> scene_names();  ///< that chosen_scenes knows
+
+/// A generated scene; besides those of programs/scenes/generated_scenes.h `stack`: parallel sheets,
+/// each most of the picture, in random order.
+Scene generated(const std::string& name, std::size_t n, std::uint64_t seed);
+
+/// How a scene covers its picture, averages: how many polygons cover a pixel that any covers
+/// (`deep`), how many pixels of a row a polygon covers (`wide`), and how many others a polygon's
+/// extents overlap, by a sample (`overlapped`).
+Json cover(const BenchScene& scene, const DisplayFile& file);
 
 std::string_view name_of(BenchScene::Kind kind);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -15,57 +14,22 @@
 #include "interp/visibility/image_space.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/bench/application_mesh.h"
-#include "programs/bench/beside_embree.h"
 #include "programs/bench/contenders.h"
 #include "programs/bench/embree_rays.h"
 #include "programs/bench/find_seen.h"
 #include "programs/bench/gl2ps_sort.h"
 #include "programs/bench/indexed_triangles.h"
-#include "programs/bench/moving_camera.h"
 #include "programs/bench/opengl_mesh.h"
 #include "programs/bench/process.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {
 
-using namespace beside;
-
 namespace {
 
 using Fill = ViewedScene::Fill;
 
 PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; }
-
-/// Collects what is found of one task.
-class Comparison {
- public:
-  explicit Comparison(const BesideTask& task) : task_(task) {}
-
-  const BesideTask& task() const { return task_; }
-  void add_ratio(const std::string& other, const std::string& what, const Spread& times_faster) {
-    add(other, what).times_faster = figures(times_faster);
-  }
-  /// In turn; how many times as fast ours is.
-  void time(const std::string& other, const std::string& what, const auto& ours,
-            const auto& others) {
-    add_ratio(other, what, warm_ratio(task_.effort, task_.threads, others, ours));
-  }
-  void count(const std::string& other, const std::string& what, double value) {
-    add(other, what).count = value == std::floor(value) ? value : figure(value);
-  }
-  void leave_out(const std::string& other, const std::string& what, const std::string& why) {
-    add(other, what).left_out = why;
-  }
-  Beside& add(const std::string& other, const std::string& what) {
-    found.push_back({task_.scene.id(), task_.threads, other, what});
-    return found.back();
-  }
-
-  std::vector<Beside> found;
-
- private:
-  const BesideTask& task_;
-};
 
 // ---- OSMesa ----------------------------------------------------------------------------
 
@@ -82,7 +46,7 @@ void compare_start_up(Comparison& comparison) {
   const std::vector<Point3> triangle{{0.25, 0.25, 0.0}, {0.75, 0.25, 0.0}, {0.5, 0.75, 0.0}};
   const auto indexed = indexed_triangles(triangle, std::vector<std::uint32_t>{0xFF0000FF});
   comparison.time(
-      kOsmesa, kStartUp,
+      "OSMesa", "start-up",
       [&] {
         GraphicsSystem system;
         system.set_line_style({LineStyle::Kind::none});
@@ -105,8 +69,8 @@ void compare_with_osmesa(Comparison& comparison) {
   try {
     mesh = application_mesh(task.scene);
   } catch (const CannotDraw& reason) {
-    for (const char* what : {kNewVertices, kAgain}) {
-      comparison.leave_out(kOsmesa, what, reason.why);
+    for (const char* what : {"new vertices", "same picture again"}) {
+      comparison.leave_out("OSMesa", what, reason.why);
     }
     return;
   }
@@ -121,7 +85,7 @@ void compare_with_osmesa(Comparison& comparison) {
   Renderer renderer;
   const DrawOptions options = by_z_buffer(task);
   comparison.time(
-      kOsmesa, kNewVertices,
+      "OSMesa", "new vertices",
       [&] {
         enter(mesh, system);
         renderer.draw(system, options);
@@ -129,45 +93,52 @@ void compare_with_osmesa(Comparison& comparison) {
       [&] { opengl.draw_with_new_vertices(); });
   opengl.make_resident();
   comparison.time(
-      kOsmesa, kAgain, [&] { renderer.draw(system, options); }, [&] { opengl.draw(); });
-}
-
-// ---- A moving camera -------------------------------------------------------------------
-
-void compare_new_views(Comparison& comparison) {
-  const BesideTask& task = comparison.task();
-  try {
-    const MovingCamera found =
-        move_camera(task.scene, task.first_polygons, task.threads, task.effort);
-    comparison.count(kOsmesa, kTriangles, static_cast<double>(found.triangles));
-    comparison.count(kTruth, kViews, found.views);
-    comparison.count(kTruth, kWrongPixels, static_cast<double>(found.wrong_pixels));
-    comparison.count(kMemory, kRetainedScene, found.scene_bytes);
-    comparison.count(kMemory, kView, found.view_bytes);
-    comparison.count(kMemory, kDrawing, found.drawing_bytes);
-    if (found.beside_first) comparison.add_ratio(kFewestPolygons, kNewViews, *found.beside_first);
-    if (!found.beside_osmesa) return;
-    comparison.add_ratio(kOsmesa, kNewViews, *found.beside_osmesa);
-    comparison.count(kOsmesa, kOtherPixels, found.other_pixels);
-  } catch (const CannotDraw& reason) {
-    comparison.leave_out(kOsmesa, kNewViews, reason.why);
-  }
+      "OSMesa", "same picture again", [&] { renderer.draw(system, options); },
+      [&] { opengl.draw(); });
 }
 
 // ---- Embree ----------------------------------------------------------------------------
 
+/// Both cast parallel rays through the pixel centres at the same triangles; the result is the
+/// triangle hit.
 void compare_with_embree(Comparison& comparison) {
   const BesideTask& task = comparison.task();
+  const int threads = task.threads;
+  const PictureSize picture = size_of(task.scene);
   const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
   const ViewedScene triangles(file);
+  const ImageSpaceMethod::Request request{triangles, picture, std::nullopt};
+  const auto method = make_image_space_method(HiddenMethod::ray_cast);
+  const auto other = make_image_space_method(HiddenMethod::ray_cast);
+  method->prepare(request, threads);
+  const EmbreeRays::Input input(in_triangles(triangles), picture);
+  std::vector<Fill> seen = room_for(picture);
+  EmbreeRays::Hits hits(picture, false);
   for (const auto quality : {EmbreeRays::Quality::moderate, EmbreeRays::Quality::high}) {
-    const char* const name = quality == EmbreeRays::Quality::high ? kEmbreeHigh : kEmbree;
-    const BesideEmbree found =
-        cast_beside_embree(triangles, task.scene.size, task.threads, quality, task.effort);
-    comparison.add_ratio(name, kRays, found.rays);
-    comparison.add_ratio(name, kBuilding, found.building);
+    const bool high = quality == EmbreeRays::Quality::high;
+    const char* const name = high ? "Embree, high quality" : "Embree";
+    const EmbreeRays embree(input, threads, quality);
+    comparison.time(
+        name, "rays", [&] { find_seen(*method, picture, threads, seen); },
+        [&] {
+          for_rows(picture.height, threads,
+                   [&](int begin, int end) { embree.cast(begin, end, hits); });
+        });
+    comparison.time(
+        name, "building the tree", [&] { other->prepare(request, threads); },
+        [&] { EmbreeRays(input, threads, quality); });
   }
-  comparison.count(kEmbree, kPacket, EmbreeRays::packet_width());
+  std::size_t hit = 0, differ = 0;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    hit += seen[k] != ViewedScene::kBackground ? 1 : 0;
+    differ += seen[k] != hits.fills[k] ? 1 : 0;
+  }
+  const auto in_a_hundred = [&](std::size_t count) {
+    return 100.0 * static_cast<double>(count) / static_cast<double>(seen.size());
+  };
+  comparison.count("Embree", "rays a packet", EmbreeRays::packet_width());
+  comparison.count("Embree", "rays that hit, %", in_a_hundred(hit));
+  comparison.count("Embree", "pixels that differ, %", in_a_hundred(differ));
 }
 
 // ---- gl2ps -----------------------------------------------------------------------------
@@ -187,28 +158,28 @@ void compare_with_gl2ps(Comparison& comparison) {
   const auto left_out = [&](HiddenMethod method) {
     return task.left_out.contains(std::string(name_of(method)));
   };
-  comparison.count(kGl2ps, kTriangles, static_cast<double>(triangles.size()));
+  comparison.count("gl2ps", "triangles", static_cast<double>(triangles.size()));
   for (const HiddenMethod method : kObjectSpaceMethods) {
     const std::string name(name_of(method));
     if (left_out(method)) {
-      comparison.leave_out(name, kPieces, task.left_out.at(name));
+      comparison.leave_out(name, "pieces a triangle", task.left_out.at(name));
       continue;
     }
     const SortedPieces found = pieces_by(method, scene.primitives());
-    comparison.count(name, kPieces, static_cast<double>(found.pieces.size()) / count);
+    comparison.count(name, "pieces a triangle", static_cast<double>(found.pieces.size()) / count);
   }
   for (const bool best_root : {false, true}) {
-    const char* const name = best_root ? kGl2psBestRoot : kGl2ps;
+    const char* const name = best_root ? "gl2ps, best root" : "gl2ps";
     const Gl2psSort gl2ps{triangles.corners, size_of(task.scene), best_root};
     if (!gl2ps.ends()) {
       const char* const why = "gl2ps's sort does not come to an end";
-      comparison.leave_out(name, kPieces, why);
+      comparison.leave_out(name, "pieces a triangle", why);
       for (const HiddenMethod method : kObjectSpaceMethods) {
         comparison.leave_out(name, std::string(name_of(method)), why);
       }
       continue;
     }
-    comparison.count(name, kPieces, static_cast<double>(gl2ps.pieces().size()) / count);
+    comparison.count(name, "pieces a triangle", static_cast<double>(gl2ps.pieces().size()) / count);
     for (const HiddenMethod method : kObjectSpaceMethods) {
       const std::string of(name_of(method));
       if (left_out(method)) {
@@ -253,11 +224,11 @@ void compare_image_space(Comparison& comparison, const ViewedScene& scene, Hidde
     };
   };
   const std::string name(name_of(method));
-  comparison.time(kRounded, name, drawn(*exact, std::nullopt, seen),
+  comparison.time("without exact stages", name, drawn(*exact, std::nullopt, seen),
                   drawn(*rounded, single ? std::nullopt : std::optional(0.0), seen_rounded));
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) wrong += seen[i] != seen_rounded[i];
-  comparison.found.back().count = static_cast<double>(wrong);
+  comparison.found.back()["count"] = wrong;
 }
 
 /// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
@@ -272,11 +243,11 @@ void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod 
     (contender.exact ? exact : rounded) = contender.draw(file, frame);
   }
   comparison.time(
-      kRounded, name, [&] { exact->draw_anew(); }, [&] { rounded->draw_anew(); });
+      "without exact stages", name, [&] { exact->draw_anew(); }, [&] { rounded->draw_anew(); });
   const Picture right = exact->judged(), other = rounded->judged();
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < right.ids.size(); ++i) wrong += right.ids[i] != other.ids[i];
-  comparison.found.back().count = static_cast<double>(wrong);
+  comparison.found.back()["count"] = wrong;
 }
 
 void compare_without_exact_stages(Comparison& comparison) {
@@ -287,7 +258,7 @@ void compare_without_exact_stages(Comparison& comparison) {
     const std::string name(name_of(method));
     if (std::ranges::find(task.methods, name) == task.methods.end()) return false;
     const auto why = task.left_out.find(name);
-    if (why != task.left_out.end()) comparison.leave_out(kRounded, name, why->second);
+    if (why != task.left_out.end()) comparison.leave_out("without exact stages", name, why->second);
     return why == task.left_out.end();
   };
   for (const ImageSpaceEntry& entry : image_space_methods()) {
@@ -301,73 +272,25 @@ void compare_without_exact_stages(Comparison& comparison) {
 
 }  // namespace
 
-Json to_json(const BesideTask& task) {
-  const BenchScene& scene = task.scene;
-  return {{"kind", static_cast<int>(scene.kind)},
-          {"name", scene.name},
-          {"n", scene.n},
-          {"severity", scene.severity},
-          {"gap", scene.gap},
-          {"size", scene.size},
-          {"seed", scene.seed},
-          {"first_polygons", task.first_polygons},
-          {"threads", task.threads},
-          {"others", task.others},
-          {"methods", task.methods},
-          {"left_out", task.left_out},
-          {"rounds", task.effort.rounds},
-          {"least_seconds", task.effort.least_seconds},
-          {"most_seconds", task.effort.most_seconds}};
-}
-
-BesideTask beside_task_from_json(const Json& json) {
-  BesideTask task;
-  task.scene = {static_cast<BenchScene::Kind>(json.at("kind").get<int>()),
-                json.at("name"),
-                json.at("n"),
-                json.at("severity"),
-                json.at("gap"),
-                json.at("size"),
-                json.at("seed")};
-  task.first_polygons = json.at("first_polygons");
-  task.threads = json.at("threads");
-  task.others = json.at("others").get<std::vector<std::string>>();
-  task.methods = json.at("methods").get<std::vector<std::string>>();
-  task.left_out = json.at("left_out").get<std::map<std::string, std::string>>();
-  task.effort = {json.at("rounds"), json.at("least_seconds"), json.at("most_seconds")};
-  return task;
-}
-
-std::vector<Beside> compare(const BesideTask& task) {
+std::string compared(const std::string& text) {
+  const BesideTask task = nlohmann::json::parse(text).get<BesideTask>();
   Comparison comparison(task);
-  for (const std::string& other : task.others) {
-    if (other == "osmesa" && osmesa_available()) compare_with_osmesa(comparison);
-    if (other == "views") compare_new_views(comparison);
-    if (other == "embree" && EmbreeRays::version()) compare_with_embree(comparison);
-    if (other == "gl2ps" && Gl2psSort::version()) compare_with_gl2ps(comparison);
-    if (other == "rounded") compare_without_exact_stages(comparison);
-  }
-  return std::move(comparison.found);
+  if (task.other == "osmesa" && osmesa_available()) compare_with_osmesa(comparison);
+  if (task.other == "views") compare_new_views(comparison);
+  if (task.other == "embree" && EmbreeRays::version()) compare_with_embree(comparison);
+  if (task.other == "gl2ps" && Gl2psSort::version()) compare_with_gl2ps(comparison);
+  if (task.other == "rounded") compare_without_exact_stages(comparison);
+  return comparison.found.dump();
 }
 
-std::string compared(const std::string& task) {
-  Json found = Json::array();
-  for (const Beside& beside : compare(beside_task_from_json(Json::parse(task)))) {
-    found.push_back(to_json(beside));
-  }
-  return found.dump();
-}
-
-std::vector<Beside> compare_in_own_process(const BesideTask& task) {
+Json compare_in_own_process(const BesideTask& task) {
   const std::string of_llvmpipe =
       fmt::format("LP_NUM_THREADS={}", task.threads == 1 ? 0 : task.threads);
   const Finished finished =
-      run(Process{.command = {"/proc/self/exe", "bench", "--beside", to_json(task).dump()},
+      run(Process{.command = {"/proc/self/exe", "bench", "--beside", text_of(task)},
                   .variables = {of_llvmpipe}});
   if (!finished.succeeded) throw Error("bench: the process that compares with others failed");
-  std::vector<Beside> found;
-  for (const Json& json : Json::parse(finished.output)) found.push_back(beside_from_json(json));
-  return found;
+  return Json::parse(finished.output);
 }
 
 }  // namespace displayfile::bench

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "programs/bench/json_report.h"
+#include "programs/bench/bench_scene.h"
 #include "programs/bench/report.h"
 #include "programs/bench/timing.h"
 
@@ -16,76 +17,82 @@ namespace displayfile::bench {
 ///
 /// | other | what | ours | the other's |
 /// |---|---|---|---|
-/// | kOsmesa | kStartUp | a new system, one triangle, its picture | a new context, one triangle |
-/// | | kNewVertices | the mesh entered anew, and drawn | its vertices handed over, and drawn |
-/// | | kNewViews | a retained scene in eight views | a resident mesh, as many matrices |
-/// | | kAgain | the same display file again | the resident mesh again |
-/// | kFewestPolygons | kNewViews | as above | ours, of its name the scene of fewest polygons |
-/// | kEmbree, kEmbreeHigh | kRays | rays cast at a tree that is there | the same |
-/// | | kBuilding | making that tree | the same |
-/// | kGl2ps, kGl2psBestRoot | a sort's name | that sort of the triangles | its BSP sort of them |
-/// | | the map's name | their map, and its pieces | likewise |
-/// | kRounded | a method's name | the method | the same code without its exact stages |
+/// | OSMesa | start-up | a new system, one triangle, its picture | a new context, one triangle |
+/// | | new vertices | the mesh entered anew, and drawn | its vertices handed over, and drawn |
+/// | | moving camera | a retained scene in eight views | a resident mesh, as many matrices |
+/// | | same picture again | the same display file again | the resident mesh again |
+/// | fewest polygons | moving camera | as above | ours, of its name the scene of fewest polygons |
+/// | Embree (, high quality) | rays | rays cast at a tree that is there | the same |
+/// | | building the tree | making that tree | the same |
+/// | gl2ps (, best root) | a sort's name | that sort of the triangles | its BSP sort of them |
+/// | | map | their map, and its pieces | likewise |
+/// | without exact stages | a method's name | the method | the same code without its exact stages |
 ///
 /// Without them the z-buffer decides in single precision, sorts with a ROUNDOFF of 1e-12, and the
-/// others with one of 0; the map has none. Eight views are those of moving_camera.h.
+/// others with one of 0; the map has none. Eight views are those of ApplicationMesh.
 ///
-/// and counts: kTriangles that kOsmesa and kGl2ps got; of a moving camera the kViews that were held
-/// against kTruth, and in all of them kWrongPixels; of kMemory the bytes a triangle, of
-/// kRetainedScene, kView and kDrawing (MovingCamera); kPieces a triangle, of kGl2ps,
-/// kGl2psBestRoot, our sorts and the map; of kOsmesa kOtherPixels, in a hundred where its picture
-/// of a view is another than ours, the most of all views; of kEmbree kPacket, how many rays it
-/// casts at a time; of kRounded, with its time, the wrong pixels.
-namespace beside {
-inline constexpr const char* kOsmesa = "OSMesa";
-inline constexpr const char* kEmbree = "Embree";
-inline constexpr const char* kEmbreeHigh = "Embree, high quality";
-inline constexpr const char* kGl2ps = "gl2ps";
-inline constexpr const char* kGl2psBestRoot = "gl2ps, best root";
-/// The contender that this is.
-inline constexpr const char* kGl2psBestRootColumn = "gl2ps, bsp, best root";
-inline constexpr const char* kRounded = "without exact stages";
-inline constexpr const char* kFewestPolygons = "fewest polygons";
-inline constexpr const char* kTruth = "truth";
-inline constexpr const char* kMemory = "bytes a triangle";
-
-inline constexpr const char* kStartUp = "start-up";
-inline constexpr const char* kNewVertices = "new vertices";
-inline constexpr const char* kNewViews = "moving camera";
-inline constexpr const char* kAgain = "same picture again";
-inline constexpr const char* kRays = "rays";
-inline constexpr const char* kBuilding = "building the tree";
-inline constexpr const char* kTriangles = "triangles";
-inline constexpr const char* kPieces = "pieces a triangle";
-inline constexpr const char* kOtherPixels = "pixels that differ, %";
-inline constexpr const char* kPacket = "rays a packet";
-inline constexpr const char* kViews = "views";
-inline constexpr const char* kWrongPixels = "wrong pixels";
-inline constexpr const char* kRetainedScene = "retained scene";
-inline constexpr const char* kView = "view";
-inline constexpr const char* kDrawing = "drawing";
-}  // namespace beside
-
-/// What is compared in one process: llvmpipe reads its number of threads once, when the process
-/// makes its first context.
+/// and counts: triangles that OSMesa and gl2ps got; of a moving camera the views that were held
+/// against the truth, and in all of them wrong pixels; bytes a triangle, of the retained scene, of
+/// what viewing it keeps (view) and of what drawing it keeps besides (drawing); pieces a triangle,
+/// of gl2ps, our sorts and the map; of OSMesa pixels that differ, in a hundred, the most of all
+/// views; of Embree how many rays a packet has, which part of all rays hits and where it sees
+/// another triangle, in a hundred; of each method without exact stages, with its time, wrong
+/// pixels.
+///
+/// A task is what is compared in one process: llvmpipe reads its number of threads once, when the
+/// process makes its first context.
 struct BesideTask {
   BenchScene scene;
   int threads = 1;
-  std::vector<std::string> others;              ///< "osmesa", "views", "embree", "gl2ps", "rounded"
+  std::string other;                            ///< "osmesa", "views", "embree", "gl2ps", "rounded"
   std::vector<std::string> methods;             ///< ours that are held against "rounded"
   std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
   Effort effort;
-  std::size_t first_polygons = 0;  ///< asked for, of kFewestPolygons; 0: the scene is that itself
+  std::size_t first_polygons = 0;  ///< asked for, of the fewest; 0: the scene is that itself
 };
-Json to_json(const BesideTask& task);
-BesideTask beside_task_from_json(const Json& json);
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchScene, kind, name, n, severity, gap, size, seed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Effort, rounds, least_seconds, most_seconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BesideTask, scene, threads, other, methods, left_out, effort,
+                                   first_polygons)
+/// Different for different tasks.
+inline std::string text_of(const BesideTask& task) { return nlohmann::json(task).dump(); }
 
-/// In this process.
-std::vector<Beside> compare(const BesideTask& task);
+/// Collects the comparisons of one task.
+class Comparison {
+ public:
+  explicit Comparison(const BesideTask& task) : task_(task) {}
+
+  const BesideTask& task() const { return task_; }
+  void add_ratio(const char* other, const std::string& what, const Spread& times_faster) {
+    add(other, what)["times_faster"] = figures(times_faster);
+  }
+  /// In turn; how many times as fast ours is.
+  void time(const char* other, const std::string& what, const auto& ours, const auto& others) {
+    add_ratio(other, what, warm_ratio(task_.effort, task_.threads, others, ours));
+  }
+  void count(const std::string& other, const std::string& what, double value) {
+    add(other, what)["count"] = value == std::floor(value) ? value : figure(value);
+  }
+  void leave_out(const std::string& other, const std::string& what, const std::string& why) {
+    add(other, what)["left_out"] = why;
+  }
+  Json& add(const std::string& other, const std::string& what) {
+    return found.emplace_back(Json{
+        {"scene", task_.scene.id()}, {"threads", task_.threads}, {"other", other}, {"what", what}});
+  }
+
+  Json found = Json::array();
+
+ private:
+  const BesideTask& task_;
+};
+
+/// A moving camera (moving_camera.cpp).
+void compare_new_views(Comparison& comparison);
 
 /// In a process of its own, this program started again. Throws Error, with its words, if that
 /// fails.
-std::vector<Beside> compare_in_own_process(const BesideTask& task);
+Json compare_in_own_process(const BesideTask& task);
 
 /// What the process prints: the task as text in, the comparisons out.
 std::string compared(const std::string& task);

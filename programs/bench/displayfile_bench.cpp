@@ -44,15 +44,6 @@ int run(int argc, char** argv) {
       ->type_name("PAGE.html")
       ->capture_default_str();
   command->add_option("--json", bench.json, "the figures for programs")->type_name("FIGURES.json");
-  auto* plot =
-      command
-          ->add_option("--plot", bench.plot,
-                       "the plot that the page begins with, .svg: speed against error of all")
-          ->type_name("PLOT.svg");
-  command
-      ->add_option("--readme", bench.readme,
-                   "rewrite the blocks of this file that are marked <!-- bench: NAME -->")
-      ->type_name("FILE");
   command->add_flag("--full", bench.scenes.full,
                     "more sizes, precisions and rounds: hours instead of minutes");
   auto* methods = command->add_option("--methods", bench.methods, "only these, with commas between")
@@ -95,8 +86,7 @@ int run(int argc, char** argv) {
                  "only the table of new views of retained scenes: times as fast as OSMesa, wrong "
                  "pixels, bytes a triangle, growth; pictures of 1024 pixels a side unless --sizes "
                  "says otherwise")
-      ->excludes(methods)
-      ->excludes(plot);
+      ->excludes(methods);
   const AskedOfItself asked(argc, argv);
   WorkLimitWords limits;
   limits.add_to(*command, !asked.for_any_machine());

@@ -105,57 +105,65 @@ std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
   return counts;
 }
 
-FeatureRow row_of(const Feature& feature) {
-  FeatureRow row;
-  row.name = feature.name;
-  row.turned_on_by = feature.turned_on_by;
-  row.over = feature.over;
-  row.has_functions = !feature.functions.empty();
-  row.not_counted = feature.not_counted;
-  return row;
-}
-
-void add_memory(const Memory& off, const Memory& on, FeatureRow& row) {
-  const auto bytes = [](const Memory& m) { return static_cast<double>(m.display_file_bytes); };
-  row.display_file_on = per_polygon(bytes(on) - bytes(off), kFeaturePolygons);
-  row.allocations = {off.counted.allocations, on.counted.allocations};
-  row.most_bytes = {off.counted.most_bytes, on.counted.most_bytes};
-}
-
-/// What the functions cost that are the feature's own.
-FeatureRow::Own own(const WorkCount& work, const Feature& feature) {
-  return {work.instructions_of(feature.functions), work.allocations_of(feature.functions)};
-}
-
 using Counts = std::map<std::string_view, WorkCount>;  // by what is on
 
-void add_instructions(const Counts& counts, const Feature& feature, FeatureRow& row) {
-  const WorkCount& off = counts.at(feature.over);
-  row.own_off = own(off, feature);
-  if (!feature.not_counted.empty()) return;
-  const WorkCount& on = counts.at(feature.name);
-  row.own_on = own(on, feature);
-  row.instructions = {off.instructions(), on.instructions()};
+/// Of the functions that are the feature's own.
+void add_own(const WorkCount& work, const Feature& feature, Json& state) {
+  if (feature.functions.empty()) return;
+  state["own_instructions"] = work.instructions_of(feature.functions);
+  state["own_allocations"] = work.allocations_of(feature.functions);
+}
+
+Json row_of(const Feature& feature, std::map<std::string_view, Memory>& memory,
+            const Counts& counts) {
+  Json off = Json::object(), on = Json::object();
+  const bool counted = feature.not_counted.empty();
+  if (!counts.empty()) {
+    add_own(counts.at(feature.over), feature, off);
+    if (counted) {
+      add_own(counts.at(feature.name), feature, on);
+      off["instructions"] = counts.at(feature.over).instructions();
+      on["instructions"] = counts.at(feature.name).instructions();
+    }
+  }
+  if (counted) {
+    const Memory &without = memory[feature.over], &with = memory[feature.name];
+    off["allocations"] = without.counted.allocations;
+    on["allocations"] = with.counted.allocations;
+    off["most_bytes"] = without.counted.most_bytes;
+    on["most_bytes"] = with.counted.most_bytes;
+    on["display_file_bytes_a_polygon"] =
+        per_polygon(static_cast<double>(with.display_file_bytes) -
+                        static_cast<double>(without.display_file_bytes),
+                    kFeaturePolygons);
+  } else {
+    on["not_counted"] = feature.not_counted;
+  }
+  return {{"feature", feature.name},
+          {"turned_on_by", feature.turned_on_by},
+          {"over", feature.over},
+          {"has_functions", !feature.functions.empty()},
+          {"off", off},
+          {"on", on}};
 }
 
 }  // namespace
 
-FeatureCosts feature_costs() {
+Json feature_costs() {
   const Scene scene = feature_scene();
   std::map<std::string_view, Memory> memory;
   for (const auto& [name, use] : drawings()) memory[name] = memory_of(use, scene);
-  FeatureCosts costs;
-  const Counts counts = instructions(costs.not_counted);
-  costs.polygons = scene.polygons();
-  costs.size = kFeaturePictureSize;
-  if (!counts.empty()) costs.instructions = counts.at(kNone).instructions();
-  costs.allocations = memory[kNone].counted.allocations;
-  costs.bytes_a_polygon = spare_bytes_a_polygon();
+  std::string not_counted;
+  const Counts counts = instructions(not_counted);
+  Json costs{{"polygons", scene.polygons()},
+             {"size", kFeaturePictureSize},
+             {"off",
+              {{"allocations", memory[kNone].counted.allocations},
+               {"display_file_bytes_a_polygon", spare_bytes_a_polygon()}}}};
+  if (!counts.empty()) costs["off"]["instructions"] = counts.at(kNone).instructions();
+  if (!not_counted.empty()) costs["instructions_not_counted"] = not_counted;
   for (const Feature& feature : features()) {
-    FeatureRow row = row_of(feature);
-    if (feature.not_counted.empty()) add_memory(memory[feature.over], memory[feature.name], row);
-    if (!counts.empty()) add_instructions(counts, feature, row);
-    costs.rows.push_back(std::move(row));
+    costs["features"].push_back(row_of(feature, memory, counts));
   }
   return costs;
 }

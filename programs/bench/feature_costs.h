@@ -4,10 +4,12 @@
 
 namespace displayfile::bench {
 
-/// What each feature costs when it is off and when it is on (programs/bench/features.h). Memory is
-/// counted in this process, instructions by a valgrind that runs this program; without one the
-/// report says so.
-FeatureCosts feature_costs();
+/// What each feature costs when it is off and when it is on (programs/bench/features.h), on one
+/// scene that is drawn on one thread from the first routine to the picture. Memory is counted in
+/// this process, instructions by a valgrind that runs this program; without one
+/// `instructions_not_counted` says why. `own` figures are those of functions that only the feature
+/// needs, which it may not have: then it is a branch in what all drawings run through.
+Json feature_costs();
 
 /// Draws all that is counted, for callgrind to look on. What the command's option
 /// `--features-under-callgrind` does.

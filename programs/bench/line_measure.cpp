@@ -31,7 +31,7 @@ bool draws(const LineContender& contender, const BenchScene& scene) {
 }
 
 struct LineMeasurer::Scene {
-  std::string name;
+  std::string name, id;
   DisplayFile file;
   ViewedScene viewed;
   LineItems items;
@@ -41,6 +41,7 @@ struct LineMeasurer::Scene {
 
   Scene(const BenchScene& scene, int threads)
       : name(scene.name),
+        id(scene.id_but_size()),
         file(scene.make()),
         viewed(file),
         items(file),
@@ -75,8 +76,8 @@ void LineMeasurer::take(const BenchScene& scene, const Effort& effort, int threa
   scene_ = std::make_unique<Scene>(scene, threads);
 }
 
-Spread LineMeasurer::growth() {
-  if (first_ == nullptr) return {1.0, 1.0, 1.0};
+Json LineMeasurer::growth() {
+  if (first_ == nullptr) return figures({1.0, 1.0, 1.0});
   return figures(ratio(
       effort_, Clock::processor, scene_->reference_seconds, [this] { scene_->reference(); },
       first_->reference_seconds, [this] { first_->reference(); }));
@@ -92,13 +93,13 @@ bool LineMeasurer::too_long(const std::string& contender) const {
   return seconds * more * more > kTimesTheMost * effort_.most_seconds;
 }
 
-Cell LineMeasurer::measure(const LineContender& contender, int threads) {
-  Cell cell;
-  cell.key = {"", contender.method_name(), contender.precision_name(), threads};
-  cell.exact = contender.precision.exact;
-  const std::string name = fmt::format("{}, {}", cell.key.contender(), threads);
+Json LineMeasurer::measure(const LineContender& contender, int threads) {
+  Json cell = cell_of(scene_->id, contender.method_name(), contender.precision_name(), threads,
+                      contender.precision.exact);
+  const std::string name =
+      fmt::format("{}, {}, {}", contender.method_name(), contender.precision_name(), threads);
   if (too_long(name)) {
-    cell.skipped = "it would take too long, from what a smaller one took";
+    cell["skipped"] = "it would take too long, from what a smaller one took";
     return cell;
   }
   const Scene& scene = *scene_;
@@ -108,9 +109,12 @@ Cell LineMeasurer::measure(const LineContender& contender, int threads) {
   longest_.push_back({name, {once, static_cast<double>(scene.names.size())}});
   count_memory_and_exact_calls([&] { scene.find(contender, threads); }, cell);
   const LineErrors errors = compare_lines(scene.items, scene.truth, claimed_pieces(seen));
-  cell.lines = LineFigures{scene.names.size(), seen.pieces.size(), figure(errors.length),
-                           figure(errors.missing), figure(errors.extra)};
-  cell.time = figures(ratio(
+  cell["lines"] = scene.names.size();
+  cell["pieces"] = seen.pieces.size();
+  cell["length"] = figure(errors.length);
+  cell["missing_length"] = figure(errors.missing);
+  cell["extra_length"] = figure(errors.extra);
+  cell["time"] = figures(ratio(
       effort_, clock_of(threads), once, [&] { scene.find(contender, threads); },
       scene.reference_seconds, [&] { scene.reference(); }));
   return cell;

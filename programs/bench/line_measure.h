@@ -9,6 +9,7 @@
 
 #include "hidden/exact/precision.h"
 #include "hidden/hidden_method.h"
+#include "programs/bench/bench_scene.h"
 #include "programs/bench/report.h"
 #include "programs/bench/timing.h"
 
@@ -41,9 +42,9 @@ class LineMeasurer {
   /// The scene that is measured from now on, with its truth, which is found on so many threads.
   /// Scenes of a name grow from the first.
   void take(const BenchScene& scene, const Effort& effort, int threads);
-  /// The growth of the reference's time, as in SceneRow.
-  Spread growth();
-  Cell measure(const LineContender& contender, int threads);
+  /// The reference's time here over its time on the first scene of the same name.
+  Json growth();
+  Json measure(const LineContender& contender, int threads);
 
  private:
   struct Scene;

@@ -24,7 +24,7 @@ struct Measurer::Scene {
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
   /// The time of work on so many threads over that of the reference; `once` is about what it takes.
-  Spread over_reference(const Effort& effort, int threads, double once, const auto& work) const;
+  Json over_reference(const Effort& effort, int threads, double once, const auto& work) const;
   double polygons() const { return static_cast<double>(file.polygons()); }
   double pixels() const { return static_cast<double>(scene.pixels()); }
 };
@@ -37,8 +37,9 @@ std::uint64_t exact_calls() {
   return sum;
 }
 
-std::string key_text(const CellKey& key) {
-  return fmt::format("{} {} {}", key.method, key.precision, key.threads);
+std::string key_of(const Json& cell) {
+  return fmt::format("{} {} {}", cell["method"].dump(), cell["precision"].dump(),
+                     cell["threads"].dump());
 }
 
 Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
@@ -69,8 +70,8 @@ std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, in
   return contender.draw ? draw_walk(views, contender, frame) : draw_walk_with_tree(views, frame);
 }
 
-Spread Measurer::Scene::over_reference(const Effort& effort, int threads, double once,
-                                       const auto& work) const {
+Json Measurer::Scene::over_reference(const Effort& effort, int threads, double once,
+                                     const auto& work) const {
   return figures(ratio(effort, clock_of(threads), once, work, reference_seconds,
                        [&] { reference->draw_anew(); }));
 }
@@ -92,8 +93,8 @@ void Measurer::take(const BenchScene& scene, const Effort& effort) {
 
 std::size_t Measurer::polygons() const { return scene_->file.polygons(); }
 
-Spread Measurer::growth() {
-  if (first_ == nullptr) return {1.0, 1.0, 1.0};
+Json Measurer::growth() {
+  if (first_ == nullptr) return figures({1.0, 1.0, 1.0});
   return figures(ratio(
       effort_, Clock::processor, scene_->reference_seconds, [&] { scene_->reference->draw_anew(); },
       first_->reference_seconds, [&] { first_->reference->draw_anew(); }));
@@ -101,9 +102,9 @@ Spread Measurer::growth() {
 
 /// What took longer on a smaller scene of the name than on the least: that part may take twice as
 /// long on twice the pixels, and four times as long on twice the polygons.
-bool Measurer::too_long(const CellKey& key) const {
+bool Measurer::too_long(const Json& cell) const {
   constexpr double kTimesTheMost = 5.0;
-  const auto longest = longest_.find(key_text(key));
+  const auto longest = longest_.find(key_of(cell));
   const bool grows = scene_->scene.kind != BenchScene::Kind::hard_case;
   if (!grows || longest == longest_.end()) return false;
   const Longest& before = longest->second;
@@ -113,80 +114,83 @@ bool Measurer::too_long(const CellKey& key) const {
   return grown * of_polygons > kTimesTheMost * effort_.most_seconds && grown > effort_.most_seconds;
 }
 
-void Measurer::compare(const Picture& picture, Cell& cell) const {
+void Measurer::compare(const Picture& picture, Json& cell) const {
   const Picture& right = scene_->truth;
-  double sum = 0.0;
-  std::int64_t both = 0;
+  double sum = 0.0, largest = 0.0;
+  std::int64_t both = 0, wrong = 0;
   for (std::size_t i = 0; i < right.ids.size(); ++i) {
-    cell.wrong_pixels += picture.ids[i] != right.ids[i];
+    wrong += picture.ids[i] != right.ids[i];
     if (!std::isfinite(picture.depth[i]) || !std::isfinite(right.depth[i])) continue;
     const double error = std::abs(picture.depth[i] - right.depth[i]);
-    cell.largest_depth_error = std::max(cell.largest_depth_error, error);
+    largest = std::max(largest, error);
     sum += error;
     ++both;
   }
-  cell.largest_depth_error = figure(cell.largest_depth_error);
-  cell.mean_depth_error = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
+  cell["wrong_pixels"] = wrong;
+  cell["largest_depth_error"] = figure(largest);
+  cell["mean_depth_error"] = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
 }
 
 /// A second picture, since what a method keeps for all pictures is made by the first.
-void count_memory_and_exact_calls(const std::function<void()>& work, Cell& cell) {
+void count_memory_and_exact_calls(const std::function<void()>& work, Json& cell) {
   reset_predicate_counts();
-  cell.bytes = most_bytes_held(work);
-  cell.exact_calls = exact_calls();
+  cell["bytes"] = most_bytes_held(work);
+  cell["exact_stage_calls"] = exact_calls();
 }
 
-Cell Measurer::measure(const Contender& contender, int threads) {
-  Cell cell;
-  cell.key = {scene_->scene.id(), contender.method, contender.precision, threads};
-  cell.exact = contender.exact;
-  if (too_long(cell.key)) {
-    cell.skipped = "it would take too long, from what a smaller one took";
+Json Measurer::measure(const Contender& contender, int threads) {
+  Json cell =
+      cell_of(scene_->scene.id(), contender.method, contender.precision, threads, contender.exact);
+  if (too_long(cell)) {
+    cell["skipped"] = "it would take too long, from what a smaller one took";
     return cell;
   }
   try {
     measure(contender, cell);
   } catch (const CannotDraw& reason) {
-    cell.skipped = reason.why;
+    cell["skipped"] = reason.why;
   }
   return cell;
 }
 
 /// By the median: the first picture may have waited for something that others do not.
-void Measurer::remember(const Cell& cell) {
-  Longest& longest = longest_[key_text(cell.key)];
-  const double seconds = cell.time.median * scene_->reference_seconds;
+void Measurer::remember(const Json& cell) {
+  Longest& longest = longest_[key_of(cell)];
+  const double seconds = cell["time"]["median"].get<double>() * scene_->reference_seconds;
   longest.least_seconds = std::min(longest.least_seconds, seconds);
   if (seconds >= longest.seconds) {
     longest = {seconds, longest.least_seconds, scene_->polygons(), scene_->pixels()};
   }
 }
 
-std::optional<Spread> Measurer::time_again(const Contender& contender, const Cell& cell) {
+std::optional<Json> Measurer::time_again(const Contender& contender, const Json& cell) {
   constexpr double kLong = 0.0005;
-  const double once = cell.time.median * scene_->reference_seconds;
+  const double once = cell["time"]["median"].get<double>() * scene_->reference_seconds;
   if (once > kLong) return std::nullopt;
-  const int threads = cell.key.threads;
+  const int threads = cell["threads"];
   const auto drawing = scene_->drawing(contender, threads);
   drawing->draw_anew();
   return scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
 }
 
-void Measurer::measure(const Contender& contender, Cell& cell) {
-  const int threads = cell.key.threads;
+void Measurer::measure(const Contender& contender, Json& cell) {
+  const int threads = cell["threads"];
   const auto drawing = scene_->drawing(contender, threads);
   const double once = seconds_once([&] { drawing->draw_anew(); });
+  cell["exact_stage_calls"] = 0;
   if (contender.counted) count_memory_and_exact_calls([&] { drawing->draw_anew(); }, cell);
   compare(drawing->judged(), cell);
   if (const auto pieces = drawing->pieces()) {
-    cell.fragments = figure(static_cast<double>(pieces->made) /
-                            static_cast<double>(std::max<std::uint64_t>(1, pieces->of)));
+    cell["fragments_per_polygon"] =
+        figure(static_cast<double>(pieces->made) /
+               static_cast<double>(std::max<std::uint64_t>(1, pieces->of)));
   }
-  cell.time = scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
+  cell["time"] = scene_->over_reference(effort_, threads, once, [&] { drawing->draw_anew(); });
   remember(cell);
   if (scene_->scene.kind != BenchScene::Kind::hard_case) {
     const double again = seconds_once([&] { drawing->draw_again(); });
-    cell.again = scene_->over_reference(effort_, threads, again, [&] { drawing->draw_again(); });
+    cell["time_again"] =
+        scene_->over_reference(effort_, threads, again, [&] { drawing->draw_again(); });
   }
 }
 

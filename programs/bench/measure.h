@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "programs/bench/bench_scene.h"
 #include "programs/bench/contenders.h"
 #include "programs/bench/report.h"
 #include "programs/bench/timing.h"
@@ -13,7 +14,7 @@
 namespace displayfile::bench {
 
 /// Does the work once more, and counts what it takes of memory and of the predicates' exact stage.
-void count_memory_and_exact_calls(const std::function<void()>& work, Cell& cell);
+void count_memory_and_exact_calls(const std::function<void()>& work, Json& cell);
 
 /// Measures one scene after another.
 class Measurer {
@@ -24,21 +25,21 @@ class Measurer {
   /// The scene that is measured from now on, with its truth. Scenes of a name grow from the first.
   void take(const BenchScene& scene, const Effort& effort);
   std::size_t polygons() const;
-  /// The growth of the reference's time, as in SceneRow.
-  Spread growth();
+  /// The reference's time here over its time on the first scene of the same name.
+  Json growth();
 
-  Cell measure(const Contender& contender, int threads);
+  Json measure(const Contender& contender, int threads);
   /// The time of a cell that was measured, a while later; nothing if it is long enough that no
   /// pause of the machine's can fall on all of its rounds.
-  std::optional<Spread> time_again(const Contender& contender, const Cell& cell);
+  std::optional<Json> time_again(const Contender& contender, const Json& cell);
 
  private:
   struct Scene;
   /// Throws CannotDraw as the contender does.
-  void measure(const Contender& contender, Cell& cell);
-  bool too_long(const CellKey& key) const;
-  void remember(const Cell& cell);
-  void compare(const Picture& picture, Cell& cell) const;
+  void measure(const Contender& contender, Json& cell);
+  bool too_long(const Json& cell) const;
+  void remember(const Json& cell);
+  void compare(const Picture& picture, Json& cell) const;
 
   Effort effort_;
   std::unique_ptr<Scene> scene_;

@@ -10,12 +10,13 @@
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/world_truth.h"
 #include "programs/inputs.h"
-#include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 
 namespace displayfile::bench {
 
 namespace {
+
+constexpr double kTie = 1e-13;  // the view volume is 1 deep
 
 /// None of its matrix's entries that are not 0 or 1 are short doubles.
 View turned_view() {
@@ -48,14 +49,14 @@ void enter_turned(Scene scene, GraphicsSystem& system) {
 
 }  // namespace
 
-std::optional<ViewingRow> rounding_of_viewing(const BenchScene& scene) {
+std::optional<Json> rounding_of_viewing(const BenchScene& scene) {
   RetainedScene retained;
   GraphicsSystem system;
   system.retain(&retained);
   switch (scene.kind) {
     case BenchScene::Kind::walk: return std::nullopt;
     case BenchScene::Kind::generated:
-      enter_turned(generated_scene(scene.name).make(scene.n, scene.seed), system);
+      enter_turned(generated(scene.name, scene.n, scene.seed), system);
       break;
     case BenchScene::Kind::surface: scene.enter(system); break;
     case BenchScene::Kind::hard_case:
@@ -66,14 +67,17 @@ std::optional<ViewingRow> rounding_of_viewing(const BenchScene& scene) {
   const DisplayFile& file = system.display_file();
   const Picture of_file = truth(file, scene.size, scene.size, true);
   const Picture of_world = truth_before_viewing(scene, retained, file);
-  ViewingRow row{scene};
+  std::size_t pixels = 0, different = 0, ties = 0;
   for (std::size_t i = 0; i < of_file.ids.size(); ++i) {
-    row.pixels += of_file.ids[i] >= 0 || of_world.ids[i] >= 0 ? 1 : 0;
+    pixels += of_file.ids[i] >= 0 || of_world.ids[i] >= 0 ? 1 : 0;
     if (of_file.ids[i] == of_world.ids[i]) continue;
-    ++row.different;
-    row.ties += std::abs(of_file.depth[i] - of_world.depth[i]) <= ViewingRow::kTie ? 1 : 0;
+    ++different;
+    ties += std::abs(of_file.depth[i] - of_world.depth[i]) <= kTie ? 1 : 0;
   }
-  return row;
+  return Json{{"scene", scene.id()},
+              {"pixels", pixels},
+              {"different", different},
+              {"different_and_tied", ties}};
 }
 
 }  // namespace displayfile::bench

@@ -26,7 +26,7 @@ class Bench : public Command {
   int figures(const std::string& arguments) {
     const std::string line = "cd '" + folder_.string() +
                              "' && node '" DISPLAYFILE_SOURCE_DIR
-                             "/programs/bench/report-figures' " +
+                             "/tests/bench/command/report-figures' " +
                              arguments + " >.out 2>.err";
     const int status = std::system(line.c_str());
     out_ = read(folder_ / ".out");
@@ -40,8 +40,8 @@ class Bench : public Command {
     const std::size_t start = text.find(begin) + begin.size();
     EXPECT_EQ(Json::parse(text.substr(start, text.find("</script>", start) - start)), json(report));
     for (const char* script : {"figures", "summaries", "plot", "page"}) {
-      const std::string source = read(fs::path(DISPLAYFILE_SOURCE_DIR) / "programs/bench/page" /
-                                      (script + std::string(".js")));
+      const std::string source = read(fs::path(DISPLAYFILE_SOURCE_DIR) /
+                                      "tests/bench/command/page" / (script + std::string(".js")));
       EXPECT_NE(text.find(source), text.npos) << script;
     }
     EXPECT_EQ(figures(report + " --page"), 0) << err_;

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "programs/bench/growth.h"
+#include "tests/bench/command/growth.h"
 
 namespace displayfile::bench {
 

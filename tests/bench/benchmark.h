@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/bench/report.h"
+#include "tests/bench/command/report.h"
 
 namespace displayfile::bench {
 

@@ -2,9 +2,9 @@
 // picture: what is taken with new besides the scene. Counts, the same on every machine.
 
 #include "interp/visibility/image_space.h"
-#include "programs/bench/counted_memory.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/bench/benchmark.h"
+#include "tests/bench/command/counted_memory.h"
 
 namespace displayfile::bench {
 

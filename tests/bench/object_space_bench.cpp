@@ -26,11 +26,11 @@
 #include "hidden/sort/world_tree.h"
 #include "interp/device/interpreter.h"
 #include "interp/vector/svg_device.h"
-#include "programs/bench/counted_memory.h"
-#include "programs/bench/gl2ps_sort.h"
-#include "programs/bench/timing.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/bench/benchmark.h"
+#include "tests/bench/command/counted_memory.h"
+#include "tests/bench/command/gl2ps_sort.h"
+#include "tests/bench/command/timing.h"
 #include "tests/bench/device_scene.h"
 
 namespace displayfile::bench {

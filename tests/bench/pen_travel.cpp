@@ -11,10 +11,10 @@
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/point_tree.h"
 #include "interp/vector/pens/unique_strokes.h"
-#include "programs/bench/timing.h"
 #include "programs/inputs.h"
 #include "programs/scenes/random.h"
 #include "tests/bench/benchmark.h"
+#include "tests/bench/command/timing.h"
 
 namespace displayfile::bench {
 

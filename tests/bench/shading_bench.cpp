@@ -11,8 +11,8 @@
 
 #include "displayfile/mesh/mesh.h"
 #include "interp/raster/software.h"
-#include "programs/bench/timing.h"
 #include "tests/bench/benchmark.h"
+#include "tests/bench/command/timing.h"
 
 namespace displayfile::bench {
 

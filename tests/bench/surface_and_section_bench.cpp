@@ -20,9 +20,9 @@
 #include "displayfile/scene_lines.h"
 #include "hidden/triangulation.h"
 #include "interp/truth/judged_lines.h"
-#include "programs/bench/timing.h"
 #include "programs/scenes/random.h"
 #include "tests/bench/benchmark.h"
+#include "tests/bench/command/timing.h"
 
 namespace displayfile::bench {
 

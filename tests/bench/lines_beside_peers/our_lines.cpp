@@ -18,7 +18,7 @@
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"
-#include "programs/bench/timing.h"
+#include "tests/bench/command/timing.h"
 #include "tests/bench/lines_beside_peers/degenerate_meshes.h"
 #include "tests/bench/lines_beside_peers/drawn_length.h"
 #include "tests/bench/lines_beside_peers/peer_scene.h"

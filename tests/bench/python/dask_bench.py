@@ -1,6 +1,6 @@
 """How fast two workers of a Dask cluster draw, beside one, and beside bare processes.
 
-    python3 interp/python/bench/dask_bench.py DISPLAYFILE MESH [VIEWS] [SIDE] [ROUNDS]
+    python3 tests/bench/python/dask_bench.py DISPLAYFILE MESH [VIEWS] [SIDE] [ROUNDS]
 
 DISPLAYFILE is the command. Two things are drawn into PNG files by the z-buffer: a turntable of 200
 views of 512 x 512 pixels, and a picture of 20000 x 20000, by rows, unless other numbers are said.

@@ -1,6 +1,6 @@
 """How long savefig takes of a surface of 10,000 quads: drawn exactly, over as matplotlib draws it.
 
-    python3 interp/python/bench/matplotlib_bench.py [RUNS]
+    python3 tests/bench/python/matplotlib_bench.py [RUNS]
 
 Prints for each picture and format the median seconds of both and their ratio. The runs of both
 alternate, so that what else the machine does is shared.

@@ -119,7 +119,7 @@ class Bench {
     row["anew"] = anew.over(views);
     row["viewing"] = viewing.over(views);
     row["bytes a polygon of the views"] =
-        static_cast<std::size_t>(viewer.bytes()) / system_.polygons_entered();
+        viewer.bytes() / static_cast<std::size_t>(system_.polygons_entered());
     row["wrong pixels"] = wrong;
     print_row(row);
   }

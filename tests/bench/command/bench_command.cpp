@@ -432,7 +432,9 @@ std::string page_of(const Json& report) {
   const auto put = [&](std::string_view place, const std::string& what) {
     page.replace(page.find(place), place.size(), what);
   };
-  put("SCRIPTS", kPageScripts);
+  std::string scripts;
+  for (const char* script : kPageScripts) scripts += script;
+  put("SCRIPTS", scripts);
   put("REPORT", text);
   return page;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,15 +21,37 @@ inline const std::string kTiny = "bench soup cycle_of_3 --polygons 12,24 --sizes
 class Bench : public Command {
  protected:
   Json json(const std::string& name) { return Json::parse(read(folder_ / name)); }
+
+  /// Runs report-figures in the test's folder, as run does the command.
+  int figures(const std::string& arguments) {
+    const std::string line = "cd '" + folder_.string() +
+                             "' && node '" DISPLAYFILE_SOURCE_DIR
+                             "/tests/bench/command/report-figures' " +
+                             arguments + " >.out 2>.err";
+    const int status = std::system(line.c_str());
+    out_ = read(folder_ / ".out");
+    err_ = read(folder_ / ".err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  /// What the page of a report shows, and the scripts that make it are those of the page.
+  std::string shown(const std::string& page, const std::string& report) {
+    const std::string text = read(folder_ / page);
+    const std::string begin = "<script type='application/json' id='report'>";
+    const std::size_t start = text.find(begin) + begin.size();
+    EXPECT_EQ(Json::parse(text.substr(start, text.find("</script>", start) - start)), json(report));
+    for (const char* script : {"figures", "summaries", "plot", "page"}) {
+      const std::string source = read(fs::path(DISPLAYFILE_SOURCE_DIR) /
+                                      "tests/bench/command/page" / (script + std::string(".js")));
+      EXPECT_NE(text.find(source), text.npos) << script;
+    }
+    EXPECT_EQ(figures(report + " --page"), 0) << err_;
+    return out_;
+  }
 };
 
 /// What does not hang on time.
 inline Json counts(Json report) {
   for (Json& beside : report["beside"]) beside.erase("times_faster");
-  report.erase("fits");
-  report.erase("growth_of_new_views");
-  report.erase("auto");
-  report.erase("line_fits");
   for (Json& scene : report["scenes"]) {
     scene.erase("reference_growth");
     scene.erase("line_reference_growth");
@@ -52,6 +75,14 @@ inline std::vector<std::string> fields(const std::string& row) {
     texts.push_back(row.substr(start, at == row.npos ? at : at - start));
   }
   return texts;
+}
+
+/// So that a half is rounded up, as scripts round.
+inline double up(double value) { return value == 0.0 ? value : std::nextafter(value, 1e300); }
+
+/// A ratio as the tables have it.
+inline std::string in_table(double ratio) {
+  return fmt::format("{:.{}f}", up(ratio), ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
 }
 
 /// A block of a README, marked.

@@ -19,7 +19,7 @@
 #include "interp/files/ppm_file.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/z_buffer.h"
-#include "programs/bench/counted_memory.h"
+#include "tests/bench/command/counted_memory.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
 

@@ -13,7 +13,7 @@
 #include "displayfile/sorted_display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
-#include "programs/bench/counted_memory.h"
+#include "tests/bench/command/counted_memory.h"
 #include "tests/from_environment.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"

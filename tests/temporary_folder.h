@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "programs/bench/temporary_folder.h"
+#include "tests/bench/command/temporary_folder.h"
 
 // Tests that write files.
 

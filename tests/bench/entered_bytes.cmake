@@ -8,7 +8,7 @@ function(add_entered_bytes)
   endif()
   add_executable(entered_bytes
     ${ENTERED_BYTES_FOLDER}/entered_bytes.cpp
-    programs/bench/counted_memory.cpp)
+    programs/bench/counted_memory.cpp)  # where older trees have it
   target_link_libraries(entered_bytes PRIVATE displayfile::displayfile)
 endfunction()
 cmake_language(DEFER CALL add_entered_bytes)

@@ -12,9 +12,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "command/counted_memory.h"  // beside this file, in older trees too
 #include "displayfile/graphics_system.h"
 #include "displayfile/retained_scene.h"
-#include "programs/bench/counted_memory.h"
 
 namespace displayfile::bench {
 namespace {

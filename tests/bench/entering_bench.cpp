@@ -1,19 +1,20 @@
-// Entering polygons: many at once against one call each (GraphicsSystem::polygons_abs_3).
+// From an application's calls, and from a drawing program, to a display file: polygons entered one
+// call each in times of all at once (GraphicsSystem::polygons_abs_3), rates, and bytes.
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <span>
-#include <vector>
+#include <sstream>
 
-#include "displayfile/graphics_system.h"
+#include "displayfile/files.h"
+#include "tests/bench/benchmark.h"
+
+namespace displayfile::bench {
+
+const char* const kAbout = "Entering polygons and replaying them";
 
 namespace {
 
-using namespace displayfile;
+enum class Drawn { unlit, a_style_each, lit };
 
 /// A height field of 2 n^2 triangles, within the window.
 struct Field {
@@ -35,69 +36,98 @@ struct Field {
         corners.insert(corners.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
       }
     }
-    for (std::size_t k = 0; k < corners.size() / 3; ++k) {
+    for (std::size_t k = 0; k < triangles(); ++k) {
       const double grey = static_cast<double>(k % 97) / 96.0;
       fills.push_back({FillStyle::Kind::solid, {grey, 0.5, 1.0 - grey}});
     }
   }
+  std::size_t triangles() const { return corners.size() / 3; }
 };
-
-enum class Drawn { unlit, a_style_each, lit };
-
-const char* words(Drawn drawn) {
-  if (drawn == Drawn::unlit) return "one style";
-  return drawn == Drawn::lit ? "one style, lit" : "one style each";
-}
 
 void enter(const Field& field, bool at_once, Drawn drawn, GraphicsSystem& system) {
   const bool each = drawn == Drawn::a_style_each;
-  const std::span<const FillStyle> fills =
-      each ? std::span(field.fills) : std::span<const FillStyle>();
   system.open_segment(1);
   if (at_once) {
-    system.polygons_abs_3({field.vertices, field.corners, {}, fills});
+    system.polygons_abs_3(field.vertices, field.corners, {},
+                          std::span(field.fills).first(each ? field.fills.size() : 0));
   } else {
     for (std::size_t k = 0; k < field.corners.size(); k += 3) {
-      if (each) system.set_fill_style(fills[k / 3]);
-      const Point3 triangle[]{field.vertices[field.corners[k]],
-                              field.vertices[field.corners[k + 1]],
-                              field.vertices[field.corners[k + 2]]};
-      system.polygon_abs_3(triangle);
+      if (each) system.set_fill_style(field.fills[k / 3]);
+      const auto at = [&](std::size_t i) { return field.vertices[field.corners[k + i]]; };
+      system.polygon_abs_3({at(0), at(1), at(2)});
     }
   }
   system.close_segment();
 }
 
-double seconds(const Field& field, bool at_once, Drawn drawn) {
+double seconds_of(const Field& field, bool at_once, Drawn drawn) {
   GraphicsSystem system;
   system.set_perspective({0.1, 0.2, 5});
   if (drawn == Drawn::lit) system.set_light({1, 2, 3});
   enter(field, at_once, drawn, system);  // its memory is used again
   system.delete_all_segments();
-  const auto start = std::chrono::steady_clock::now();
-  enter(field, at_once, drawn, system);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds([&] { enter(field, at_once, drawn, system); });
+}
+
+void print_one_by_one(const Options& options) {
+  const Field field(
+      static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options.polygons) / 2.0)));
+  for (const auto& [drawn, words] : {std::pair(Drawn::unlit, "one style"),
+                                     {Drawn::a_style_each, "one style each"},
+                                     {Drawn::lit, "one style, lit"}}) {
+    const Spread ratio = ratio_of_seconds(
+        options.rounds, [&, drawn = drawn] { return seconds_of(field, true, drawn); },
+        [&, drawn = drawn] { return seconds_of(field, false, drawn); });
+    print_row({{"table", "one call each, in times of all at once"},
+               {"triangles", field.triangles()},
+               {"", words},
+               {"time", figures(ratio)}});
+  }
+}
+
+void print_rate(const char* what, double unit, std::size_t triangles, std::size_t bytes,
+                const Options& options, const auto& work) {
+  std::vector<double> rates;
+  for (int i = 0; i < options.rounds; ++i) {
+    GraphicsSystem system;
+    rates.push_back(static_cast<double>(triangles) / seconds([&] { work(system); }) / unit);
+  }
+  print_row({{"table", "rates"},
+             {"triangles", triangles},
+             {"work", what},
+             {"of the rate", figures(spread(rates))},
+             {"bytes a triangle", bytes / triangles}});
+}
+
+void print_rates(const Options& options) {
+  const auto entered = [](const Field& field, GraphicsSystem& system) {
+    system.set_line_style({LineStyle::Kind::none});
+    enter(field, false, Drawn::unlit, system);
+    return system.display_file().bytes();
+  };
+  for (const std::uint32_t n : {158U, 500U, 1414U}) {  // 50,000, half a million, 4 million
+    const Field field(n);
+    GraphicsSystem first;
+    print_rate("entered, of 4 million a second", 4e6, field.triangles(), entered(field, first),
+               options, [&](GraphicsSystem& system) { entered(field, system); });
+  }
+  const Field field(316);
+  std::ostringstream text;
+  Recorder recorder(text);
+  GraphicsSystem recorded;
+  recorded.set_recorder(&recorder);
+  const std::size_t bytes = entered(field, recorded);
+  print_rate("replayed from a drawing program, of 1 million a second", 1e6, field.triangles(),
+             bytes, options, [program = text.str()](GraphicsSystem& system) {
+               replay(program, "bench.draw", system);
+             });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("Entering polygons one call each, in times of entering them at once");
-  std::uint32_t n = 300;
-  int rounds = 9;
-  app.add_option("--side", n, "of the field: 2 n^2 triangles")->check(CLI::Range(1, 5000));
-  app.add_option("--rounds", rounds, "measured in turn")->check(CLI::Range(1, 1000));
-  CLI11_PARSE(app, argc, argv);
-  const Field field(n);
-  for (const Drawn drawn : {Drawn::unlit, Drawn::a_style_each, Drawn::lit}) {
-    std::vector<double> ratios;
-    for (int k = 0; k < rounds; ++k) {
-      const double one_by_one = seconds(field, false, drawn);
-      ratios.push_back(one_by_one / seconds(field, true, drawn));
-    }
-    std::ranges::sort(ratios);
-    std::printf("%zu triangles, %s: median of %d rounds %.2f (%.2f to %.2f)\n",
-                field.corners.size() / 3, words(drawn), rounds, ratios[ratios.size() / 2],
-                ratios.front(), ratios.back());
-  }
+void run(const Options& options) {
+  print_one_by_one(options);
+  print_rates(options);
 }
+
+}  // namespace displayfile::bench

@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "clip/secret_hash.h"
-#include "programs/bench/callgrind.h"
-#include "programs/bench/features.h"
 #include "programs/exit_status.h"
 #include "programs/scenes/generated_scenes.h"
+#include "tests/bench/command/callgrind.h"
+#include "tests/bench/command/features.h"
 
 namespace displayfile::bench {
 namespace {

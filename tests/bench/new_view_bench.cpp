@@ -1,37 +1,31 @@
 // New views of a retained scene (displayfile/scene_viewer.md) against entering each view anew and
-// drawing that, with what both keep from picture to picture.
+// drawing that; and what it is worth to keep what a moving eye, or a moving light, leaves as it
+// was: kept, by the same way with nothing but memory kept, and entered and drawn anew, in turn. A
+// mesh, or a terrain of about so many polygons: plain, lit, and with shadows.
 
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "clip/error.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
-#include "interp/device/raster_request.h"
+#include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
-#include "programs/bench/side_by_side.h"
-#include "tests/bench/kept_views.h"
+#include "tests/bench/benchmark.h"
+
+namespace displayfile::bench {
+
+const char* const kAbout = "New views of a retained scene, and entering each anew in units of one";
 
 namespace {
 
-using namespace displayfile;
-using Clock = std::chrono::steady_clock;
+constexpr int kViews = 24, kWarm = 3;
 
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// A height field of 2 n^2 triangles.
-void enter_terrain(int n, GraphicsSystem& system) {
+void enter_terrain(std::size_t polygons, GraphicsSystem& system) {
+  const auto n = static_cast<int>(std::sqrt(static_cast<double>(polygons) / 2.0));
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;
   const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
@@ -48,135 +42,147 @@ void enter_terrain(int n, GraphicsSystem& system) {
       corners.insert(corners.end(), {at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
-  system.set_line_style({LineStyle::Kind::none});
   system.set_perspective({0.3, -2.5, 2.0});
   system.set_view_plane_normal({-0.3, 2.5, -2.0});
-  system.set_view_reference_point({0, 0, 0});
   system.set_view_up({0, 0, 1});
   system.set_window(-1.3, 1.3, -1.3, 1.3);
   system.open_segment(1);
-  system.polygons_abs_3({vertices, corners});
+  system.polygons_abs_3(vertices, corners);
   system.close_segment();
 }
 
-struct Wanted {
-  std::string mesh;
-  int side = 300, size = 1024, threads = 1, views = 24;
-  bool light = false, shadows = false, kept = false, against_truth = false;
-};
-
-void enter_wanted(const Wanted& wanted, GraphicsSystem& system) {
-  if (wanted.light || wanted.shadows || wanted.kept) system.set_light({1, 2, 3}, 0.2);
-  system.set_shadows(wanted.shadows);
-  if (wanted.mesh.empty()) return enter_terrain(wanted.side, system);
-  system.set_line_style({LineStyle::Kind::none});
-  import_mesh(wanted.mesh, system);
+/// As Turntable turns, in world coordinates.
+glm::dmat3 turned(double degrees) {
+  return glm::dmat3(
+      glm::rotate(glm::dmat4(1.0), degrees * std::numbers::pi / 180.0, Point3(0.3, 0.2, 1.0)));
 }
 
-/// Seconds of one view after another, from the third on.
 struct Times {
-  std::vector<double> new_views, viewing, drawing, anew;
-  std::size_t wrong_pixels = 0;
+  std::vector<double> seconds;
+  void add(double s, bool counts) {
+    if (counts) seconds.push_back(s);
+  }
+  double over(const Times& unit) const {
+    return figure(spread(seconds).median / spread(unit.seconds).median);
+  }
 };
 
 class Bench {
  public:
-  explicit Bench(const Wanted& wanted) : wanted_(wanted) {
+  Bench(const std::string& mesh, const char* look, const Options& options)
+      : options_(options), row_{{"look", look}} {
+    const std::string words = look;
     system_.retain(&scene_);
-    enter_wanted(wanted, system_);
+    if (words != "plain") system_.set_light({1, 2, 3}, 0.2);
+    system_.set_shadows(words == "shadows");
+    system_.set_line_style({LineStyle::Kind::none});
+    if (mesh.empty()) {
+      enter_terrain(options.polygons, system_);
+    } else {
+      import_mesh(mesh, system_);
+    }
     turntable_.emplace(scene_, system_.display_file(), system_.view());
-    if (!wanted.mesh.empty()) turntable_->fit_window(8);
-    viewer_.emplace(scene_, system_.display_file());
-    request_.width = request_.height = wanted.size;
-    request_.threads = wanted.threads;
+    if (!mesh.empty()) turntable_->fit_window(8);
+    request_.width = request_.height = options.size;
+    request_.threads = options.threads;
     request_.method = HiddenMethod::z_buffer;
+    row_["polygons"] = system_.polygons_entered();
   }
 
-  void run() {
-    if (wanted_.kept) {
-      fmt::print("{} polygons, {} x {}, {} threads, {} views\n", system_.counts().polygons,
-                 wanted_.size, wanted_.size, wanted_.threads, wanted_.views);
-      return bench::print_kept_views(scene_, system_.display_file(), *turntable_, request_,
-                                     wanted_.views);
+  void print_views() {
+    SceneViewer viewer(scene_, system_.display_file());
+    SoftwareRenderer renderer, renderer_of_files;
+    Times views, viewing, anew;
+    std::size_t wrong = 0;
+    for (int k = -kWarm; k < kViews; ++k) {
+      const auto [view, lights] = turntable_->at(360.0 * k / kViews);
+      const ViewedScene* seen = nullptr;
+      const double found = seconds([&, &at = view, &by = lights] {
+        seen = &viewer.view({at, by, size(), options_.threads});
+      });
+      viewing.add(found, k >= 0);
+      views.add(found + seconds([&] { renderer.draw(*seen, request_); }), k >= 0);
+      if (k < 0) continue;
+      anew.add(seconds([&, &at = view, &by = lights] {
+                 renderer_of_files.draw(viewer.display_file(at, by), request_);
+               }),
+               true);
+      RasterRequest with_ids = request_;
+      with_ids.ids = true;
+      const auto right =
+          truth(viewer.display_file(view, lights), size().width, size().height, false).ids;
+      const Picture& drawn = renderer.draw(*seen, with_ids);
+      for (std::size_t i = 0; i < right.size(); ++i) wrong += drawn.ids[i] != right[i] ? 1 : 0;
     }
-    constexpr int kWarm = 3;
-    for (int k = -kWarm; k < wanted_.views; ++k) measure(360.0 * k / wanted_.views, k >= 0);
-    const double all = bench::spread(times_.new_views).median;
-    fmt::print("{} polygons, {} x {}, {} threads, {} views: anew {:.2f} in units of a new view\n",
-               system_.counts().polygons, wanted_.size, wanted_.size, wanted_.threads,
-               wanted_.views, bench::spread(times_.anew).median / all);
-    fmt::print(
-        "viewing {:.2f} and drawing {:.2f} of it; memory of the views: {:.0f} bytes a polygon\n",
-        bench::spread(times_.viewing).median / all, bench::spread(times_.drawing).median / all,
-        static_cast<double>(viewer_->bytes()) / static_cast<double>(system_.counts().polygons));
-    if (wanted_.against_truth) {
-      fmt::print("wrong pixels in all views: {}\n", times_.wrong_pixels);
+    Json row{{"table", "in units of a new view"}};
+    row.update(row_);
+    row["anew"] = anew.over(views);
+    row["viewing"] = viewing.over(views);
+    row["bytes a polygon of the views"] =
+        viewer.bytes() / static_cast<std::size_t>(system_.polygons_entered());
+    row["wrong pixels"] = wrong;
+    print_row(row);
+  }
+
+  void print_kept(bool eye_moves) {
+    test::FromEyes kept(scene_, system_.display_file());
+    SceneViewer viewer(scene_, system_.display_file());
+    SoftwareRenderer renderer, renderer_of_files;
+    DrawOptions drawn;
+    drawn.width = drawn.height = options_.size;
+    drawn.threads = options_.threads;
+    drawn.hidden = request_.method;
+    Times of_kept, of_memory, anew;
+    int same = 0;
+    for (int k = -kWarm; k < kViews; ++k) {
+      const double degrees = 360.0 * k / kViews;
+      const View view = turntable_->at(eye_moves ? degrees : 20.0).view;
+      const glm::dmat3 lights = eye_moves ? glm::dmat3(1.0) : turned(degrees);
+      const Picture *by_kept = nullptr, *by_file = nullptr;
+      of_kept.add(seconds([&] { by_kept = &kept.draw(view, drawn, lights); }), k >= 0);
+      viewer.view({View(), lights, size(), options_.threads});  // forgets what it saw
+      of_memory.add(
+          seconds([&] {
+            renderer.draw(viewer.view({view, lights, size(), options_.threads}), request_);
+          }),
+          k >= 0);
+      anew.add(seconds([&] {
+                 by_file = &renderer_of_files.draw(viewer.display_file(view, lights), request_);
+               }),
+               k >= 0);
+      same += k >= 0 && by_kept->pixels == by_file->pixels ? 1 : 0;
     }
+    Json row{{"table", "in units of a kept view"}};
+    row.update(row_);
+    row["moves"] = eye_moves ? "eye" : "light";
+    row["only memory kept"] = of_memory.over(of_kept);
+    row["anew"] = anew.over(of_kept);
+    row["same pictures"] = fmt::format("{} of {}", same, kViews);
+    row["bytes a polygon for shadows"] = kept.bytes_of_casters() / scene_.size();
+    print_row(row);
   }
 
  private:
-  void measure(double degrees, bool counts) {
-    const auto [view, lights] = turntable_->at(degrees);
-    const SceneViewer::Wanted in_view{view, lights, PictureSize{wanted_.size, wanted_.size},
-                                      wanted_.threads};
-    const auto start = Clock::now();
-    const ViewedScene& seen = viewer_->view(in_view);
-    const double viewing = since(start);
-    renderer_.draw(seen, request_);
-    const double new_view = since(start);
-    if (!counts) return;
-    const auto start_anew = Clock::now();
-    const DisplayFile file = viewer_->display_file(view, lights);
-    renderer_of_files_.draw(file, request_);
-    times_.anew.push_back(since(start_anew));
-    times_.new_views.push_back(new_view);
-    times_.viewing.push_back(viewing);
-    times_.drawing.push_back(new_view - viewing);
-    if (wanted_.against_truth) count_wrong(file, seen);
-  }
+  PictureSize size() const { return {options_.size, options_.size}; }
 
-  void count_wrong(const DisplayFile& file, const ViewedScene& seen) {
-    RasterRequest with_ids = request_;
-    with_ids.ids = true;
-    const auto right = truth(file, wanted_.size, wanted_.size, false).ids;
-    const Picture& drawn = renderer_.draw(seen, with_ids);
-    for (std::size_t i = 0; i < right.size(); ++i) {
-      times_.wrong_pixels += drawn.ids[i] != right[i] ? 1 : 0;
-    }
-  }
-
-  Wanted wanted_;
+  const Options& options_;
+  Json row_;
   RetainedScene scene_;
   GraphicsSystem system_;
   std::optional<Turntable> turntable_;
   RasterRequest request_;
-  std::optional<SceneViewer> viewer_;
-  SoftwareRenderer renderer_, renderer_of_files_;
-  Times times_;
 };
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("New views of a retained scene, and entering each anew in units of one");
-  Wanted wanted;
-  app.add_option("MESH", wanted.mesh, "a mesh file; without one, a terrain");
-  app.add_option("--side", wanted.side, "of the terrain: 2 n^2 triangles")
-      ->check(CLI::Range(1, 5000));
-  app.add_option("--size", wanted.size, "pixels a side")->check(CLI::Range(1, 16384));
-  app.add_option("--threads", wanted.threads)->check(CLI::Range(1, 1024));
-  app.add_option("--views", wanted.views, "around it, measured in turn")
-      ->check(CLI::Range(1, 10000));
-  app.add_flag("--light", wanted.light, "of the polygons, which turns with the eye");
-  app.add_flag("--shadows", wanted.shadows, "with a light as --light");
-  app.add_flag("--kept", wanted.kept,
-               "what is kept where only the eye moves, and where only the light does, instead");
-  app.add_flag("--truth", wanted.against_truth, "wrong pixels of each view, by exact arithmetic");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    Bench(wanted).run();
-  } catch (const Error& error) {
-    fmt::print(stderr, "new_view_bench: {}\n", error.what());
-    return 2;
+void run(const Options& options) {
+  for (const char* look : {"plain", "lit", "shadows"}) {
+    if (!options.has(look)) continue;
+    Bench bench(options.inputs.empty() ? "" : options.inputs.front(), look, options);
+    bench.print_views();
+    if (look == std::string("plain")) continue;
+    for (const bool eye_moves : {true, false}) bench.print_kept(eye_moves);
   }
 }
+
+}  // namespace displayfile::bench

@@ -1,9 +1,8 @@
-// What a filtered predicate costs against the naive determinant and against CGAL, on the same
-// input in the same run: the methods take turns, and what is printed is the median over the
-// turns of the ratio of their times. Then how often each stage decides.
+// What a filtered predicate costs against the naive determinant, against rounded coefficients and
+// against CGAL, on the same input in the same run: the methods take turns. Then how often the exact
+// stage decides, and what it costs alone.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <random>
@@ -17,11 +16,14 @@
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/predicate_counts.h"
-#include "programs/bench/side_by_side.h"
+#include "tests/bench/benchmark.h"
+
+namespace displayfile::bench {
+
+const char* const kAbout = "Filtered predicates, in turn with others";
 
 namespace {
 
-using namespace displayfile;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr std::size_t kTuples = 1 << 12;  // in the caches, so that arithmetic is what is timed
@@ -55,17 +57,13 @@ void add_signs(const Sign& sign_of_tuple, long& sum) {
 }
 
 /// The second method's time over the first's.
-template <class First, class Second>
-double ratio(const First& first, const Second& second, int turns = kTurns) {
+void print(const char* table, const char* what, const auto& first, const auto& second,
+           int turns = kTurns) {
   long sum = 0;
-  const bench::Spread times = bench::times_faster(
+  const Spread times = times_faster(
       turns, [&] { add_signs(first, sum); }, [&] { add_signs(second, sum); });
   asm volatile("" : : "r"(sum));
-  return times.median;
-}
-
-void line(std::string_view what, double measured) {
-  fmt::print("  {:<46} {:5.2f}\n", what, measured);
+  print_row({{"table", table}, {"predicate", what}, {"time", figure(times.median)}});
 }
 
 int naive_turn(const Point2& a, const Point2& b, const Point2& c) {
@@ -80,11 +78,12 @@ int naive_side(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 }
 
 void print_counts() {
-  fmt::print("asked of the exact stage, in all of the above\n");
   const PredicateCounts counts = predicate_counts();
   for (std::size_t k = 0; k < kPredicates; ++k) {
-    fmt::print("  {:<46} {} ({} zero by definition)\n", name_of(static_cast<Predicate>(k)),
-               counts[k].exact, counts[k].by_definition);
+    print_row({{"table", "asked of the exact stage, in all of the above"},
+               {"predicate", name_of(static_cast<Predicate>(k))},
+               {"asked", counts[k].exact},
+               {"zero by definition", counts[k].by_definition}});
   }
 }
 
@@ -150,7 +149,7 @@ int rounded_depth_order(const Plane& a, const Plane& b, const PixelCentre& at) {
 
 }  // namespace
 
-int main() {
+void run(const Options&) {
   const Input input;
   const Definitions all = input.definitions();
   const Point3* const p = input.points.data();
@@ -219,26 +218,32 @@ int main() {
   };
 
   reset_predicate_counts();
-  fmt::print("time of the filtered predicate on random input, as a ratio\n");
-  fmt::print("against the naive determinant of the points (the aim: at most 1.5)\n");
-  line("orientation, three points of the projection", ratio(naive_2, ours_2));
-  line("orientation, four points", ratio(naive_3, ours_3));
-  line("stored point against a plane", ratio(naive_3, ours_plane));
-  line("defined point against a plane", ratio(naive_3, ours_defined));
-  line("pixel centre against an edge", ratio(naive_edge, ours_crossing));
-  line("two planes at a pixel centre", ratio(naive_depth, ours_depth));
-  fmt::print("against rounded coefficients kept in the plane (what roundoff does)\n");
-  line("stored point against a plane", ratio(rounded_plane, ours_plane));
-  line("defined point against a plane", ratio(rounded_defined, ours_defined));
-  line("two planes at a pixel centre", ratio(rounded_depth, ours_depth));
-  fmt::print("against CGAL's exact-predicates kernel (the aim: at most 1)\n");
-  line("orientation, three points of the projection", ratio(cgal_2, ours_2));
-  line("orientation, four points", ratio(cgal_3, ours_3));
-  line("stored point against a plane", ratio(cgal_3, ours_plane));
+  constexpr const char *kTurn = "orientation, three points of the projection",
+                       *kFour = "orientation, four points",
+                       *kStored = "stored point against a plane",
+                       *kDefined = "defined point against a plane",
+                       *kDepth = "two planes at a pixel centre";
+  const char* table = "against the naive determinant of the points (the aim: at most 1.5)";
+  print(table, kTurn, naive_2, ours_2);
+  print(table, kFour, naive_3, ours_3);
+  print(table, kStored, naive_3, ours_plane);
+  print(table, kDefined, naive_3, ours_defined);
+  print(table, "pixel centre against an edge", naive_edge, ours_crossing);
+  print(table, kDepth, naive_depth, ours_depth);
+  table = "against rounded coefficients kept in the plane (what roundoff does)";
+  print(table, kStored, rounded_plane, ours_plane);
+  print(table, kDefined, rounded_defined, ours_defined);
+  print(table, kDepth, rounded_depth, ours_depth);
+  table = "against CGAL's exact-predicates kernel (the aim: at most 1)";
+  print(table, kTurn, cgal_2, ours_2);
+  print(table, kFour, cgal_3, ours_3);
+  print(table, kStored, cgal_3, ours_plane);
   print_counts();
-  fmt::print("the exact stage alone, against the filtered predicate\n");
-  line("orientation, three points of the projection", ratio(ours_2, exact_2, kTurnsOfExact));
-  line("orientation, four points", ratio(ours_3, exact_3, kTurnsOfExact));
-  line("defined point against a plane", ratio(ours_defined, exact_defined, kTurnsOfExact));
-  line("two planes at a pixel centre", ratio(ours_depth, exact_depth, kTurnsOfExact));
+  table = "the exact stage alone, against the filtered predicate";
+  print(table, kTurn, ours_2, exact_2, kTurnsOfExact);
+  print(table, kFour, ours_3, exact_3, kTurnsOfExact);
+  print(table, kDefined, ours_defined, exact_defined, kTurnsOfExact);
+  print(table, kDepth, ours_depth, exact_depth, kTurnsOfExact);
 }
+
+}  // namespace displayfile::bench

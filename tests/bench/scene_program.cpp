@@ -1,15 +1,34 @@
-#include "tests/bench/scene_program.h"
+// Prints a generated scene, or one in which all touches, as a drawing program:
+//   scene_program NAME POLYGONS [SEED]
+// and without arguments the names of all, those in which polygons touch with a + before them.
 
-#include <fstream>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
 #include <sstream>
+#include <string>
+#include <string_view>
 
-#include "clip/error.h"
 #include "displayfile/files.h"
-#include "displayfile/graphics_system.h"
+#include "programs/scenes/generated_scenes.h"
+#include "tests/bench/touching_scenes.h"
 
 namespace displayfile::bench {
+namespace {
 
-void write_program(const Scene& scene, const std::string& path) {
+template <class Scenes>
+auto found(const Scenes& scenes, std::string_view name) {
+  return std::ranges::find(scenes, name, [](const auto& scene) { return scene.name; });
+}
+
+Scene made(std::string_view name, std::size_t polygons, std::uint64_t seed) {
+  const auto scene = found(touching_scenes(), name);
+  if (scene != touching_scenes().end()) return scene->make(polygons, seed);
+  return generated_scene(name).make(polygons, seed);
+}
+
+/// Without what it sets of touching: that is the command's.
+void print(const Scene& scene) {
   std::stringstream recorded;
   {
     Recorder recorder(recorded);
@@ -17,11 +36,24 @@ void write_program(const Scene& scene, const std::string& path) {
     system.set_recorder(&recorder);
     enter(scene, system);
   }
-  std::ofstream file(path);
   for (std::string line; std::getline(recorded, line);) {
-    if (!line.starts_with("set-touching")) file << line << '\n';
+    if (!line.starts_with("set-touching")) std::cout << line << '\n';
   }
-  if (!file.flush()) throw Error(path + ": not all could be written");
 }
 
+}  // namespace
 }  // namespace displayfile::bench
+
+int main(int argc, char** argv) {
+  using namespace displayfile;
+  if (argc < 3) {
+    for (const GeneratedScene& scene : generated_scenes()) std::cout << scene.name << '\n';
+    for (const bench::TouchingScene& scene : bench::touching_scenes()) {
+      std::cout << '+' << scene.name << '\n';
+    }
+    return 0;
+  }
+  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  bench::print(bench::made(argv[1], std::strtoull(argv[2], nullptr, 10), seed));
+  return 0;
+}

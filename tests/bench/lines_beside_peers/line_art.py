@@ -1,5 +1,5 @@
 """Times Blender's Line Art on a mesh in a view, and writes its strokes. A peer of
-lines_beside_peers (README.md here has what is said both ways):
+lines-beside-peers (README.md here has what is said both ways):
 
     blender -b -t THREADS --factory-startup --python line_art.py -- MESH.obj VIEW KINDS OPTIONS
 
@@ -169,8 +169,6 @@ def main():
             with open(words[1], "wb") as file:
                 ends.tofile(file)
             answer(f"segments {len(ends) // 6}")
-        elif words[0] == "quit":
-            break
 
 
 try:

@@ -1,0 +1,296 @@
+#include "tests/bench/command/beside.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "hidden/map/map_pieces.h"
+#include "hidden/sort/hidden_surface_sort.h"
+#include "interp/draw/renderer.h"
+#include "interp/opengl/osmesa.h"
+#include "interp/visibility/image_space.h"
+#include "interp/visibility/z_buffer.h"
+#include "programs/scenes/scene.h"
+#include "tests/bench/command/application_mesh.h"
+#include "tests/bench/command/contenders.h"
+#include "tests/bench/command/embree_rays.h"
+#include "tests/bench/command/find_seen.h"
+#include "tests/bench/command/gl2ps_sort.h"
+#include "tests/bench/command/indexed_triangles.h"
+#include "tests/bench/command/opengl_mesh.h"
+#include "tests/bench/command/process.h"
+
+namespace displayfile::bench {
+
+namespace {
+
+using Fill = ViewedScene::Fill;
+
+PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; }
+
+// ---- OSMesa ----------------------------------------------------------------------------
+
+DrawOptions by_z_buffer(const BesideTask& task) {
+  DrawOptions options;
+  options.width = options.height = task.scene.size;
+  options.threads = task.threads;
+  options.hidden = HiddenMethod::z_buffer;
+  return options;
+}
+
+void compare_start_up(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const std::vector<Point3> triangle{{0.25, 0.25, 0.0}, {0.75, 0.25, 0.0}, {0.5, 0.75, 0.0}};
+  const auto indexed = indexed_triangles(triangle, std::vector<std::uint32_t>{0xFF0000FF});
+  comparison.time(
+      "OSMesa", "start-up",
+      [&] {
+        GraphicsSystem system;
+        system.set_line_style({LineStyle::Kind::none});
+        system.open_segment(1);
+        system.polygon_abs_3(triangle);
+        system.close_segment();
+        draw(system, by_z_buffer(task));
+      },
+      [&] {
+        OpenGlMesh mesh(indexed, {size_of(task.scene)});
+        mesh.set_matrix(glm::dmat4(1.0));
+        mesh.draw_with_new_vertices();
+      });
+}
+
+void compare_with_osmesa(Comparison& comparison) {
+  compare_start_up(comparison);
+  const BesideTask& task = comparison.task();
+  ApplicationMesh mesh;
+  try {
+    mesh = application_mesh(task.scene);
+  } catch (const CannotDraw& reason) {
+    for (const char* what : {"new vertices", "same picture again"}) {
+      comparison.leave_out("OSMesa", what, reason.why);
+    }
+    return;
+  }
+  const IndexedTriangles indexed = indexed_triangles(mesh);
+  OpenGlMesh opengl(indexed,
+                    {size_of(task.scene), 24, mesh.back_faces_removed, pixel_of(Background{})});
+  opengl.set_matrix(opengl_matrix(mesh.views.front(), mesh));
+
+  GraphicsSystem system;
+  system.set_threads(task.threads);
+  set_view(mesh.views.front(), system);
+  Renderer renderer;
+  const DrawOptions options = by_z_buffer(task);
+  comparison.time(
+      "OSMesa", "new vertices",
+      [&] {
+        enter(mesh, system);
+        renderer.draw(system, options);
+      },
+      [&] { opengl.draw_with_new_vertices(); });
+  opengl.make_resident();
+  comparison.time(
+      "OSMesa", "same picture again", [&] { renderer.draw(system, options); },
+      [&] { opengl.draw(); });
+}
+
+// ---- Embree ----------------------------------------------------------------------------
+
+/// Both cast parallel rays through the pixel centres at the same triangles; the result is the
+/// triangle hit.
+void compare_with_embree(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const int threads = task.threads;
+  const PictureSize picture = size_of(task.scene);
+  const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
+  const ViewedScene triangles(file);
+  const ImageSpaceMethod::Request request{triangles, picture, std::nullopt};
+  const auto method = make_image_space_method(HiddenMethod::ray_cast);
+  const auto other = make_image_space_method(HiddenMethod::ray_cast);
+  method->prepare(request, threads);
+  const EmbreeRays::Input input(in_triangles(triangles), picture);
+  std::vector<Fill> seen = room_for(picture);
+  EmbreeRays::Hits hits(picture, false);
+  for (const auto quality : {EmbreeRays::Quality::moderate, EmbreeRays::Quality::high}) {
+    const bool high = quality == EmbreeRays::Quality::high;
+    const char* const name = high ? "Embree, high quality" : "Embree";
+    const EmbreeRays embree(input, threads, quality);
+    comparison.time(
+        name, "rays", [&] { find_seen(*method, picture, threads, seen); },
+        [&] {
+          for_rows(picture.height, threads,
+                   [&](int begin, int end) { embree.cast(begin, end, hits); });
+        });
+    comparison.time(
+        name, "building the tree", [&] { other->prepare(request, threads); },
+        [&] { EmbreeRays(input, threads, quality); });
+  }
+  std::size_t hit = 0, differ = 0;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    hit += seen[k] != ViewedScene::kBackground ? 1 : 0;
+    differ += seen[k] != hits.fills[k] ? 1 : 0;
+  }
+  const auto in_a_hundred = [&](std::size_t count) {
+    return 100.0 * static_cast<double>(count) / static_cast<double>(seen.size());
+  };
+  comparison.count("Embree", "rays a packet", EmbreeRays::packet_width());
+  comparison.count("Embree", "rays that hit, %", in_a_hundred(hit));
+  comparison.count("Embree", "pixels that differ, %", in_a_hundred(differ));
+}
+
+// ---- gl2ps -----------------------------------------------------------------------------
+
+/// From the polygons to the points of their pieces, exact, on one thread.
+SortedPieces pieces_by(HiddenMethod method, const Primitives& polygons) {
+  if (method == HiddenMethod::map) return pieces_of_map(polygons, visible_map(polygons, {}));
+  return sort_hidden_surfaces(polygons, method, SortOptions{});
+}
+
+void compare_with_gl2ps(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
+  const ViewedScene scene(file);
+  const Triangles triangles = in_triangles(scene);
+  const auto count = static_cast<double>(std::max<std::size_t>(1, triangles.size()));
+  const auto left_out = [&](HiddenMethod method) {
+    return task.left_out.contains(std::string(name_of(method)));
+  };
+  comparison.count("gl2ps", "triangles", static_cast<double>(triangles.size()));
+  for (const HiddenMethod method : kObjectSpaceMethods) {
+    const std::string name(name_of(method));
+    if (left_out(method)) {
+      comparison.leave_out(name, "pieces a triangle", task.left_out.at(name));
+      continue;
+    }
+    const SortedPieces found = pieces_by(method, scene.primitives());
+    comparison.count(name, "pieces a triangle", static_cast<double>(found.pieces.size()) / count);
+  }
+  for (const bool best_root : {false, true}) {
+    const char* const name = best_root ? "gl2ps, best root" : "gl2ps";
+    const Gl2psSort gl2ps{triangles.corners, size_of(task.scene), best_root};
+    if (!gl2ps.ends()) {
+      const char* const why = "gl2ps's sort does not come to an end";
+      comparison.leave_out(name, "pieces a triangle", why);
+      for (const HiddenMethod method : kObjectSpaceMethods) {
+        comparison.leave_out(name, std::string(name_of(method)), why);
+      }
+      continue;
+    }
+    comparison.count(name, "pieces a triangle", static_cast<double>(gl2ps.pieces().size()) / count);
+    for (const HiddenMethod method : kObjectSpaceMethods) {
+      const std::string of(name_of(method));
+      if (left_out(method)) {
+        comparison.leave_out(name, of, task.left_out.at(of));
+        continue;
+      }
+      const auto ours = [&] { pieces_by(method, scene.primitives()); };
+      const auto round = [&] {
+        const double our_seconds = seconds_each(Clock::processor, 1, ours);
+        return std::pair(our_seconds, gl2ps.sort());
+      };
+      const auto [our_first, first] = round();
+      const int rounds = std::clamp(
+          static_cast<int>(task.effort.most_seconds / (our_first + first)), 1, task.effort.rounds);
+      std::vector<double> ratios;
+      for (int i = 0; i < rounds; ++i) {
+        const auto [own, others] = round();
+        ratios.push_back(others / own);
+      }
+      comparison.add_ratio(name, of, spread(std::move(ratios)));
+    }
+  }
+}
+
+// ---- Without exact stages --------------------------------------------------------------
+
+/// What each of a method's forms does for a picture from a viewed scene: it makes ready, and finds
+/// what is seen at every pixel.
+void compare_image_space(Comparison& comparison, const ViewedScene& scene, HiddenMethod method) {
+  const BesideTask& task = comparison.task();
+  const PictureSize size = size_of(task.scene);
+  const auto exact = make_image_space_method(method);
+  const bool single = method == HiddenMethod::z_buffer;
+  const auto rounded = single ? std::make_unique<ZBuffer>(ZBuffer::Decided::in_single_precision)
+                              : make_image_space_method(method);
+  std::vector<Fill> seen = room_for(size), seen_rounded = seen;
+  const auto drawn = [&](ImageSpaceMethod& form, std::optional<double> roundoff,
+                         std::vector<Fill>& to) {
+    return [&, roundoff] {
+      form.prepare({scene, size, roundoff}, 1);
+      find_seen(form, size, 1, to);
+    };
+  };
+  const std::string name(name_of(method));
+  comparison.time("without exact stages", name, drawn(*exact, std::nullopt, seen),
+                  drawn(*rounded, single ? std::nullopt : std::optional(0.0), seen_rounded));
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) wrong += seen[i] != seen_rounded[i];
+  comparison.found.back()["count"] = wrong;
+}
+
+/// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
+void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
+  const BesideTask& task = comparison.task();
+  const std::string name(name_of(method));
+  const Frame frame{task.scene.size, task.scene.size};
+  constexpr double kRoundoff = 1e-12;
+  std::unique_ptr<Drawing> exact, rounded;
+  for (const Contender& contender : contenders(std::span(&kRoundoff, 1))) {
+    if (contender.method != name) continue;
+    (contender.exact ? exact : rounded) = contender.draw(file, frame);
+  }
+  comparison.time(
+      "without exact stages", name, [&] { exact->draw_anew(); }, [&] { rounded->draw_anew(); });
+  const Picture right = exact->judged(), other = rounded->judged();
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < right.ids.size(); ++i) wrong += right.ids[i] != other.ids[i];
+  comparison.found.back()["count"] = wrong;
+}
+
+void compare_without_exact_stages(Comparison& comparison) {
+  const BesideTask& task = comparison.task();
+  const DisplayFile file = task.scene.make();
+  const ViewedScene scene(file);
+  const auto is_compared = [&](HiddenMethod method) {
+    const std::string name(name_of(method));
+    if (std::ranges::find(task.methods, name) == task.methods.end()) return false;
+    const auto why = task.left_out.find(name);
+    if (why != task.left_out.end()) comparison.leave_out("without exact stages", name, why->second);
+    return why == task.left_out.end();
+  };
+  for (const ImageSpaceEntry& entry : image_space_methods()) {
+    if (is_compared(entry.method)) compare_image_space(comparison, scene, entry.method);
+  }
+  for (const HiddenMethod method : kObjectSpaceMethods) {
+    const bool is_sort = method != HiddenMethod::map;  // which has no other precision
+    if (is_sort && is_compared(method)) compare_sort(comparison, file, method);
+  }
+}
+
+}  // namespace
+
+std::string compared(const std::string& text) {
+  const BesideTask task = nlohmann::json::parse(text).get<BesideTask>();
+  Comparison comparison(task);
+  if (task.other == "osmesa" && osmesa_available()) compare_with_osmesa(comparison);
+  if (task.other == "views") compare_new_views(comparison);
+  if (task.other == "embree" && EmbreeRays::version()) compare_with_embree(comparison);
+  if (task.other == "gl2ps" && Gl2psSort::version()) compare_with_gl2ps(comparison);
+  if (task.other == "rounded") compare_without_exact_stages(comparison);
+  return comparison.found.dump();
+}
+
+Json compare_in_own_process(const BesideTask& task) {
+  const std::string of_llvmpipe =
+      fmt::format("LP_NUM_THREADS={}", task.threads == 1 ? 0 : task.threads);
+  const Finished finished =
+      run(Process{.command = {"/proc/self/exe", "bench", "--beside", text_of(task)},
+                  .variables = {of_llvmpipe}});
+  if (!finished.succeeded) throw Error("bench: the process that compares with others failed");
+  return Json::parse(finished.output);
+}
+
+}  // namespace displayfile::bench

@@ -1,0 +1,117 @@
+// The program displayfile-bench, which `displayfile bench` starts in its own place: its command
+// line is that of the command (tests/bench/command/bench.md).
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "clip/error.h"
+#include "displayfile/mesh/mesh_extensions.h"
+#include "programs/bench_program.h"
+#include "programs/empty_values.h"
+#include "programs/exit_status.h"
+#include "programs/manual/asked_of_itself.h"
+#include "programs/number_in.h"
+#include "programs/standard_descriptors.h"
+#include "programs/stop_signals.h"
+#include "programs/work_limits.h"
+#include "tests/bench/command/bench_command.h"
+
+namespace displayfile {
+namespace {
+
+constexpr std::array kNamedValues{NamedValues{"METHOD", bench::method_names, nullptr},
+                                  NamedValues{"SCENE", bench::scene_names, nullptr},
+                                  NamedValues{"MESH", nullptr, mesh_extensions}};
+
+int run(int argc, char** argv) {
+  CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
+               "displayfile");
+  app.require_subcommand(1);
+  BenchCommand bench;
+  auto* command = app.add_subcommand("bench", kBenchDescription);
+  command
+      ->add_option("SCENE", bench.scenes.names,
+                   "generated scenes, families of hard cases, drawing programs and meshes; "
+                   "default, as without any: all generated scenes and hard cases")
+      ->type_name("SCENE|FILE.draw|MESH");
+  command
+      ->add_option("-o,--output", bench.page,
+                   "the page, .html; what is finished is kept in "
+                   "PAGE.partial until then, and an interrupted run "
+                   "goes on from there")
+      ->type_name("PAGE.html")
+      ->capture_default_str();
+  command->add_option("--json", bench.json, "the figures for programs")->type_name("FIGURES.json");
+  command->add_flag("--full", bench.scenes.full,
+                    "more sizes, precisions and rounds: hours instead of minutes");
+  auto* methods = command->add_option("--methods", bench.methods, "only these, with commas between")
+                      ->type_name("METHOD,...")
+                      ->delimiter(',');
+  command
+      ->add_option("--roundoff", bench.roundoffs,
+                   "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
+      ->type_name("EPS,...")
+      ->delimiter(',');
+  command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->transform(number_in(1, 1024));
+  command
+      ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->transform(number_in(std::size_t{1}, std::size_t{10'000'000}));
+  command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->transform(number_in(1, 16384));
+  command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated")
+      ->type_name("N")
+      ->transform(any_number<std::uint64_t>());
+  command->add_option("--rounds", bench.rounds, "of each ratio")
+      ->type_name("N")
+      ->transform(number_in(1, 1000));
+  command
+      ->add_option("--seconds", bench.most_seconds,
+                   "at most for the rounds of one ratio; hard cases take less")
+      ->type_name("SECONDS")
+      ->transform(number_in(0.001, 1e6));
+  command->add_flag(
+      "--features,!--no-features", bench.features,
+      "what each feature costs, off and on; without it, only where no SCENE is named");
+  command
+      ->add_flag("--moving-camera", bench.moving_camera,
+                 "only the table of new views of retained scenes: times as fast as OSMesa, wrong "
+                 "pixels, bytes a triangle, growth; pictures of 1024 pixels a side unless --sizes "
+                 "says otherwise")
+      ->excludes(methods);
+  const AskedOfItself asked(argc, argv);
+  WorkLimitWords limits;
+  limits.add_to(*command, !asked.for_any_machine());
+  command->add_flag("--features-under-callgrind", bench.features_under_callgrind)->group("");
+  command->add_option("--beside", bench.beside)->group("");
+  refuse_empty_values(*command);
+  if (asked.anything()) {
+    asked.tell(app, kNamedValues);
+    return 0;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    throw Error(fmt::format("{}: displayfile bench --help lists all", e.what()));
+  }
+  const WorkLimitsInForce in_force(limits);
+  return bench.run();
+}
+
+}  // namespace
+}  // namespace displayfile
+
+int main(int argc, char** argv) {
+  displayfile::keep_standard_descriptors();
+  displayfile::leave_nothing_when_stopped();
+  return displayfile::exit_status(displayfile::run, argc, argv);
+}

@@ -1,0 +1,440 @@
+"use strict";
+// Tables that answer one question each: sections of the page, and blocks of a README. A summary has
+// a name (of the block), a title, a text, and rows, of which the first is the head; or no rows.
+
+/** Collects why figures of a table are missing: a sentence for each, after its text. */
+function notesOfLeftOut() {
+  let words = "";
+  const leftOut = (scene, whose, why) => {
+    words += `${words ? "" : " Skipped:"} ${whose}: ${shortName(scene)}, ${why}.`;
+    return SKIPPED;
+  };
+  return [leftOut, () => words];
+}
+
+/** The row of a scene, if any of its figures is there. */
+function rowOf(row, cells) {
+  return cells.some(Boolean) ? [[shortName(row.name), grouped(row.polygons), square(row.size), ...cells]] : [];
+}
+
+const summaryMakers = {
+  front(figures) {
+    const found = figures.front;
+    if (!found) return null;
+    const hard = figures.hardCases.length > 0;
+    const listed = (front) => front.map((one) =>
+      `${one.column.name} (time ${general(one.time)}, ${general(one.timed)} % wrong` +
+      (hard ? ` of the scenes timed, ${general(one.percent)} % of the stress scenes)` : ")")).join("; ");
+    const timed = listed(found.frontTimed), stress = listed(found.front);
+    const text = (timed === stress
+      ? `On the front, from fastest to most accurate: ${timed}.`
+      : "On the front, from fastest to most accurate, by the errors of the scenes timed: " +
+        `${timed}. By those of the stress scenes: ${stress}.`) +
+      " For anything else something is both faster and more accurate. Time is that of a picture from the display " +
+      `file, in those of ${figures.reference}, the geometric mean over the ${plural(found.scenes, "scene")} from ` +
+      `which no method was left out${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, ` +
+      "and have the polygons in their own form. Errors are pixels in a hundred whose polygon is not the one that " +
+      `exact arithmetic gives${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.` : ", of these scenes."}`;
+    return {title: "Speed against error", text};
+  },
+
+  methods(figures) {
+    const rows = figures.withNothingLeftOut(figures.still, isInSeries);
+    if (!rows.length) return null;
+    const hard = figures.hardCases.length > 0, advised = advice(figures);
+    const percent = (wrong) => (wrong.pixels ? general(wrong.percent) : "");
+    const mean = (column, value) => {
+      const all = figures.means(rows, (other) => other === column, value);
+      return all.length ? general(all[0].time) : "";
+    };
+    const text = `Times of a picture in those of ${figures.reference}, geometric means over the ${rows.length} scenes ` +
+      `from which none was left out (${rows.map((row) => shortName(row.name)).join(", ")}): anew, from the display ` +
+      "file; and the same picture again. A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws " +
+      "no pixels. Wrong pixels are in a hundred of all: of the scenes that were timed" +
+      `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. Pieces are those of a triangle, of the same triangles; ` +
+      "the map's are those that are seen.";
+    const head = ["method", "anew", "again", "wrong, %: scenes timed",
+                  ...(hard ? [`wrong, %: stress scenes, ${figures.sizesOfHardCases}`] : []),
+                  "bytes a polygon", "pieces", "advised for"];
+    const body = figures.columns.filter(isInSeries).flatMap((column) => {
+      const anew = mean(column, medianTime);
+      if (!anew) return [];
+      const bytes = rows.map((row) => [row, figures.measured(row, column)]).filter(([, cell]) => cell.bytes !== undefined)
+        .map(([row, cell]) => Math.max(1, cell.bytes) / Math.max(1, row.polygons));
+      const uses = advised.filter((a) => a.use === column.name).map((a) => a.purpose.replace(/:.*/, "")).join("; ");
+      return [[column.name, anew, mean(column, (cell) => cell.time_again?.median), percent(figures.wrong(rows, column)),
+               ...(hard ? [percent(figures.wrong(figures.hardCases, column))] : []),
+               bytes.length ? geometricMean(bytes).toFixed(0) : "", piecesATriangle(figures, rows, column), uses]];
+    });
+    return {title: "Methods", text, rows: [head, ...body]};
+  },
+
+  lines(figures) {
+    const {timed} = figures.linesOf(false);
+    const cases = figures.hardCases.filter((row) => row.lineCells.length).length;
+    const names = timed.length && timed.length <= 20 ? ` (${timed.map((row) => shortName(row.name)).join(", ")})` : "";
+    return linesTable(figures, false, "Hidden lines: speed against missing and extra length",
+      "What methods of lines find of all sides of polygons, against the exact truth of lines. Times in those of " +
+      `${figures.line_reference}, on one thread, geometric means over ${plural(timed.length, "scene")} from which none ` +
+      `was left out${names}; growth is the exponent of the time with the polygons, the least and the greatest of the ` +
+      "generated scenes. Missing and extra length in a million of the lines' length, of " +
+      `${cases} hard cases and of the scenes.`);
+  },
+  surfaces(figures) {
+    const {timed} = figures.linesOf(true);
+    return linesTable(figures, true, "Surfaces over a grid: speed against missing and extra length",
+      "What the same methods, and those that draw surfaces alone, find of all sides of a surface's triangles" +
+      `${timed.length ? `, of ${timed.at(-1).polygons}` : ""}, diagonals among them, against the exact truth of lines. ` +
+      `Times in those of ${figures.line_reference}, on one thread; growth is the exponent of the time with the ` +
+      "triangles. Missing and extra length in a million of the lines' length, of all sizes.");
+  },
+
+  "moving-camera"(figures) {
+    const threads = figures.threadsOf((b) => b.what === "moving camera" || b.other === "truth");
+    const growth = figures.growthOfNewViews, [leftOut, words] = notesOfLeftOut();
+    const range = (row, n) => {
+      const faster = figures.compared(row, n, "OSMesa", "moving camera")?.times_faster;
+      if (!faster) return figures.besides(row, n, "OSMesa", "moving camera", leftOut);
+      return `${times(faster.median)} (${times(faster.least)} to ${times(faster.greatest)})`;
+    };
+    const wrong = (row) => {
+      const total = (what) => sum(threads.map((n) => figures.count(row, n, "truth", what) ?? 0));
+      return total("views") ? `${grouped(total("wrong pixels"))} in ${total("views")} pictures` : "";
+    };
+    const exponent = (row, n) => {
+      const last = figures.named(row.name).filter((other) => figures.count(other, n, "OSMesa", "triangles")).at(-1);
+      const found = growth.find((g) => g.scene === row.name && g.threads === n);
+      return found && row === last ? String(found.exponent) : "";
+    };
+    const body = figures.rows.flatMap((row) => {
+      const triangles = figures.count(row, threads[0], "OSMesa", "triangles");
+      const bytes = ["retained scene", "view", "drawing"].map((what) =>
+        figures.count(row, threads[0], "bytes a triangle", what)?.toFixed(0) ?? "");
+      const cells = [...threads.map((n) => range(row, n)), wrong(row), ...bytes,
+                     ...(growth.length ? threads.map((n) => exponent(row, n)) : [])];
+      const first = [shortName(row.name), triangles === undefined ? "" : grouped(triangles), square(row.size)];
+      return cells.some(Boolean) ? [[...first, ...cells]] : [];
+    });
+    const head = ["scene", "triangles", "picture", ...threads.map((n) => `times as fast, ${plural(n, "thread")}`),
+                  "wrong pixels", "bytes: scene", "view", "drawing",
+                  ...(growth.length ? threads.map((n) => onThreads("growth", n)) : [])];
+    const text = "How many times as fast a new view of a retained scene is, by the exact z-buffer and without a sort, as " +
+      "in OSMesa, with 24 bits of depth, a resident, indexed mesh and a new matrix: the median of rounds, each a turn " +
+      "of 8 views around the scene on both sides, the least and the greatest. Both sides get the same triangles, into " +
+      "which polygons are cut, with the same shared vertices in the same colours, back faces removed on both or on " +
+      "neither, and as many threads (one: the processor's time; several: the time on the wall). Timed on our side is " +
+      "all from the eye to the picture in memory, in OSMesa from the matrix until all is drawn, without reading it " +
+      "back. Wrong pixels: each of these views, on each number of threads, against the exact truth of its display " +
+      "file. Bytes a triangle: what is held of the scene as it is retained, its colours in it; what a view of it holds " +
+      "besides; and what the drawing holds, but for the picture. Growth: the exponent of a new view's time with the " +
+      "number of triangles, by least squares over all sizes of the scene.";
+    return {title: "A new view of a retained scene", text: text + words(), rows: [head, ...body]};
+  },
+
+  osmesa(figures) {
+    const threads = figures.threadsOf((b) => b.other === "OSMesa"), [leftOut, words] = notesOfLeftOut();
+    const ways = ["start-up", "new vertices", "moving camera", "same picture again"];
+    const text = "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth: the same triangles, into " +
+      "which polygons are cut, in the same colours, back faces removed on both sides or on neither, as many threads on " +
+      "both sides (one: the processor's time; several: the time on the wall). OSMesa draws an indexed mesh whose " +
+      "vertices triangles share, flat, in a context that is there, and waits until all is drawn; nothing is read back, " +
+      "while our picture is in memory. Start-up: everything new and a picture of one triangle; ours a system and a " +
+      "picture, OSMesa's a context, a frame buffer and its vertices. New vertices: ours enters all triangles anew and " +
+      "draws them; OSMesa's vertices are handed over anew and drawn. Moving camera: a turn of 8 views; ours views what " +
+      "it retains and draws it, in OSMesa all is resident, in buffers or in a display list, whichever is faster, and " +
+      "each view is another matrix. Same picture again: the display file and the mesh as they were.";
+    const body = figures.names.map((name) => figures.largest(name)).flatMap((row) => {
+      // A run of new views alone has a table of its own.
+      if (!threads.every((n) => figures.compared(row, n, "OSMesa", "start-up"))) return [];
+      return rowOf(row, threads.flatMap((n) => ways.map((what) => figures.besides(row, n, "OSMesa", what, leftOut))));
+    });
+    const head = ["scene", "polygons", "picture", ...threads.flatMap((n) => ways.map((what) => onThreads(what, n)))];
+    return {title: "Beside OSMesa", text: text + words(), rows: [head, ...body]};
+  },
+
+  embree(figures) {
+    const threads = figures.threadsOf((b) => b.other === "Embree"), [leftOut, words] = notesOfLeftOut();
+    const packet = figures.beside.find((b) => b.what === "rays a packet")?.count ?? "";
+    const qualities = [["Embree", "moderate"], ["Embree, high quality", "high"]];
+    const columns = threads.flatMap((n) => ["rays", "building the tree"].flatMap((what) =>
+      qualities.map(([other, quality]) => ({n, what, other, head: onThreads(`${what}, ${quality}`, n)}))));
+    const text = "How many times as fast our ray caster (ray-cast, exact) is as Embree, which is in single precision: the " +
+      "same triangles, one ray a pixel through its centre, as many threads on both sides. Embree casts coherent packets " +
+      `of ${packet} rays, as wide as this processor's vectors, of which what is the same for all is filled in once; its ` +
+      "device is there and its triangles are in its own form. Rays: cast at a tree that is there, and for each pixel " +
+      "what is hit is noted. Building: making that tree, ours with the edges and planes of the triangles. Moderate and " +
+      "high are the qualities of Embree's tree.";
+    const body = figures.names.map((name) => figures.largest(name)).flatMap((row) =>
+      rowOf(row, columns.map(({n, what, other}) => figures.besides(row, n, other, what, leftOut))));
+    return {title: "Rays beside Embree", text: text + words(),
+            rows: [["scene", "polygons", "picture", ...columns.map((column) => column.head)], ...body]};
+  },
+
+  pieces(figures) {
+    const [leftOut, words] = notesOfLeftOut();
+    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map those that are seen, since what " +
+      "is hidden is in none. All get the same triangles, gl2ps's in single precision, with and without " +
+      "GL2PS_BEST_ROOT; and how many times as fast ours is as each, on one thread by the processor's time, as gl2ps " +
+      "has but one. Timed is the sort alone: ours from the triangles to the order and the points of its pieces, " +
+      "gl2ps's gl2psEndPage in a format that writes no polygons, without the handing over.";
+    const body = figures.names.map((name) => figures.shown(name)).flatMap((row) => {
+      const triangles = figures.count(row, 1, "gl2ps", "triangles");
+      if (triangles === undefined) return [];
+      const cell = (other, what) => figures.besides(row, 1, other, what, leftOut);
+      return [[shortName(row.name), grouped(triangles),
+               ...[...OBJECT_SPACE, ...GL2PS].map((method) => cell(method, "pieces a triangle")),
+               ...OBJECT_SPACE.flatMap((method) => GL2PS.map((peer) => cell(peer, method)))]];
+    });
+    const beside = OBJECT_SPACE.flatMap((name) => [`${name} beside gl2ps`, `${name} beside best root`]);
+    return {title: "Pieces of a triangle, beside gl2ps", text: text + words(),
+            rows: [["scene", "triangles", ...OBJECT_SPACE, ...GL2PS, ...beside], ...body]};
+  },
+
+  exactness(figures) {
+    const [leftOut, words] = notesOfLeftOut();
+    const all = figures.beside.filter((b) => b.other === "without exact stages");
+    for (const b of all.filter((one) => one.left_out)) leftOut(b.scene, b.what, b.left_out);
+    const text = "The time of a method that decides exactly, over that of the same code without its exact stages, on one " +
+      "thread: the geometric mean over the scenes, the least and the greatest; and the wrong pixels that it then has " +
+      "on these scenes. What is timed is the method's own work on a viewed scene, from making ready to what is seen at " +
+      "every pixel; of a sort, the sort and the painting of its order. The code without exact stages has a ROUNDOFF of " +
+      "0: what doubles tell is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a sort " +
+      "would cut what crosses by rounding alone: it has one of 1e-12. The map has no other precision.";
+    const body = unique(all.map((b) => b.what)).flatMap((method) => {
+      const of = all.filter((b) => b.what === method && !b.left_out);
+      if (!of.length) return [];
+      const ratios = of.map((b) => 1 / b.times_faster.median);
+      return [[method, `${geometricMean(ratios).toFixed(2)} (${Math.min(...ratios).toFixed(2)} to ` +
+                       `${Math.max(...ratios).toFixed(2)})`, String(of.length), grouped(sum(of.map((b) => b.count)))]];
+    });
+    return {title: "What exactness costs", text: text + words(),
+            rows: [["method", "exact over rounded", "scenes", "wrong pixels without"], ...body]};
+  },
+
+  advice(figures) {
+    return {title: "Which method when", text: `From this run alone; times are in those of ${figures.reference}, ` +
+      "geometric means over the scenes from which no method was left out. Of methods within a tenth of the fastest the " +
+      "first of the tables is named.",
+            rows: [["for", "use", "why"], ...advice(figures).map((a) => [a.purpose, a.use, a.reason])]};
+  },
+
+  auto(figures) {
+    const bounds = figures.auto;
+    return bounds && {title: "The method that picks itself", text: "--hidden auto draws pixels by the z-buffer, whatever " +
+      `the scene. Over ${bounds.scenes} scenes it takes ${bounds.total_over_best_fixed} times what the best fixed method ` +
+      `takes in total (${bounds.best_fixed}); at worst it takes ${bounds.worst_over_best} times the best method on a ` +
+      `scene (${bounds.worst_scene}, where ${bounds.best_there} is best). --explain says what it picks, for vectors too.`};
+  },
+
+  /** A row a method: its count when exact, with each ROUNDOFF, and in what other formats it has. */
+  "wrong-pixels"(figures) {
+    const sums = figures.columns.map((column) => ({column, ...figures.wrong(figures.hardCases, column)}))
+      .filter((one) => one.pixels);
+    const pixels = Math.max(0, ...sums.map((one) => one.pixels));
+    if (!pixels) return null;
+    const families = unique(figures.hardCases.map((row) => row.name)).length;
+    const roundoffs = unique(figures.columns.map((c) => c.precision).filter((p) => p.startsWith("roundoff=")));
+    const heads = ["exact", ...roundoffs];
+    // A peer may have drawn only some of the pixels.
+    const count = (one) => grouped(one.wrong) + (one.pixels === pixels ? "" : ` of ${grouped(one.pixels)}`);
+    const body = unique(sums.map((one) => one.column.method)).map((method) => {
+      const own = sums.filter((one) => one.column.method === method);
+      const at = (precision) => own.filter((one) => one.column.precision === precision).map(count).join("; ");
+      const others = own.filter((one) => !heads.includes(one.column.precision))
+        .map((one) => `${one.column.precision && one.column.precision + " "}${count(one)}`);
+      return [method, ...heads.map(at), others.join("; ")];
+    });
+    return {title: "Wrong pixels", text: "Wrong pixels, counted against the exact truth over " +
+      `${figures.hardCases.length} hard cases of ${families} families, ${grouped(pixels)} pixels in all:`,
+            rows: [["method", ...heads, "otherwise"], ...body]};
+  },
+
+  viewing(figures) {
+    const isProgram = (row) => row.name.endsWith(".draw");
+    // A gap of 10^-11 is far above the rounding of viewing, which is some 10^-16 times a few.
+    const groups = [
+      ["meshes", (row) => row.kind === "input" && !isProgram(row)],
+      ["drawing programs", (row) => row.kind === "input" && isProgram(row)],
+      ["generated scenes", (row) => row.kind === "generated" || row.kind === "surface"],
+      ["hard cases, gap from 1e-1 to 1e-11", (row) => row.gap && row.severity <= 11],
+      ["hard cases, gap below that", (row) => row.gap && row.severity > 11],
+      ["hard cases of other kinds", (row) => isHard(row) && !row.gap]];
+    const body = groups.flatMap(([name, has]) => {
+      const rows = figures.viewing.map((v) => ({...v, row: figures.rows.find((row) => row.scene === v.scene)}))
+        .filter((v) => has(v.row));
+      const total = (part) => grouped(sum(rows.map((v) => v[part])));
+      return rows.length ? [[name, grouped(rows.length), total("pixels"), total("different"), total("different_and_tied"),
+                             whereViewingDecides(rows)]] : [];
+    });
+    return {title: "Where exactness begins", text: "Exact means: from the coordinates in the display file. Viewing rounds " +
+      "to doubles before that. Counted here are pixels in which the truth of the display file differs from that of the " +
+      "world, which is viewed in exact arithmetic (displayfile truth --from world; of hard cases of what touches, " +
+      "--from entered); scenes in the unit cube are entered through a turned perspective view. Of these, ties: both " +
+      "polygons are there, within 1e-13 of the view volume's depth, as where polygons coincide in the world. In the " +
+      "others an edge or a plane seen edge-on runs through the pixel centre but for rounding, or a slope, a size or an " +
+      "image transformation is so large that it makes rounding seen.",
+            rows: [["scenes", "number", "pixels", "differ", "of these ties", "where"], ...body]};
+  },
+};
+
+/** Those that the report has figures for. */
+function summaries(figures) {
+  return Object.entries(summaryMakers).map(([name, make]) => ({name, ...make(figures)}))
+    .filter((summary) => summary.title && summary.rows?.length !== 1);
+}
+
+/** True if a column is of numbers, which stand to the right. */
+const isOfNumbers = (rows, column) =>
+  rows.slice(1).every((row) => row[column] === "" || row[column] === SKIPPED || /^\d/.test(row[column]));
+
+const aboutHardCases = (figures) => `${figures.hardCases.length} stress scenes of ${figures.sizesOfHardCases} pixels ` +
+  "each: the hard cases, which are made so that rounding decides";
+
+/** The geometric mean of the pieces that a sort, ours or another's, or the map makes of a triangle. */
+function piecesATriangle(figures, rows, column) {
+  const isOurs = OBJECT_SPACE.includes(column.method);
+  if (!isOurs && column.name !== "gl2ps, bsp, best root") return "";
+  const each = rows.map((row) => figures.count(row, 1, isOurs ? column.method : GL2PS[1], "pieces a triangle"));
+  return each.includes(undefined) ? "" : general(geometricMean(each));
+}
+
+/** The names of scenes that differ, the ones with the most pixels first, and how many more. */
+function whereViewingDecides(rows) {
+  const different = new Map();
+  for (const v of rows.filter((one) => one.different)) {
+    const name = shortName(v.row.name);
+    different.set(name, (different.get(name) ?? 0) + v.different);
+  }
+  const names = [...different].sort((a, b) => b[1] - a[1]).map(([name, pixels]) => `${name} (${pixels})`);
+  return names.slice(0, 4).join(", ") + (names.length > 4 ? ` and ${names.length - 4} more` : "");
+}
+
+function linesTable(figures, surfaces, title, text) {
+  const {all, fits} = figures.linesOf(surfaces);
+  if (!all.length) return null;
+  const share = (wrong, of) => (of.length ? general(1e6 * wrong / of.length, 4) : "");
+  const growth = (column) => {
+    const exponents = fits.filter((fit) => column.exact && fit.method === column.method).map((fit) => fit.exponent);
+    return unique([Math.min(...exponents), Math.max(...exponents)].filter(isFinite)).map((e) => e.toFixed(2)).join(" to ");
+  };
+  const groups = surfaces ? ["scenes"] : ["hard", "scenes"], words = {hard: "hard cases", scenes: "scenes"};
+  const head = ["method", "time", "growth", ...groups.flatMap((g) => [`missing, ${words[g]}`, `extra, ${words[g]}`])];
+  const body = all.map((one) => [one.column.name, one.time === null ? SKIPPED : times(one.time), growth(one.column),
+    ...groups.flatMap((g) => [share(one[g].missing, one[g]), share(one[g].extra, one[g])])]);
+  return {title, text, rows: [head, ...body]};
+}
+
+// ---- Which method for what ---------------------------------------------------------------
+
+/** Which method to use for a purpose, and why: only of purposes that the report has figures for. */
+function advice(figures) {
+  return [plotInAPaper, gameLevel, hugeImage, thinSheets, anyOther].map((of) => of(figures)).filter(Boolean);
+}
+
+/** The first in the tables of those that none is clearly faster than. */
+function bestOf(byTime) {
+  const good = byTime.filter((mean) => mean.time <= byTime[0].time / CLEARLY);
+  return good.reduce((a, b) => (b.place < a.place ? b : a)).column;
+}
+const listed = (means) => means.map(({column, time}) =>
+  `${column.exact ? column.method : `${column.method} with ${column.precision}`} ${time}`).join(", ");
+const firstOf = (means) => listed(means.slice(0, 3));
+const over = (rows, of) => plural(rows.length, "scene") + (of === rows.length ? "" :
+  ` (${of - rows.length} more, from which an exact method was left out, do not count)`);
+
+/** Only what is in polygons can be written as vectors. */
+function plotInAPaper(figures) {
+  const givesPolygons = (column) => column.exact && OBJECT_SPACE.includes(column.method);
+  const rows = figures.withNothingLeftOut(figures.still, givesPolygons);
+  const fragments = figures.means(rows, isExact, (cell) => cell.fragments_per_polygon);
+  if (!fragments.length) return null;
+  const best = fragments[0].column, of = over(rows, figures.still.length);
+  const wrong = (column, some) => figures.wrong(some, column).wrong;
+  const rounded = figures.columns.filter((column) => column.method === best.method && !column.exact).map((column) =>
+    `With ${column.precision} the same method has ${wrong(column, rows)} wrong pixels on these scenes and ` +
+    `${wrong(column, figures.hardCases)} on the hard cases; exact has ${wrong(best, rows)} and ` +
+    `${wrong(best, figures.hardCases)}.`);
+  return {purpose: "A plot in a paper: vectors, drawn once", use: best.name,
+          reason: "pixels cannot be scaled, so only the methods in object space draw vectors; pieces of a polygon, over " +
+                  `${of}: ${listed(fragments)}`,
+          why: ["Vectors need polygons, in an order as from a sort or without overlap as from the map; an image-space " +
+                "method gives pixels.",
+                `Fragments a polygon (geometric mean over ${of}): ${listed(fragments)}. Fewer pieces are a smaller file; ` +
+                "the map's are those alone that are seen.",
+                "Time of a picture, in reference times: " + `${listed(figures.means(rows, givesPolygons, medianTime))}.`,
+                ...rounded]};
+}
+
+/** Every view is a new one: nothing of a picture can be kept but what does not depend on the view. */
+function gameLevel(figures) {
+  const walk = figures.rows.find((row) => row.kind === "walk");
+  if (!walk) return null;
+  const wanted = (column) => isExact(column) || column.precision === "retained tree";
+  const rows = figures.withNothingLeftOut([figures.shown(walk.name)], wanted), [row] = rows;
+  const all = figures.means(rows, wanted, (cell) => cell.time_again.median);
+  if (!all.length) return null;
+  const best = bestOf(all), tree = figures.measured(row, {method: "bsp", precision: "retained tree"});
+  const wrong = (column) => figures.wrong(rows, column).wrong;
+  const list = all.map(({column, time}) => `${column.name} ${time} (${wrong(column)} wrong pixels)`).join(", ");
+  return {purpose: "A game level walked through", use: best.name,
+          reason: `each view is a new one; ${wrong(best)} wrong pixels in ${VIEWS_OF_WALK} views of ${row.polygons} ` +
+                  `polygons; time: ${firstOf(all)}`,
+          why: [`Time of ${row.scene} of ${row.polygons} polygons, each view clipped and drawn anew, in reference times: ` +
+                `${list}.`,
+                ...(tree ? ["The retained tree is built once, in world coordinates, and then only walked: with its building " +
+                            `these views take ${tree.time.median}. It sees world coordinates, so it may differ where the ` +
+                            "view's own rounding decides."] : [])]};
+}
+
+function hugeImage(figures) {
+  const large = figures.names.map((name) => figures.series(name, "pixels").at(-1)).filter(Boolean);
+  const rows = figures.withNothingLeftOut(large, isExact), all = figures.means(rows, isExact, medianTime);
+  if (!all.length) return null;
+  const best = bestOf(all), pixels = Math.max(...rows.map((row) => row.pixels)), of = over(rows, large.length);
+  const fits = figures.fits.filter((fit) => fit.against === "pixels" && fit.precision === "exact");
+  const grow = unique(fits.map((fit) => fit.method)).sort().map((method) => {
+    const exponents = fits.filter((fit) => fit.method === method).map((fit) => fit.exponent).sort((a, b) => a - b);
+    return `${method} ${figure(exponents[exponents.length >> 1])}`;
+  }).join(", ");
+  return {purpose: "A huge image", use: best.name, reason: `time at ${pixels} pixels, over ${of}: ${firstOf(all)}`,
+          why: [`At ${pixels} pixels, the most of this run, the exact methods take, in reference times (geometric mean ` +
+                `over ${of}): ${listed(all)}. Wrong pixels of ${best.name} there: ${figures.wrong(rows, best).wrong}.`,
+                `How they grow with the number of pixels (exponent, median over the scenes): ${grow}.`]};
+}
+
+function thinSheets(figures) {
+  const rows = figures.withNothingLeftOut(
+    figures.rows.filter((row) => row.gap && row.severity >= 9 && row.severity <= 13), isExact);
+  const all = figures.means(rows, isExact, medianTime);
+  if (!all.length) return null;
+  const best = bestOf(all), pixels = sum(rows.map((row) => row.pixels));
+  const percent = (column) => general(100 * figures.wrong(rows, column).wrong / pixels);
+  const there = figures.columns.filter((column) => figures.measured(rows[0], column));
+  const named = (column) => `${column.method} ${percent(column)}`;
+  const others = unique(there.filter((c) => !c.exact).map((c) => c.method)).map((method) => {
+    const own = there.filter((column) => column.method === method && !column.exact);
+    return own.every((column) => !column.precision) ? named(own[0])
+      : `${method} with ${own.map((column) => `${column.precision} ${percent(column)}`).join(", ")}`;
+  });
+  return {purpose: "A stack of thin sheets: depths 1e-9 apart and less", use: best.name,
+          reason: `the exact methods have ${figures.wrong(rows, best).wrong} wrong pixels there; time: ${firstOf(all)}`,
+          why: [`Wrong pixels in a hundred over ${rows.length} scenes whose gap is 1e-9 to 1e-13, of the exact methods: ` +
+                `${there.filter((column) => column.exact).map(named).join("; ")}.`, `Of the others: ${others.join("; ")}.`,
+                `Time of the exact methods there, in reference times (geometric mean): ${listed(all)}. These are small ` +
+                `pictures, of ${rows[0].pixels} pixels.`]};
+}
+
+function anyOther(figures) {
+  const rows = figures.withNothingLeftOut(figures.still, isExact), all = figures.means(rows, isExact, medianTime);
+  if (!all.length) return null;
+  const usual = bestOf(all), of = over(rows, figures.still.length);
+  const exceptions = rows.flatMap((row) => {
+    const least = CLEARLY * figures.measured(row, usual).time.median;
+    const better = row.cells.filter((cell) => !cell.skipped && cell.threads === 1 && isExact(cell) && medianTime(cell) < least)
+      .sort((a, b) => medianTime(a) - medianTime(b))[0];
+    return better && better.method !== usual.method ? [`But on ${row.scene}: ${better.method}, at ${medianTime(better)}.`] : [];
+  });
+  return {purpose: "Any other picture of pixels", use: usual.name,
+          reason: `least time of a picture over ${of}: ${firstOf(all)}`,
+          why: [`The least time of a picture over ${of} (geometric mean, in reference times): ${listed(all)}.`, ...exceptions]};
+}

@@ -5,7 +5,9 @@
 #include <span>
 #include <sstream>
 
+#include "displayfile/display_file.h"
 #include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "tests/bench/benchmark.h"
 
 namespace displayfile::bench {
@@ -48,8 +50,10 @@ void enter(const Field& field, bool at_once, Drawn drawn, GraphicsSystem& system
   const bool each = drawn == Drawn::a_style_each;
   system.open_segment(1);
   if (at_once) {
-    system.polygons_abs_3(field.vertices, field.corners, {},
-                          std::span(field.fills).first(each ? field.fills.size() : 0));
+    system.polygons_abs_3({field.vertices,
+                           field.corners,
+                           {},
+                           std::span(field.fills).first(each ? field.fills.size() : 0)});
   } else {
     for (std::size_t k = 0; k < field.corners.size(); k += 3) {
       if (each) system.set_fill_style(field.fills[k / 3]);

@@ -11,10 +11,10 @@
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/scene_viewer.h"
 #include "displayfile/turntable.h"
-#include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/bench/benchmark.h"
+#include "tests/from_eyes.h"
 
 namespace displayfile::bench {
 
@@ -47,7 +47,7 @@ void enter_terrain(std::size_t polygons, GraphicsSystem& system) {
   system.set_view_up({0, 0, 1});
   system.set_window(-1.3, 1.3, -1.3, 1.3);
   system.open_segment(1);
-  system.polygons_abs_3(vertices, corners);
+  system.polygons_abs_3({vertices, corners});
   system.close_segment();
 }
 
@@ -86,7 +86,7 @@ class Bench {
     request_.width = request_.height = options.size;
     request_.threads = options.threads;
     request_.method = HiddenMethod::z_buffer;
-    row_["polygons"] = system_.polygons_entered();
+    row_["polygons"] = system_.counts().polygons;
   }
 
   void print_views() {
@@ -119,7 +119,7 @@ class Bench {
     row["anew"] = anew.over(views);
     row["viewing"] = viewing.over(views);
     row["bytes a polygon of the views"] =
-        viewer.bytes() / static_cast<std::size_t>(system_.polygons_entered());
+        viewer.bytes() / static_cast<std::size_t>(system_.counts().polygons);
     row["wrong pixels"] = wrong;
     print_row(row);
   }

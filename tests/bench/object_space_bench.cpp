@@ -297,9 +297,9 @@ void print_memory(const Options& options) {
   const Scene scene = generated_scene("terrain").make(options.polygons, 1);
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     GraphicsSystem system;
-    system.set_hidden_line_removal(true);
+    system.set_hidden_surfaces({.removal = true});
     system.set_back_face_removal(false);
-    system.set_hidden_method(method);
+    system.set_hidden_surfaces({.method = method});
     system.set_threads(options.threads);
     const auto bytes = static_cast<double>(most_bytes_held([&] { enter(scene, system); }));
     print_row({{"table", "memory"},

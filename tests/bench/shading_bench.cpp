@@ -9,7 +9,10 @@
 #include <numbers>
 #include <tuple>
 
+#include "displayfile/display_file.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/bench/benchmark.h"
 #include "tests/bench/command/timing.h"

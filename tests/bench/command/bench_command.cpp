@@ -14,9 +14,9 @@
 
 #include "clip/error.h"
 #include "clip/secret_hash.h"
+#include "clip/surfaces.h"
 #include "displayfile/file_extension.h"
 #include "displayfile/output_file.h"
-#include "clip/surfaces.h"
 #include "programs/output_paths.h"
 #include "programs/progress.h"
 #include "tests/bench/command/beside.h"

@@ -51,8 +51,7 @@ class TreeWalkDrawing : public Drawing {
     enter(views.front(), system_);
   }
   void draw_anew() override {
-    trees_ =
-        std::make_unique<RetainedViews>(scene_, system_.display_file(), SortOptions{});
+    trees_ = std::make_unique<RetainedViews>(scene_, system_.display_file(), SortOptions{});
     draw_again();
   }
   void draw_again() override {

@@ -11,11 +11,11 @@
 #include <optional>
 #include <vector>
 
-#include "tests/from_eyes.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/picker.h"
 #include "tests/from_environment.h"
+#include "tests/from_eyes.h"
 #include "tests/ids_by_method.h"
 #include "tests/predicate_inputs.h"
 #include "tests/retained_truth.h"

@@ -11,11 +11,11 @@
 
 #include "displayfile/turntable.h"
 #include "interp/device/raster_request.h"
-#include "tests/from_eyes.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
+#include "tests/from_eyes.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
 

@@ -16,8 +16,8 @@
 #include "displayfile/graphics_system.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
-#include "tests/from_eyes.h"
 #include "interp/draw/world_views.h"
+#include "tests/from_eyes.h"
 
 namespace displayfile {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
-#include "tests/from_eyes.h"
 #include "interp/opengl/osmesa.h"
 #include "tests/error_of.h"
+#include "tests/from_eyes.h"
 #include "tests/gallery.h"
 #include "tests/temporary_folder.h"
 

@@ -12,10 +12,10 @@
 #include "displayfile/sorted_display_file.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
-#include "tests/from_eyes.h"
 #include "interp/draw/world_views.h"
 #include "interp/opengl/osmesa.h"
 #include "tests/error_of.h"
+#include "tests/from_eyes.h"
 #include "tests/replayed.h"
 #include "tests/retained_truth.h"
 

@@ -211,8 +211,8 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
 
 namespace {
 
-/// Over the viewer's left shoulder, with so much from all around that no face that is seen is nearly
-/// black, and the three of a cube that are seen differ.
+/// Over the viewer's left shoulder, with so much from all around that no face that is seen is
+/// nearly black, and the three of a cube that are seen differ.
 void set_mesh_light(GraphicsSystem& system) {
   // The rows of the view-plane transformation are the viewer's right, up and back.
   const glm::dmat4 axes = glm::transpose(ViewVolume(system.view()).view_plane());

@@ -269,7 +269,9 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
   DrawOptions options{.width = 50, .height = 50, .budget = &stopped};
   Renderer renderer;
   EXPECT_NE(reached([&] { renderer.pick(g, 25, 25, options); }).find("stopped"), std::string::npos);
-  const auto turntable = [&] { TurntableRenderer(g, scene, g.display_file(), {4}, options); };
+  const auto turntable = [&] {
+    TurntableRenderer(g, scene, g.display_file(), {4}, options).draw(0);
+  };
   EXPECT_NE(reached(turntable).find("stopped"), std::string::npos);
   WorkBudget pieces({.pieces = 100});
   options.budget = &pieces;

@@ -201,7 +201,8 @@ void TouchingPlanes::Search::set_order() {
   std::iota(order_.begin(), order_.end(), 0u);
   for (int shift = 0; shift < 64; shift += kBits) {
     const auto digit = [&](std::uint32_t k) {
-      return ~std::bit_cast<std::uint64_t>(area_[k]) >> shift & (kDigits - 1);
+      const std::uint64_t bits = ~std::bit_cast<std::uint64_t>(area_[k]);
+      return static_cast<std::size_t>(bits >> shift & (kDigits - 1));
     };
     std::array<std::uint32_t, kDigits> next{};
     for (const std::uint32_t k : order_) ++next[digit(k)];

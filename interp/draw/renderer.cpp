@@ -297,7 +297,7 @@ bool works_in_image_space(HiddenMethod method) {
 /// The one of a picture of a retained scene in a view.
 PicturePlan plan_of(const InView& scene, const DrawOptions& options,
                     const Destination* to = nullptr) {
-  const PicturePlan plan = resolve_in_view(scene.settings, options, to);
+  PicturePlan plan = resolve_in_view(scene.settings, options, to);
   if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
   const bool is_systems = scene.settings != nullptr;  // whose scope has no meaning there either
   if (!is_systems && is_image_space(plan.method)) require_scope_of_view(options);

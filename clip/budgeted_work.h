@@ -32,7 +32,7 @@ class NamedWork {
 
 /// Asks the budget in force, if there is one.
 void ask_budget();
-/// Throws LimitReached if there is a budget in force that does not allow so many bytes, which
+/// Throws LimitReached if there is a budget in force that does not allow `bytes` bytes, which
 /// of_tables() counts.
 template <class Count>
 void require_bytes(const Count& of_tables) {

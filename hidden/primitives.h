@@ -30,7 +30,7 @@ struct Primitives {
   /// corners are the points in a row.
   std::span<const std::uint32_t> corners;
   /// Whether the side that ends at the corner of the same index is drawn, 0 if not, and as which
-  /// kinds of lines (clip/surfaces.h). Empty: all are, and nobody asked as which.
+  /// kinds of lines (clip/surfaces.h). Empty: all are, of no known kind.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
   /// The plane that each polygon counts as lying in: three points that are not in line in the

@@ -109,7 +109,7 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
                             : "hidden-line removal is off");
   }
   const DrawOptions none{.hidden = HiddenMethod::none};
-  EXPECT_EQ(drawing_choice(g, none, PictureKind::raster).reason, "as asked for");
+  EXPECT_EQ(drawing_choice(g, none, PictureKind::raster).reason, "as set");
 }
 
 /// The program's precision is that of the sorts and of the z-buffer; the options' wins.

@@ -84,7 +84,7 @@ std::string_view name_of(Shading shading);
 struct Attributes {
   FillStyle fill;
   LineStyle line;
-  /// Of the sides of a polygon whose dark face is seen, in place of `line`: the lower side of a
+  /// Replaces `line` on a polygon whose dark face is seen: the lower side of a
   /// surface. None: as those of the others.
   std::optional<LineStyle> dark_line = std::nullopt;
   TextStyle text;

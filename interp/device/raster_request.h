@@ -12,7 +12,7 @@ struct ViewedWorld;
 /// What to draw of a display file, and how large.
 struct RasterRequest {
   int width = 512, height = 512;
-  /// Only these rows of it, as a picture of so many; none given: all.
+  /// Only these rows of it, as a picture that has no others; none given: all.
   std::optional<PictureRows> rows = std::nullopt;
   /// An image-space method (interp/visibility/image_space.h), or `automatic` for the one that is
   /// the cheapest (interp/visibility/auto_method.h): the nearest fill is seen, wherever it stands

@@ -48,7 +48,7 @@ namespace {
 /// Why it is a method that was not picked.
 std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
   if (options.hidden || system.hidden_surfaces().z_buffer || system.hidden_surfaces().removal)
-    return "as asked for";
+    return "as set";
   const auto& segments = system.display_file().segments();
   const bool some_sorted = std::any_of(segments.begin(), segments.end(),
                                        [](const Segment& s) { return s.sorted() != nullptr; });

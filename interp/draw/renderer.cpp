@@ -90,8 +90,8 @@ bool may_leave_hidden_lines(const PicturePlan& plan) {
          !is_object_space(plan.method);
 }
 
-/// What the options ask for is refused, and what the application set is left out with a warning.
-/// The display file has been brought up to date.
+/// Hidden lines that the options set are refused; those that the application set are left out, with
+/// a warning. The display file has been brought up to date.
 void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
   if (!options.hidden_lines && !options.warn) return;

@@ -19,8 +19,8 @@ class RetainedScene;
 /// what the system would have drawn in that view, to the last bit.
 struct InView {
   const RetainedScene& scene;
-  /// Of the system that retained the scene: it says which segments are visible, and how their
-  /// images are transformed.
+  /// The display file of the system that retained the scene: which segments are visible, and how
+  /// their images are transformed.
   const DisplayFile& attributes;
   View view = {};
   const glm::dmat3* lights_turned = nullptr;  ///< a rotation, which must last; null: none
@@ -34,10 +34,10 @@ InView in_view(const GraphicsSystem& system, const View& view);
 /// Draws a system's pictures one after another, and what it retained in any view, and picks: as
 /// draw (interp/draw/draw.h) does, but what is made ready for a picture is kept for the next.
 ///
-/// Of a system: while the display file, the size and the method stay the same, nothing is made
-/// anew; where only some segments changed, only these are sorted again.
+/// A system's picture: while the display file, the size and the method stay the same, nothing is
+/// made anew; where only some segments changed, only these are sorted again.
 ///
-/// Of a retained scene: methods of image space sort nothing, view each vertex once and leave out
+/// A retained scene: methods of image space sort nothing, view each vertex once and leave out
 /// what no pixel's centre can show (displayfile/scene_viewer.md); what a moving eye leaves as it
 /// was of shadows is kept, and what a moving light leaves of visible surfaces. `bsp` keeps a tree
 /// in world coordinates (hidden/sort/world_tree.md), world_ray_cast a tree of boxes
@@ -111,7 +111,7 @@ class Renderer {
   };
   Made made() const;
   std::size_t bytes_of_casters() const;  ///< kept for shadows
-  /// Of the trees in world coordinates by which views were drawn last.
+  /// The trees in world coordinates by which views were drawn last.
   struct Trees {
     std::size_t sorted = 0;  ///< BSP trees: one, or one for each segment
     std::uint64_t pieces = 0, cuts = 0, comparisons = 0, depth = 0;  ///< theirs; the deepest

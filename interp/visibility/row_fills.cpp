@@ -45,8 +45,8 @@ const Primitives::PlanePoints* plane_of_founder(const ViewedScene& scene, Viewed
   return scene.shared_plane(item);
 }
 
-/// Of the plane's three points, whose combination by weights is the place in the projection: the
-/// sum of their sizes.
+/// A place in the projection is a combination of the plane's three points by weights: the sum of
+/// their sizes.
 double sum_of_weights(const Plane& plane, const Point2& at) {
   const Point2 p = Point2(plane.p) - at, q = Point2(plane.q) - at, r = Point2(plane.r) - at;
   const auto cross = [](const Point2& a, const Point2& b) {

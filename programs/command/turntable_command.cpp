@@ -55,7 +55,7 @@ std::string explanation(const DrawOptions& options) {
   }
   return fmt::format(
       "{}: {}\n", name_of(method),
-      options.pens ? "for pens: the lines that are seen, and nothing else" : "as asked for");
+      options.pens ? "for pens: the lines that are seen, and nothing else" : "as set");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // New views of a retained scene (displayfile/scene_viewer.md) against entering each view anew and
 // drawing that; and what it is worth to keep what a moving eye, or a moving light, leaves as it
 // was: kept, by the same way with nothing but memory kept, and entered and drawn anew, in turn. A
-// mesh, or a terrain of about so many polygons: plain, lit, and with shadows.
+// mesh, or a terrain of about that number of polygons: plain, lit, and with shadows.
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

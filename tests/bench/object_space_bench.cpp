@@ -264,7 +264,7 @@ Ways roots(const DeviceScene& scene, const Options& options) {
   return ways;
 }
 
-/// Eye k of so many, evenly over all directions, for a scene in the unit cube.
+/// Eye k of `eyes`, evenly over all directions, for a scene in the unit cube.
 Eye eye(int k, int of) {
   const double z = 1.0 - (2.0 * k + 1.0) / of, angle = 2.399963229728653 * k;  // golden
   const double r = std::sqrt(1.0 - z * z);

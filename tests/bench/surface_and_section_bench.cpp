@@ -87,7 +87,7 @@ void judge() {
              {"measured", rounded.missing + rounded.extra}});
 }
 
-/// The perimeter method alone, on a surface of so many points each way.
+/// The perimeter method alone, on a surface of 300 x 300 points.
 void compare_methods(const Options& options) {
   constexpr int kPoints = 300;
   std::vector<double> heights;

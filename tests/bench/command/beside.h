@@ -48,7 +48,8 @@ struct BesideTask {
   std::vector<std::string> methods;             ///< ours that are held against "rounded"
   std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
   Effort effort;
-  std::size_t first_polygons = 0;  ///< asked for, of the fewest; 0: the scene is that itself
+  std::size_t first_polygons =
+      0;  ///< of the smallest scene that is made; 0: the scene is the mesh itself
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BenchScene, kind, name, n, severity, gap, size, seed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Effort, rounds, least_seconds, most_seconds)

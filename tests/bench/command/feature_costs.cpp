@@ -107,7 +107,7 @@ std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
 
 using Counts = std::map<std::string_view, WorkCount>;  // by what is on
 
-/// Of the functions that are the feature's own.
+/// Counts the functions that are the feature's own.
 void add_own(const WorkCount& work, const Feature& feature, Json& state) {
   if (feature.functions.empty()) return;
   state["own_instructions"] = work.instructions_of(feature.functions);

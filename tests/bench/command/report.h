@@ -23,7 +23,8 @@ inline Json figures(const Spread& s) {
       {"median", figure(s.median)}, {"least", figure(s.least)}, {"greatest", figure(s.greatest)}};
 }
 
-/// A method at a precision on a scene, on so many threads, before anything is measured of it.
+/// A method at a precision, on a scene, with a number of threads, before anything is measured of
+/// it.
 inline Json cell_of(const std::string& scene, const std::string& method,
                     const std::string& precision, int threads, bool exact) {
   return {{"scene", scene},

@@ -1,5 +1,5 @@
 """Times Blender's Line Art on a mesh in a view, and writes its strokes. A peer of
-lines-beside-peers (README.md here has what is said both ways):
+lines-beside-peers (README.md here has the protocol):
 
     blender -b -t THREADS --factory-startup --python line_art.py -- MESH.obj VIEW KINDS OPTIONS
 

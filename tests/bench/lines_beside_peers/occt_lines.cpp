@@ -1,5 +1,5 @@
 // Times OpenCASCADE's hidden-line removal on a mesh in a view, and writes what it sees: a peer of
-// lines-beside-peers (README.md here has what is said both ways).
+// lines-beside-peers (README.md here has the protocol).
 //   occt_lines MESH.obj VIEW polygonal|exact
 // Each face of the mesh is a planar face of the shape, and faces share the edges that they share
 // there; each connected part is a shell. So all edges of the mesh are edges of the shape.

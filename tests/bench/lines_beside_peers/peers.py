@@ -1,4 +1,4 @@
-"""Programs that stay for many questions, so that they are warm (README.md: what is said both ways)."""
+"""Programs that stay for many questions, so that they are warm (README.md has the protocol)."""
 import pathlib
 import select
 import subprocess
@@ -11,7 +11,7 @@ class Stopped(Exception):
 
 
 class Peer:
-    """Waits until it is ready. An answer may take so many seconds. Raises Stopped, as ask does."""
+    """Waits until it is ready. An answer may take `limit` seconds. Raises Stopped, as ask does."""
 
     def __init__(self, words, limit):
         self.limit, self.said = limit, b""

@@ -9,7 +9,7 @@ const geometricMean = (values) => Math.exp(sum(values.map(Math.log)) / values.le
 /** To four digits, as the JSON has its own numbers. */
 const figure = (x) => Number(x.toPrecision(4));
 
-/** As %.3g prints it, for so many digits. */
+/** As %.3g prints it, with `digits` digits. */
 function general(x, digits = 3) {
   if (x === 0) return "0";
   const [mantissa, exponent] = x.toExponential(digits - 1).split("e");

@@ -202,7 +202,7 @@ class Page {
   overview() {
     return !this.names.length || !this.columns.length ? "" : section("Memory and exact arithmetic", "Most bytes that the " +
       "program's own arrays and the picture held at a time, for each polygon (OSMesa, Embree and gl2ps take theirs " +
-      "elsewhere); and how often a predicate's exact stage was asked for one picture.",
+      "elsewhere); and how often one picture needed a predicate's exact stage.",
       this.matrix("bytes a polygon", this.columns, (scene, cell) =>
         cell.bytes === undefined ? "" : (cell.bytes / Math.max(1, scene.polygons)).toFixed(0)),
       this.matrix("exact-stage calls", this.columns, (scene, cell) => cell.exact_stage_calls));

@@ -101,7 +101,7 @@ TEST(Application, ViewsARetainedScene) {
   g.close_segment();
   displayfile::Renderer renderer;
   const displayfile::InView in = displayfile::in_view(g, g.view());
-  const std::optional<displayfile::Pick> pick = renderer.pick(in, 0.5, 0.5);
+  const std::optional<displayfile::Pick> pick = renderer.seen_at(in, 0.5, 0.5);
   ASSERT_TRUE(pick);
   EXPECT_EQ(pick->segment, 1);
   EXPECT_TRUE(pick->world);

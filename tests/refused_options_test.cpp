@@ -192,6 +192,28 @@ TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
   EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), "");
 }
 
+TEST_F(RefusedOptions, ARootIsOfATreeOfBsp) {
+  const std::string words =
+      "a root of a BSP tree is set, and the hidden-surface method is z-buffer: expected bsp, or no "
+      "root";
+  DrawOptions rooted = options(HiddenMethod::z_buffer);
+  rooted.root = RootChoice::last;
+  FromEyes renderer(retained_.scene, file());
+  EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), words);
+  EXPECT_EQ(error_of([&] { renderer.draw(retained_.system.view(), rooted); }), words);
+  EXPECT_EQ(
+      error_of([&] { TurntableRenderer(retained_.system, retained_.scene, file(), {3}, rooted); }),
+      words);
+  for (const HiddenMethod method : {HiddenMethod::bsp, colour_rule_by(HiddenMethod::bsp)}) {
+    rooted.hidden = method;
+    EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), "");
+    EXPECT_EQ(error_of([&] { renderer.draw(retained_.system.view(), rooted); }), "");
+  }
+  rooted.hidden.reset();  // the application's
+  retained_.system.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
+  EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), "");
+}
+
 /// A caller that shares a picture out refuses it before anything is drawn.
 TEST_F(RefusedOptions, WhatDrawingRefusesIsRefusedBefore) {
   const std::string plate =

@@ -94,20 +94,17 @@ void GraphicsSystem::set_viewport(double x_min, double x_max, double y_min, doub
 }
 
 void GraphicsSystem::set_view(const View& view) {
-  state_->require_view_may_change();
-  View checked;
-  checked.set_reference_point(view.reference_point);
-  checked.set_plane_normal(view.plane_normal);
-  checked.set_distance(view.distance);
-  checked.set_up(view.up);
-  if (view.projection == View::Projection::perspective) {
-    checked.set_perspective(view.centre_of_projection);
-  } else {
-    checked.set_parallel(view.direction_of_projection);
+  Recorder::Hold recorded(state_->recorder_);
+  const View before = state_->view_;
+  const SaidSettings set_before = state_->said_;
+  try {
+    displayfile::set_view(view, *this);
+    recorded.end();
+  } catch (...) {
+    state_->view_ = before;
+    state_->said_ = set_before;
+    throw;
   }
-  checked.set_depth(view.front, view.back);
-  checked.set_window(view.window);
-  displayfile::set_view(view, *this);
 }
 
 void GraphicsSystem::set_window_fit(WindowFit fit) {

@@ -43,7 +43,7 @@ struct DrawOptions {
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
-  RootChoice root = RootChoice::free;  ///< of the trees of `bsp`
+  RootChoice root = RootChoice::free;  ///< of the trees of `bsp`; Error for any other method
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
   /// own; if there is neither, it is .png for "-", standard output, or .ppm in a build without
   /// libpng, and an error for a stream.

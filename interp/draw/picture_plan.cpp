@@ -79,7 +79,20 @@ DrawOptions PicturePlan::without_system() const {
   return settled;
 }
 
-PicturePlan resolve(const DrawOptions& options, const Destination* to) {
+namespace {
+
+/// Trees of no other method have roots.
+void require_root(const PicturePlan& plan) {
+  const HiddenMethod method = plan.surfaces.method;
+  if (plan.options.root == RootChoice::free || surfaces_of(method) == HiddenMethod::bsp) return;
+  throw Error(
+      fmt::format("a root of a BSP tree is set, and the hidden-surface method is {}: "
+                  "expected bsp, or no root",
+                  name_of(method)));
+}
+
+/// All but what depends on the method.
+PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
   const PictureFormat* const format = to == nullptr ? nullptr : &format_of(*to, options);
   require_numbers(options);
   PicturePlan plan{.options = options, .device = &device_of(options.device), .format = format};
@@ -90,6 +103,14 @@ PicturePlan resolve(const DrawOptions& options, const Destination* to) {
   }
   plan.surfaces = resolve_surfaces(hidden_surface_options(options));
   plan.method = plan.surfaces.method;
+  return plan;
+}
+
+}  // namespace
+
+PicturePlan resolve(const DrawOptions& options, const Destination* to) {
+  PicturePlan plan = resolve_picture(options, to);
+  require_root(plan);
   return plan;
 }
 
@@ -129,8 +150,9 @@ PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given
                           const Destination* to) {
   DrawOptions options = given;
   if (!options.background) options.background = system.background();
-  PicturePlan plan = resolve(options, to);
+  PicturePlan plan = resolve_picture(options, to);
   plan.surfaces = surfaces_of_picture(system, options);
+  require_root(plan);
   plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
   return plan;
 }

@@ -180,7 +180,8 @@ class KeptOfScene {
     return {surfaces, caster_trees_,
             caster_lists_ + (casters_ != nullptr ? casters_->lists_made() : 0u)};
   }
-  DisplayFile drawn_by_pens;
+  void keep_drawn_by_pens(const DisplayFile& drawn) { drawn_by_pens_ = drawn; }
+  const DisplayFile& drawn_by_pens() const { return drawn_by_pens_; }
   std::size_t bytes_of_casters() const { return casters_ == nullptr ? 0 : casters_->bytes(); }
   Renderer::Trees of_trees() const {
     Renderer::Trees all;
@@ -209,6 +210,7 @@ class KeptOfScene {
   std::size_t caster_trees_ = 0, caster_lists_ = 0;  // that were made; lists of former casters
   std::optional<WorldViews> world_;
   std::optional<RetainedViews> trees_;
+  DisplayFile drawn_by_pens_;
 };
 
 }  // namespace
@@ -336,7 +338,7 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, Softwar
           ? sorted.update(whole, surfaces_of(plan.method), plan.surfaces.options)
           : whole;
   look_for_hidden_lines_left(seen, plan);
-  if (plan.options.pens) kept.drawn_by_pens = seen;
+  if (plan.options.pens) kept.keep_drawn_by_pens(seen);
   return draw(DisplayFileSource(seen, false, plan, software, {&in.scene, &in.view}),
               raster_request(seen, plan), plan);
 }
@@ -477,7 +479,7 @@ Picture Renderer::take_picture() { return std::exchange(kept_->picture, Picture(
 
 void Renderer::give_back(Picture picture) { kept_->picture = std::move(picture); }
 
-const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.drawn_by_pens; }
+const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.drawn_by_pens(); }
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
@@ -500,7 +502,7 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
   return picker->pick(x, y, reach);
 }
 
-std::optional<Pick> Renderer::pick(const InView& scene, double x, double y) {
+std::optional<Pick> Renderer::seen_at(const InView& scene, double x, double y) {
   kept_->of_scene.take(scene.scene, scene.attributes);
   return kept_->of_scene.world().pick(scene.view, x, y);
 }

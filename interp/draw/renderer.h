@@ -100,7 +100,7 @@ class Renderer {
   /// fills alone are seen, through what clipping and back-face removal take away. Nothing where
   /// there is none, and outside of the viewport. One tree of boxes serves all views. Throws Error
   /// as draw by world_ray_cast, and for coordinates that are not finite.
-  std::optional<Pick> pick(const InView& scene, double x, double y);
+  std::optional<Pick> seen_at(const InView& scene, double x, double y);
 
   /// How often what is kept of a retained scene was made, since the beginning: while only lights
   /// change, no surfaces are found; for all views of a scene that is not edited one tree of what

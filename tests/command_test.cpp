@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -572,32 +571,6 @@ TEST_F(Command, OptionsOfVectorsOutOfTheirRangesAreRefused) {
   }
   EXPECT_EQ(run("draw t.draw -o t.svg --seams butted --vector-precision 0.05 --pick-ids"), 0);
 }
-
-TEST_F(Command, EpsIsAFormatOfVectors) {
-  write("t.draw", kTriangle);
-  EXPECT_EQ(run("draw t.draw -o t.eps --hidden bsp --size 64x48"), 0) << err_;
-  const std::string eps = read(folder_ / "t.eps");
-  EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0"));
-  EXPECT_NE(eps.find("%%BoundingBox: 0 0 64 48"), std::string::npos) << eps.substr(0, 400);
-}
-
-/// Whatever of it is drawn: a picture of lines alone, and one of nothing.
-TEST_F(Command, AnEpsWithoutABackgroundHasTheSizeAskedFor) {
-  write("line.draw", "open-segment 1\nmove-abs-2 0.3 0.3\nline-abs-2 0.6 0.6\nclose-segment\n");
-  write("nothing.draw", "open-segment 1\nclose-segment\n");
-  for (const std::string name : {"line", "nothing"}) {
-    ASSERT_EQ(run("draw " + name + ".draw -o a.eps --background none --size 300x200"), 0) << err_;
-    std::istringstream lines(read(folder_ / "a.eps"));
-    int boxes = 0;
-    for (std::string line; std::getline(lines, line);) {
-      if (line.find("BoundingBox:") == std::string::npos) continue;
-      ++boxes;
-      EXPECT_TRUE(line.ends_with("BoundingBox: 0 0 300 200")) << name << ": " << line;
-    }
-    EXPECT_GE(boxes, 2) << name;
-  }
-}
-
 /// What is wrong with a program is told, and not what sorting its half would have taken.
 TEST_F(Command, AWrongProgramBeforeAMeshIsTold) {
   std::string program = "set-hidden-line-removal on\nset-hidden-method bsp\nopen-segment 9\n";

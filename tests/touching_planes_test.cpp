@@ -15,13 +15,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "clip/surfaces.h"
 #include "clip/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
-#include "hidden/key_grid.h"
 #include "interp/truth/true_planes.h"
 #include "programs/scenes/scene.h"
 #include "tests/from_environment.h"
@@ -573,64 +571,6 @@ TEST(TouchingPlanes, APolygonIsComparedWithFew) {
   for (const double reach : {kReach, 0x1p-30, 0x1p-21, 0x1p-15}) {
     EXPECT_LT(per_polygon(ball, reach), kFew) << reach;
   }
-}
-
-/// All that a search must find, by comparing with each.
-TEST(KeyGrid, FindsAllWithinTheTolerance) {
-  for (const double smallest : {0x1p-49, 1e-9, 1e-3}) {
-    Source s(7);
-    constexpr std::uint32_t kNumbers = 500;
-    std::vector<KeyGrid::Keys> keys;
-    std::vector<double> tolerances;
-    for (std::uint32_t k = 0; k < kNumbers; ++k) {
-      KeyGrid::Keys own{3.0 * s.unit(), 3.0 * s.unit(), 3.0 * s.unit()};
-      tolerances.push_back(smallest * std::ldexp(1.0 + s.unit(), static_cast<int>(s.below(6))));
-      if (k > 0 && s.below(2) == 0) {  // about as far from another's as the tolerance
-        const KeyGrid::Keys& other = keys[s.bits() % k];
-        for (std::size_t i = 0; i < 3; ++i) {
-          own[i] = std::max(0.0, other[i] + (2.0 * s.unit() - 1.0) * tolerances.back());
-        }
-      }
-      keys.push_back(own);
-    }
-    KeyGrid grid(tolerances);
-    const auto near_of = [&](std::uint32_t k) {
-      std::set<std::uint32_t> near;
-      grid.visit_near(keys[k], tolerances[k], [&](std::uint32_t i) {
-        near.insert(i);
-        return true;
-      });
-      return near;
-    };
-    std::size_t found = 0;
-    for (const bool all : {true, false}) {
-      grid.clear();
-      for (std::uint32_t k = 0; k < kNumbers; ++k) {
-        if (all || k % 3 == 0) grid.insert(k, keys[k]);
-      }
-      for (std::uint32_t k = 0; k < kNumbers; ++k) {
-        ASSERT_TRUE(grid.has_size_for(tolerances[k]));
-        const std::set<std::uint32_t> near = near_of(k);
-        for (std::uint32_t i = 0; i < kNumbers; ++i) {
-          bool is_near = all || i % 3 == 0;
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            is_near &= std::abs(keys[i][axis] - keys[k][axis]) <= tolerances[k];
-          }
-          EXPECT_TRUE(!is_near || near.contains(i));
-          found += is_near && i != k ? 1 : 0;
-        }
-      }
-    }
-    EXPECT_GT(found, 100u);
-  }
-}
-
-TEST(KeyGrid, HasNoCubesForLargeTolerances) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(KeyGrid(std::vector{infinity, 3.0}).has_size_for(3.0));
-  const KeyGrid grid(std::vector{infinity, 1e-3});
-  EXPECT_TRUE(grid.has_size_for(1e-3));
-  EXPECT_FALSE(grid.has_size_for(infinity));
 }
 
 /// Where polygons touch but for rounding, exact numbers are hardly needed.

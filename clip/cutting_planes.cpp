@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "clip/base/error.h"
 #include "clip/clip_stage.h"
-#include "clip/error.h"
 #include "clip/unit.h"
 
 namespace displayfile {

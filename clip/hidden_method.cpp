@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/nearest_word.h"
+#include "clip/base/error.h"
+#include "clip/base/nearest_word.h"
 
 namespace displayfile {
 

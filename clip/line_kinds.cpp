@@ -5,8 +5,8 @@
 #include <charconv>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/words.h"
+#include "clip/base/error.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 

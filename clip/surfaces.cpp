@@ -3,8 +3,8 @@
 #include <charconv>
 #include <system_error>
 
-#include "clip/error.h"
-#include "clip/words.h"
+#include "clip/base/error.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 

@@ -140,8 +140,9 @@ inline constexpr std::size_t kMostPieces = 10'000'000;
 
 // Lines.
 
-/// Why a line is a line (displayfile/line_kinds.md), a bit each. A line may be of several kinds;
-/// the first of them, in this order, is the one that it is sorted under where only one can be.
+/// Why a line is a line (displayfile/segments/line_kinds.md), a bit each. A line may be of several
+/// kinds; the first of them, in this order, is the one that it is sorted under where only one can
+/// be.
 enum class LineKind : std::uint8_t {
   outline = 2,        ///< a side between polygons that face the viewer and others that do not
   boundary = 4,       ///< a side that one polygon alone has

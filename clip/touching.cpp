@@ -6,7 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/point.h"
 
 namespace displayfile {

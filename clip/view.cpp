@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "clip/unit.h"
 

@@ -3,8 +3,8 @@
 #include <cassert>
 #include <cstddef>
 
+#include "clip/base/vector_kind.h"
 #include "clip/clip_pipeline.h"
-#include "clip/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/unit.h"
 
 namespace displayfile {

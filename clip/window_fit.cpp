@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "clip/words.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 

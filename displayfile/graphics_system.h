@@ -12,9 +12,9 @@
 #include <string_view>
 #include <type_traits>
 
+#include "clip/base/work_budget.h"
 #include "clip/surfaces.h"
 #include "clip/view.h"
-#include "clip/work_budget.h"
 #include "displayfile/looks/style.h"
 
 namespace displayfile {
@@ -174,15 +174,15 @@ struct HiddenSurfaceSettings {
   /// Lines are drawn dashed where they are hidden, or not at all, by the methods that find lines
   /// (hidden/lines/README.md): as a segment is closed, or when all are looked at together.
   std::optional<HiddenLines> hidden_lines = std::nullopt;
-  /// The sides of polygons that are lines (displayfile/line_kinds.md), of the segments that are
-  /// closed from now on, whatever the method: those selected, of those with a line style. Unless
-  /// that is `all` alone, where no scene is retained, it is retained in the system from now on.
-  /// Errors: no kind, a crease outside of 0 to 180 degrees; there are segments that were not
+  /// The sides of polygons that are lines (displayfile/segments/line_kinds.md), of the segments
+  /// that are closed from now on, whatever the method: those selected, of those with a line style.
+  /// Unless that is `all` alone, where no scene is retained, it is retained in the system from now
+  /// on. Errors: no kind, a crease outside of 0 to 180 degrees; there are segments that were not
   /// retained.
   std::optional<LineSelection> lines = std::nullopt;
   /// Within which distance polygons touch, of segments that are opened from now on
-  /// (hidden/touching_planes.md): a polygon that touches another's plane lies in it. Error: a
-  /// length that is not above 0 and at most kCoordinateLimit.
+  /// (hidden/touching/touching_planes.md): a polygon that touches another's plane lies in it.
+  /// Error: a length that is not above 0 and at most kCoordinateLimit.
   std::optional<Touching> touching = std::nullopt;
 };
 
@@ -317,8 +317,8 @@ class GraphicsSystem {
   void open_segment(int name);
   /// Sorts the segment's hidden surfaces if hidden-line removal is on, by a method that sorts
   /// and with a scope that is not `all`; it may use what the budget in force allows (BudgetInForce,
-  /// clip/work_budget.h). Errors: no segment open; LimitReached, after which it is still open, with
-  /// all that is in it.
+  /// clip/base/work_budget.h). Errors: no segment open; LimitReached, after which it is still open,
+  /// with all that is in it.
   void close_segment();
   /// The open segment's name.
   std::optional<int> open_segment_name() const;
@@ -428,8 +428,9 @@ class GraphicsSystem {
   /// Shadows (interp/raster/shadows.md): where there is light, the solid polygons that follow are
   /// drawn in the ambient light alone where a solid polygon hides the light from them, whether that
   /// one was entered with shadows on or off. What is clipped or removed as a back face hides no
-  /// light. Pixels show them by every method, vectors by the map (displayfile/lit_parts.md);
-  /// vectors of a sort and the OSMesa device draw fills as lit.
+  /// light. Pixels show them by every method, vectors by the map
+  /// (displayfile/segments/lit_parts.md); vectors of a sort and the OSMesa device draw fills as
+  /// lit.
   void set_shadows(bool on);
   /// The normals of the vertices of the next polygon, in its order: directions of any length, in
   /// the coordinates of its vertices, as Newell's sums turn out of the light face. Zero stands for
@@ -493,8 +494,9 @@ class GraphicsSystem {
   /// other views (interp/draw/renderer.h). Error: there are segments already that were not
   /// retained.
   void retain();
-  /// The same in a scene of the caller's (displayfile/retained_scene.h), which must live on; null
-  /// stops. Errors: there are segments already; to stop where a selection of lines needs it.
+  /// The same in a scene of the caller's (displayfile/segments/retained_scene.h), which must live
+  /// on; null stops. Errors: there are segments already; to stop where a selection of lines needs
+  /// it.
   void retain(RetainedScene* scene);
   /// The scene that is retained, by retain or for a setting that needs it; null if none is.
   const RetainedScene* retained() const;

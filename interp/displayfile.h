@@ -10,8 +10,8 @@
 #define DISPLAYFILE_VERSION_PATCH 0
 
 // Exceptions; limits of work, and how it is stopped: Error, WorkBudget, BudgetInForce.
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 
 // Values: points, views, how hidden surfaces are found, looks.
 #include "clip/point.h"

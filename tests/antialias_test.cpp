@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/draw.h"
 #include "tests/unit_square.h"
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 // No part of what an application includes: trees of a retained scene.
-#include "displayfile/retained_scene.h"
-#include "displayfile/retained_views.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/draw/world_views.h"
 
 namespace {

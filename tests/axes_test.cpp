@@ -1,6 +1,6 @@
 // The axes of a box: where they stand in a view, and what stands at their ticks.
 
-#include "displayfile/axes.h"
+#include "displayfile/user_routines/axes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/text/seen_texts.h"
 #include "tests/error_of.h"
 #include "tests/replayed.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/png_file.h"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/scene_viewer.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/scene_viewer.h"
+#include "displayfile/views/turntable.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/visibility/image_space.h"

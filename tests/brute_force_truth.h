@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 // The definition of truth (interp/truth/truth.md) in rationals, in the most naive way that can

@@ -14,8 +14,8 @@
 
 #include "clip/transformation.h"
 #include "clip/view_volume.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "tests/brute_force_truth.h"
 
 // What interp/truth/world_truth.h gives, in rationals and in another way: nothing is clipped, but

@@ -10,12 +10,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/mesh_files.h"
 

@@ -1,6 +1,6 @@
 // Which polygons may have another plane close to their own: none that has is left out.
 
-#include "hidden/close_planes.h"
+#include "hidden/touching/close_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/touching_planes.h"
+#include "hidden/touching/touching_planes.h"
 
 namespace displayfile {
 namespace {

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/hidden_surface_check.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/hidden_surface_check.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"

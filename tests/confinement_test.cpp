@@ -19,7 +19,7 @@
 #include <string>
 #include <thread>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/neighbour_files.h"
 #include "tests/temporary_folder.h"

@@ -1,7 +1,7 @@
 // Where corners meet a display file has one number: no two points of its pieces are as close as
 // rounding, but for vertices that were entered so, and slivers.
 
-#include "displayfile/cuts_at_vertices.h"
+#include "displayfile/segments/cuts_at_vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 #include "tests/touching_scenes.h"
 

@@ -15,8 +15,8 @@
 
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_views.h"
 #include "displayfile/user_routines/system_inside.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/exact_point.h"

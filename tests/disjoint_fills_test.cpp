@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/vector/disjoint_fills.h"
 #include "interp/vector/path_data.h"
 #include "interp/vector/pdf_device.h"

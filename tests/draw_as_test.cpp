@@ -9,7 +9,7 @@
 #include <streambuf>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
 #include "tests/error_of.h"

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_plan.h"

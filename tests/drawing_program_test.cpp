@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "displayfile/files.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {

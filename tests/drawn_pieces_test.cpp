@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/gallery.h"
 #include "tests/polygon_area.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/error_of.h"

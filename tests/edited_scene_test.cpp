@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/turntable.h"
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"

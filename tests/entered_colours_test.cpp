@@ -9,11 +9,11 @@
 #include <sstream>
 #include <string>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/mesh_colours.h"
 
 namespace displayfile {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/truth/true_planes.h"
 #include "interp/truth/world_truth.h"
 #include "programs/scenes/scene.h"

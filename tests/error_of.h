@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile::test {
 

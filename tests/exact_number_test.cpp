@@ -16,7 +16,7 @@
 #include <limits>
 #include <random>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hidden/exact/exact_number.h"
 #include "tests/from_environment.h"
 

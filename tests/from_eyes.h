@@ -2,8 +2,8 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/draw/renderer.h"
 
 namespace displayfile::test {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"
 #include "tests/order_of_entry.h"

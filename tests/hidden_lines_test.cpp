@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/from_environment.h"
 #include "tests/line_truth.h"
 #include "tests/slower.h"

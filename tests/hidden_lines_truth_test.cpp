@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "tests/entered_scenes.h"
 #include "tests/gallery.h"
 #include "tests/line_truth.h"

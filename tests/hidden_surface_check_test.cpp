@@ -1,6 +1,6 @@
 // HIDDEN-SURFACE-CHECK as applications meet it: what close_segment leaves, and what is drawn.
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/segments/hidden_surface_check.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/interpreter.h"
 #include "interp/draw/draw.h"
 #include "interp/truth/truth.h"

@@ -14,12 +14,12 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"

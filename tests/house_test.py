@@ -165,7 +165,7 @@ class Groups(Tree):
             "programs/page/page.cc": "engine",
             "programs/benchmark.cpp": "engine",
             "programs/bench/page.cpp": "benchmarks",
-            "programs/bench_program.h": "benchmarks",
+            "programs/process/bench_program.h": "benchmarks",
             "interp/python/bench/bindings.cpp": "benchmarks",
             "tests/bench/seams/a.cpp": "benchmarks",
             "tests/bench_command_test.cpp": "tests",

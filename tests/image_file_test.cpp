@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/percent_encoding.h"

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"

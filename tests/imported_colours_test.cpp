@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/lost_detail.h"

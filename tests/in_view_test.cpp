@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/scene_viewer.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/scene_viewer.h"
+#include "displayfile/views/turntable.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/entered_truth.h"

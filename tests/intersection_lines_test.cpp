@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/hidden_surface_check.h"
-#include "displayfile/sorted_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/hidden_surface_check.h"
+#include "displayfile/segments/sorted_scene.h"
 #include "hidden/lines/lines_in_order.h"
 #include "hidden/lines/visible_lines.h"
 #include "tests/intersection_truth.h"

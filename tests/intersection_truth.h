@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"

@@ -18,13 +18,13 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/unit.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"

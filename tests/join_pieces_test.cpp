@@ -23,7 +23,7 @@
 
 #include "clip/planarity.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 #include "tests/from_environment.h"
 #include "tests/polygon_sides.h"

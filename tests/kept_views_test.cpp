@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/turntable.h"
+#include "displayfile/views/turntable.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"

@@ -1,6 +1,6 @@
 // The grid of keys finds what a search by all pairs finds.
 
-#include "hidden/key_grid.h"
+#include "hidden/touching/key_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "clip/surfaces.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 
 // The visible lines of programs, by the methods of lines.

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
-#include "displayfile/scene_lines.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/turntable.h"
+#include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/turntable.h"
 #include "hidden/lines/line_ends.h"
 #include "interp/draw/draw.h"
 #include "tests/from_eyes.h"

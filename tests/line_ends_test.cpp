@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 #include "interp/draw/draw.h"
 #include "interp/vector/svg_device.h"

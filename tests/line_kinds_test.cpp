@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/scene_viewer.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/scene_viewer.h"
 #include "tests/quad_meshes.h"
 #include "tests/sides_of_kinds.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/sort_scenes.h"

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/display_file.h"
 
 // Instructions as short text, to hold against what the application called.
 

@@ -1,7 +1,7 @@
-// Shadows as the map finds them (displayfile/lit_parts.md), beside those that rays find: two ways
-// that share no line. Drawn in pixels, both are the same picture.
+// Shadows as the map finds them (displayfile/segments/lit_parts.md), beside those that rays find:
+// two ways that share no line. Drawn in pixels, both are the same picture.
 
-#include "displayfile/lit_parts.h"
+#include "displayfile/segments/lit_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "displayfile/entered/pick_of_ordinal.h"
 #include "displayfile/files.h"
-#include "displayfile/pick_of_ordinal.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/scene_viewer.h"
 #include "displayfile/user_routines/system_inside.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/scene_viewer.h"
 #include "interp/draw/nothing_seen.h"
 #include "tests/error_of.h"
 

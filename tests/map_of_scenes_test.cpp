@@ -11,7 +11,7 @@
 
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/gallery.h"
 #include "tests/map_truth.h"

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/large_pages.h"
+#include "clip/base/error.h"
+#include "clip/base/large_pages.h"
 #include "displayfile/files.h"
 #include "interp/draw/renderer.h"
 #include "interp/truth/truth.h"

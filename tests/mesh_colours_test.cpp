@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/material_library.h"
 #include "displayfile/mesh/mesh.h"
 #include "tests/import_library_leaks.h"

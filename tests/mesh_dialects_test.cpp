@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/mesh.h"
 #include "tests/error_of.h"
 #include "tests/mesh_files.h"

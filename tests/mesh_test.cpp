@@ -15,12 +15,12 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/import_library.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/import_library_leaks.h"
 #include "tests/mesh_files.h"

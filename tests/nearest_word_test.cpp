@@ -1,6 +1,6 @@
 // Words that are known, and what an unknown one may have meant.
 
-#include "clip/nearest_word.h"
+#include "clip/base/nearest_word.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/words.h"
+#include "clip/base/error.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "displayfile/collected_text.h"
+#include "clip/base/collected_text.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "interp/draw/renderer.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "displayfile/sorted_scene.h"
+#include "displayfile/segments/sorted_scene.h"
 
 namespace displayfile {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/error_of.h"

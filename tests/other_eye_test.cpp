@@ -8,11 +8,11 @@
 #include <sstream>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/program_in_view.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/turntable.h"
 #include "interp/truth/truth.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"

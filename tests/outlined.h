@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/looks/style.h"
+#include "displayfile/segments/display_file.h"
 
 namespace displayfile::test {
 

@@ -1,4 +1,4 @@
-#include "displayfile/output_file.h"
+#include "displayfile/text/output_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/error_of.h"
 #include "tests/temporary_folder.h"
 

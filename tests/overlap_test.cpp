@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/extents.h"
+#include "hidden/boxes/extents.h"
 #include "tests/sort_truth.h"
 
 namespace displayfile {

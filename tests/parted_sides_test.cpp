@@ -15,7 +15,7 @@
 
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/section.h"
-#include "hidden/vertices_within_reach.h"
+#include "hidden/touching/vertices_within_reach.h"
 #include "tests/predicate_inputs.h"
 #include "tests/quad_meshes.h"
 #include "tests/random_views.h"

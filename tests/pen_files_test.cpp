@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/draw.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "tests/error_of.h"

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/point_tree.h"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/scene_lines.h"
+#include "displayfile/segments/scene_lines.h"
 #include "hidden/lines/grid_surface.h"
 #include "hidden/lines/line_ends.h"
 #include "hidden/lines/visible_lines.h"

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "clip/unit.h"
+#include "displayfile/entered/normal_plane.h"
 #include "displayfile/files.h"
 #include "displayfile/looks/phong.h"
-#include "displayfile/normal_plane.h"
-#include "displayfile/retained_views.h"
 #include "displayfile/text/dump_compare.h"
+#include "displayfile/views/retained_views.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/raster_request.h"
 #include "interp/files/picture_compare.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/renderer.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/surfaces.h"
 #include "tests/predicate_inputs.h"
 #include "tests/predicate_truth.h"

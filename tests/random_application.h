@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile::test {

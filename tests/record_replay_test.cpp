@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/fuzz/record_and_replay.h"

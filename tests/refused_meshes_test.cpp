@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/mesh_files.h"
 
 namespace displayfile {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/retained_views.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
 #include "interp/draw/world_views.h"

@@ -1,7 +1,7 @@
 // Polygons as they were entered are in the display file and in a retained scene: once, and the
 // same whatever becomes of either.
 
-#include "displayfile/retained_polygons.h"
+#include "displayfile/entered/retained_polygons.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 
 namespace displayfile {
 namespace {

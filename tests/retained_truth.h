@@ -10,7 +10,7 @@
 
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"

@@ -1,6 +1,6 @@
 // One tree, many views: what RetainedViews draws, held against the truth of each view.
 
-#include "displayfile/retained_views.h"
+#include "displayfile/views/retained_views.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/from_environment.h"

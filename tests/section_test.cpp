@@ -13,7 +13,7 @@
 #include <random>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/cap_polygons.h"
 
 namespace displayfile {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"

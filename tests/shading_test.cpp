@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/unit.h"
+#include "displayfile/entered/intensity_plane.h"
 #include "displayfile/files.h"
-#include "displayfile/intensity_plane.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/text/dump_compare.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/retained_views.h"
 #include "displayfile/text/dump_compare.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 
 namespace displayfile {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/sorted_scene.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/sorted_scene.h"
 
 namespace displayfile::test {
 

@@ -9,8 +9,8 @@
 #include <deque>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/bench/command/counted_memory.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
 #include "interp/device/raster_request.h"
 #include "interp/scan/scan_convert.h"

@@ -10,7 +10,7 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "displayfile/solids/solid_faces.h"
 
 // What is entered of solids, looked at in world coordinates.

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/error_of.h"
 #include "tests/every_way.h"
 #include "tests/from_environment.h"

@@ -1,4 +1,4 @@
-#include "hidden/space_tree.h"
+#include "hidden/boxes/space_tree.h"
 
 #include <gtest/gtest.h>
 

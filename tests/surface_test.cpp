@@ -16,7 +16,7 @@
 
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_views.h"
+#include "displayfile/views/retained_views.h"
 #include "tests/error_of.h"
 
 namespace displayfile {

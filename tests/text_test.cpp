@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/text/dump_compare.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/turntable.h"
 #include "interp/draw/world_views.h"
 #include "interp/text/seen_texts.h"
 #include "tests/replayed.h"

@@ -8,7 +8,7 @@
 
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
 #include "tests/length_of_lines.h"
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/intersection_lines.h"
 #include "interp/device/output_device.h"
 #include "interp/draw/draw.h"

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "displayfile/files.h"
-#include "displayfile/hidden_surface_check.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/scene_viewer.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/hidden_surface_check.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/scene_viewer.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/world_views.h"
 #include "interp/truth/entered_truth.h"

@@ -1,7 +1,7 @@
 // Which polygons lie in the plane of another: against the truth's own search, which compares each
 // with all, and against rationals.
 
-#include "hidden/touching_planes.h"
+#include "hidden/touching/touching_planes.h"
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -17,8 +17,8 @@
 #include <optional>
 #include <vector>
 
+#include "clip/base/work_budget.h"
 #include "clip/surfaces.h"
-#include "clip/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
 #include "interp/truth/true_planes.h"
 #include "programs/scenes/scene.h"

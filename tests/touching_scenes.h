@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/set_view.h"
+#include "displayfile/views/set_view.h"
 #include "tests/predicate_inputs.h"
 #include "tests/random_views.h"
 

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/solids/combining_steps.h"
 #include "tests/error_of.h"

@@ -1,7 +1,7 @@
 // What a new view finds in vectors: vertices viewed many at once are those viewed one by one, and
 // what is said of many triangles holds by the exact scan conversion.
 
-#include "displayfile/triangle_sieve.h"
+#include "displayfile/views/triangle_sieve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hidden/triangulation.h"
+#include "hidden/triangles/triangulation.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "clip/corners.h"
 #include "clip/planarity.h"
 #include "hidden/exact/orientation.h"
-#include "hidden/triangle_sweep.h"
+#include "hidden/triangles/triangle_sweep.h"
 #include "tests/polygon_outlines.h"
 
 namespace displayfile {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 // Small random scenes in which everything touches everything, entered straight into a display

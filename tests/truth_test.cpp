@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/brute_force_truth.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"

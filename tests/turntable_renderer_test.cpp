@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/retained_views.h"
+#include "displayfile/views/turntable.h"
 #include "tests/error_of.h"
 #include "tests/retained_truth.h"
 #include "tests/temporary_folder.h"

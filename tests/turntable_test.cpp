@@ -1,6 +1,6 @@
 // The camera that goes round a retained scene.
 
-#include "displayfile/turntable.h"
+#include "displayfile/views/turntable.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@
 #include <numbers>
 #include <vector>
 
+#include "clip/base/error.h"
 #include "clip/bounds.h"
-#include "clip/error.h"
 #include "clip/view_volume.h"
-#include "displayfile/fitted_window.h"
-#include "displayfile/outermost_points.h"
-#include "displayfile/retained_views.h"
+#include "displayfile/views/fitted_window.h"
+#include "displayfile/views/outermost_points.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/draw/draw.h"
 #include "tests/predicate_inputs.h"
 #include "tests/random_views.h"

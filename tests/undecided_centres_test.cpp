@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/interpreter.h"
 #include "interp/draw/draw.h"
 #include "interp/vector/pdf_device.h"

@@ -1,11 +1,11 @@
-#include "clip/vector_kind.h"
+#include "clip/base/vector_kind.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/error_of.h"
 
 namespace displayfile {

@@ -1,6 +1,6 @@
 // The bound of what viewing may round.
 
-#include "displayfile/view_rounding.h"
+#include "displayfile/views/view_rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "displayfile/retained_views.h"
+#include "displayfile/views/retained_views.h"
 #include "tests/random_views.h"
 #include "tests/retained_truth.h"
 #include "tests/sort_scenes.h"

@@ -6,7 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <random>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/error_of.h"
 
 namespace displayfile {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "interp/draw/draw.h"

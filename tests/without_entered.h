@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 
 namespace displayfile::test {
 

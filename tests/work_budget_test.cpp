@@ -1,7 +1,7 @@
 // Budgets: every long operation at every limit, stopped from another thread, and the state after
 // it.
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@
 #include <thread>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/memory.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/memory.h"
+#include "clip/base/parallel.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
-#include "hidden/parallel.h"
 #include "interp/draw/renderer.h"
 #include "interp/draw/turntable_renderer.h"
 #include "interp/truth/truth.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/view_volume.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"

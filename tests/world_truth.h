@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/turntable.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
 #include "interp/raster/software.h"

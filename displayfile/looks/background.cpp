@@ -1,6 +1,6 @@
 #include "displayfile/looks/background.h"
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

@@ -22,8 +22,9 @@ struct VertexShading {
   bool empty() const { return intensities.empty() && normals.empty(); }
 };
 
-/// Tells a visitor of instructions (displayfile/instructions.h) what stands before a polygon, if it
-/// takes it: intensities(span<const double>), or normals(span<const Point3>, const Light&).
+/// Tells a visitor of instructions (displayfile/entered/instructions.h) what stands before a
+/// polygon, if it takes it: intensities(span<const double>), or normals(span<const Point3>, const
+/// Light&).
 template <class Visitor>
 void visit_shading(Visitor& visit, const VertexShading& shading) {
   if constexpr (requires { visit.intensities(shading.intensities); }) {

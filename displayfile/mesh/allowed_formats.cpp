@@ -6,8 +6,8 @@
 #include <array>
 #include <string_view>
 
-#include "clip/error.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 
 namespace displayfile {
 

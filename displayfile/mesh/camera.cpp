@@ -1,6 +1,6 @@
 #include "displayfile/mesh/mesh.h"
 
-#include "clip/words.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 

@@ -9,15 +9,15 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/bounds.h"
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "clip/window_fit.h"
-#include "displayfile/display_file.h"
-#include "displayfile/fitted_window.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/set_view.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/views/fitted_window.h"
+#include "displayfile/views/set_view.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "displayfile/file_extension.h"
+#include "clip/base/file_extension.h"
 
 namespace displayfile {
 

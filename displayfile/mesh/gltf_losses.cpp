@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/binary_values.h"
 #include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/percent_encoding.h"

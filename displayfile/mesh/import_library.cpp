@@ -17,10 +17,11 @@
 #include <span>
 #include <vector>
 
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/shared_library.h"
 #include "clip/corners.h"
-#include "clip/error.h"
 #include "clip/surfaces.h"
-#include "displayfile/file_extension.h"
 #include "displayfile/mesh/import_library_files.h"
 #include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/lost_detail.h"
@@ -28,8 +29,7 @@
 #include "displayfile/mesh/neighbour_files.h"
 #include "displayfile/mesh/skins.h"
 #include "displayfile/mesh/up_axis.h"
-#include "displayfile/shared_library.h"
-#include "hidden/largest_coordinate.h"
+#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_process.h"
 

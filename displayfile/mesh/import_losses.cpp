@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "displayfile/file_extension.h"
+#include "clip/base/file_extension.h"
 #include "displayfile/mesh/left_out_sentence.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/shared_library.h"
+#include "clip/base/shared_library.h"
 
 namespace displayfile {
 

@@ -23,14 +23,14 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "clip/work_budget.h"
-#include "displayfile/characters.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh_reply.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/mesh.h"
 
 namespace displayfile {

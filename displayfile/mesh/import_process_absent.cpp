@@ -1,4 +1,4 @@
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/mesh/allowed_formats.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_process.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "hidden/largest_coordinate.h"
+#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

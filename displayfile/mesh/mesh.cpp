@@ -9,15 +9,15 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/surfaces.h"
 #include "clip/view_volume.h"
-#include "displayfile/display_file.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "displayfile/segments/display_file.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/system_inside.h"
-#include "hidden/largest_coordinate.h"
+#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numeric>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/secret_hash.h"
 #include "clip/surfaces.h"
 #include "displayfile/mesh/left_out_sentence.h"
-#include "hidden/largest_coordinate.h"
+#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

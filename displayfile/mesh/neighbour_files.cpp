@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "displayfile/input_file.h"
+#include "clip/base/input_file.h"
 #include "displayfile/mesh/text_cursor.h"
 
 namespace displayfile {

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/binary_values.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/mesh_file.h"

@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "clip/round_to_nearest.h"
-#include "clip/work_budget.h"
-#include "displayfile/characters.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/memory.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_process.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "displayfile/mesh/up_axis.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

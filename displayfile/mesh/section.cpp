@@ -10,16 +10,16 @@
 #include <unordered_map>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/planarity.h"
-#include "clip/round_to_nearest.h"
 #include "clip/secret_hash.h"
 #include "displayfile/mesh/joined_by_bridges.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/rounding.h"
-#include "hidden/triangulation.h"
+#include "hidden/triangles/triangulation.h"
 
 namespace displayfile {
 

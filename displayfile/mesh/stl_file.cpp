@@ -7,12 +7,12 @@
 #include <bit>
 #include <cstdint>
 
-#include "clip/error.h"
-#include "displayfile/characters.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/binary_values.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "displayfile/mesh/text_cursor.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/error.h"
-#include "displayfile/characters.h"
+#include "clip/base/error.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

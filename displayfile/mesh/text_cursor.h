@@ -12,9 +12,9 @@
 #include <system_error>
 #include <type_traits>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "clip/point.h"
-#include "clip/work_budget.h"
 #include "displayfile/mesh/mesh_colour.h"
 #include "displayfile/mesh/written_digits.h"
 

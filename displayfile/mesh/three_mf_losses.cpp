@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/xml_tags.h"
 #include "displayfile/mesh/zip_archive.h"

@@ -5,8 +5,8 @@
 
 #include "clip/angle.h"
 #include "clip/back_face.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/corners.h"
-#include "clip/round_to_nearest.h"
 #include "clip/unit.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "hidden/vertices_within_reach.h"
+#include "hidden/touching/vertices_within_reach.h"
 
 namespace displayfile {
 

@@ -39,7 +39,7 @@ void for_each_edge(const WeldedFaces& faces, const Visit& visit) {
 WeldedFaces weld(const Mesh& mesh, double reach = 0.0);
 
 /// Sides of faces that no other face runs through the other way, with the ends of others of them
-/// that are within reach, between their own (hidden/vertices_within_reach.h).
+/// that are within reach, between their own (hidden/touching/vertices_within_reach.h).
 class SidesWithVertices {
  public:
   SidesWithVertices(const WeldedFaces& faces, double reach);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "displayfile/shared_library.h"
+#include "clip/base/shared_library.h"
 
 namespace displayfile {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "clip/transformation.h"
-#include "clip/work_budget.h"
 
 namespace displayfile {
 

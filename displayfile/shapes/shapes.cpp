@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "displayfile/shapes/closed_shape.h"
 #include "displayfile/shapes/swept.h"

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
 #include "clip/corners.h"
-#include "clip/error.h"
-#include "clip/memory.h"
 #include "clip/transformation.h"
 #include "clip/unit.h"
-#include "clip/work_budget.h"
 
 namespace displayfile {
 

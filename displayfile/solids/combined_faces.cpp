@@ -13,7 +13,7 @@
 #include "clip/back_face.h"
 #include "clip/equal_points.h"
 #include "clip/unit.h"
-#include "hidden/triangulation.h"
+#include "hidden/triangles/triangulation.h"
 
 namespace displayfile {
 

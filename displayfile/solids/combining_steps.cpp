@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

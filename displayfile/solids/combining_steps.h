@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile {
 

@@ -29,8 +29,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
 #include "clip/surfaces.h"
 #include "displayfile/solids/combining_steps.h"
 #include "displayfile/solids/exact_surface.h"

@@ -1,6 +1,6 @@
 // A build without CGAL: solids are not combined.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/solids/exact_solid.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/solids/combined_faces.h"
 
 namespace displayfile {

@@ -19,7 +19,7 @@
 #include <unordered_map>
 #include <variant>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/point.h"
 
 namespace displayfile {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "clip/words.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 

@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
-#include "clip/work_budget.h"
-#include "displayfile/characters.h"
-#include "displayfile/input_file.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/text/program_line.h"
 #include "displayfile/text/routines.h"
 

@@ -9,10 +9,10 @@
 #include <unordered_set>
 #include <vector>
 
-#include "clip/round_to_nearest.h"
-#include "displayfile/characters.h"
-#include "displayfile/collected_text.h"
-#include "displayfile/display_file.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/round_to_nearest.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
 #include "displayfile/files.h"
-#include "displayfile/input_file.h"
-#include "displayfile/output_file.h"
+#include "displayfile/text/output_file.h"
 
 namespace displayfile {
 

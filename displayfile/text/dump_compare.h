@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 
 namespace displayfile {
 

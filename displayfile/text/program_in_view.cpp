@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "clip/round_to_nearest.h"
-#include "displayfile/collected_text.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/round_to_nearest.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/set_view.h"
+#include "displayfile/views/set_view.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "clip/words.h"
-#include "displayfile/characters.h"
+#include "clip/base/words.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/point.h"
 
 namespace displayfile {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/words.h"
+#include "clip/base/words.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile::routine_calls {

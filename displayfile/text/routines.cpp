@@ -9,12 +9,12 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/nearest_word.h"
-#include "clip/round_to_nearest.h"
-#include "clip/words.h"
-#include "displayfile/characters.h"
+#include "clip/base/nearest_word.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/words.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/text/program_line.h"
 #include "displayfile/text/routine.h"
 #include "displayfile/text/routine_calls.h"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/unit.h"
 #include "displayfile/user_routines/ranges.h"
 

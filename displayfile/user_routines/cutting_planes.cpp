@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "clip/round_to_nearest.h"
+#include "clip/base/round_to_nearest.h"
 #include "displayfile/looks/gouraud.h"
 #include "displayfile/user_routines/system_state.h"
 

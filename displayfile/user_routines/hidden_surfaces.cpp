@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/user_routines/system_state.h"
 

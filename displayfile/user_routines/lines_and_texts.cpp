@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
-#include "displayfile/characters.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/memory.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/user_routines/system_state.h"
 

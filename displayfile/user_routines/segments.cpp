@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
-#include "clip/work_budget.h"
-#include "displayfile/hidden_surface_check.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_inside.h"
 

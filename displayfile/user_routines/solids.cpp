@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/words.h"
 #include "clip/point.h"
-#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
 #include "clip/unit.h"
 #include "clip/view.h"
-#include "clip/words.h"
 #include "displayfile/looks/gouraud.h"
 #include "displayfile/solids/cut_solid.h"
 #include "displayfile/solids/hatched_loops.h"

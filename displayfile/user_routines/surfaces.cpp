@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "clip/round_to_nearest.h"
-#include "clip/work_budget.h"
-#include "displayfile/pick_of_ordinal.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/entered/pick_of_ordinal.h"
 #include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {

@@ -45,7 +45,7 @@ class SystemInside {
 
   /// Retains in the caller's scene, and what is drawn is kept there alone: the display file has its
   /// segments, with nothing in them. For callers that draw views of the scene
-  /// (displayfile/scene_viewer.h), which write a display file on demand.
+  /// (displayfile/views/scene_viewer.h), which write a display file on demand.
   static void retain_alone(GraphicsSystem& system, RetainedScene& scene);
   /// True if what is drawn is in the retained scene alone.
   static bool retains_alone(const GraphicsSystem& system);

@@ -11,15 +11,15 @@
 
 #include "clip/cutting_planes.h"
 #include "clip/transformation.h"
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/picture_windows.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/view_stage.h"
 #include "displayfile/solids/open_solids.h"
-#include "displayfile/view_stage.h"
+#include "displayfile/views/picture_windows.h"
 #include "hidden/sort/hidden_surface_sort.h"
-#include "hidden/triangulation.h"
+#include "hidden/triangles/triangulation.h"
 
 namespace displayfile {
 

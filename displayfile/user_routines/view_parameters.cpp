@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/view_volume.h"
-#include "displayfile/set_view.h"
+#include "displayfile/views/set_view.h"
 
 namespace displayfile {
 

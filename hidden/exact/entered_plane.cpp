@@ -10,7 +10,7 @@
 #include "hidden/exact/predicate_counts.h"
 #include "hidden/exact/rounding.h"
 
-// The bounds are derived in hidden/touching_planes.md.
+// The bounds are derived in hidden/touching/touching_planes.md.
 
 namespace displayfile {
 

@@ -19,7 +19,7 @@ struct Reach {
 };
 
 /// A modelling matrix, whose twelve doubles are taken as they are, and the reach of what is entered
-/// under it (hidden/touching_planes.md).
+/// under it (hidden/touching/touching_planes.md).
 class Modelling {
  public:
   /// Null: the identity. `reach` is before the modelling transformation, finite, at least 0.

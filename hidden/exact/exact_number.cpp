@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hidden/exact/exact_digits.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hidden/exact/double_double.h"
 #include "hidden/exact/wide_ball.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "clip/base/parallel.h"
 #include "hidden/lines/line_follower.h"
 #include "hidden/lines/visible_pieces.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <limits>
 
+#include "clip/base/parallel.h"
 #include "clip/corners.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/contour_edges.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

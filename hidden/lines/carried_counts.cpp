@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 
 namespace displayfile {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "clip/base/parallel.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/orientation.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

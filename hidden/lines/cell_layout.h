@@ -8,7 +8,7 @@
 
 #include "clip/point.h"
 #include "clip/rectangle.h"
-#include "hidden/extents.h"
+#include "hidden/boxes/extents.h"
 
 namespace displayfile {
 

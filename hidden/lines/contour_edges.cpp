@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "clip/base/parallel.h"
 #include "clip/corners.h"
 #include "hidden/lines/simple_polygon.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

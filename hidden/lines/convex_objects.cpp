@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "clip/corners.h"
-#include "hidden/convex_turning.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/side_table.h"
+#include "hidden/triangles/convex_turning.h"
 
 namespace displayfile {
 

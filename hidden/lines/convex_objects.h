@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/extents.h"
+#include "hidden/boxes/extents.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/primitives.h"
 

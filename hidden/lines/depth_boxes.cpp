@@ -1,6 +1,6 @@
 #include "hidden/lines/depth_boxes.h"
 
-#include "hidden/build_box_tree.h"
+#include "hidden/boxes/build_box_tree.h"
 
 namespace displayfile {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hidden/box_tree.h"
-#include "hidden/extents.h"
+#include "hidden/boxes/box_tree.h"
+#include "hidden/boxes/extents.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 
 namespace displayfile {
 

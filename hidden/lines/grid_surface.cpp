@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

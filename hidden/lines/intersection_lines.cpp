@@ -8,13 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/order_on_line.h"
 #include "hidden/lines/depth_boxes.h"
 #include "hidden/lines/line_scene.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include "clip/base/parallel.h"
 #include "clip/rectangle.h"
 #include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/line_scene.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

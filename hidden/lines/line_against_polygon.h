@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"

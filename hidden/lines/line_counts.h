@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "clip/corners.h"
-#include "hidden/convex_turning.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/far_planes.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_precision.h"
 #include "hidden/lines/line_scene.h"
+#include "hidden/triangles/convex_turning.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/extents.h"
+#include "hidden/boxes/extents.h"
 #include "hidden/lines/carried_counts.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/depth_boxes.h"

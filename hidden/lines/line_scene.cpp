@@ -8,14 +8,14 @@
 #include <optional>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/parallel.h"
 #include "clip/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/side_table.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "clip/corners.h"
+#include "hidden/boxes/extents.h"
 #include "hidden/exact/plane.h"
-#include "hidden/extents.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/near_line.h"
 #include "hidden/lines/visible_lines.h"

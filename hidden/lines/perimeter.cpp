@@ -10,13 +10,13 @@
 #include <type_traits>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/items_near_lines.h"
 #include "hidden/lines/perimeter_array.h"
 #include "hidden/lines/perimeter_method.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/lines/cells_in_order.h"
 #include "hidden/lines/grid_surface.h"
 #include "hidden/lines/hidden_parts.h"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "hidden/vertices_within_reach.h"
+#include "hidden/touching/vertices_within_reach.h"
 
 namespace displayfile {
 

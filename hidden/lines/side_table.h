@@ -20,7 +20,7 @@ class SideTable {
   };
   explicit SideTable(const Primitives& items, Sides which = Sides::all);
   /// All sides between vertices: of each point the one that stands for it (first_within of
-  /// hidden/vertices_within_reach.h).
+  /// hidden/touching/vertices_within_reach.h).
   SideTable(const Primitives& items, std::vector<std::uint32_t> vertices);
 
   /// A side, in the list of its lower point.

@@ -5,8 +5,8 @@
 
 #include "clip/corners.h"
 #include "clip/point.h"
-#include "hidden/convex_turning.h"
 #include "hidden/exact/orientation.h"
+#include "hidden/triangles/convex_turning.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "hidden/lines/uppermost_parts.h"
-#include "hidden/vertices_within_reach.h"
+#include "hidden/touching/vertices_within_reach.h"
 
 namespace displayfile {
 

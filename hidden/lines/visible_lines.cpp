@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "clip/corners.h"
-#include "clip/error.h"
-#include "clip/work_budget.h"
 #include "hidden/lines/appel.h"
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"

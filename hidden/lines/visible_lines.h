@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "clip/base/work_progress.h"
 #include "clip/surfaces.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/primitives.h"
-#include "hidden/work_progress.h"
 
 namespace displayfile {
 

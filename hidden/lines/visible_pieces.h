@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
+#include "clip/base/work_progress.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_scene.h"
 #include "hidden/lines/visible_lines.h"
-#include "hidden/parallel.h"
-#include "hidden/work_progress.h"
 
 namespace displayfile {
 

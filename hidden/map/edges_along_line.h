@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/cell_walk.h"
 #include "hidden/lines/side_table.h"

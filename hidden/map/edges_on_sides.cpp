@@ -1,14 +1,14 @@
 #include <glm/common.hpp>
 #include <span>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "clip/corners.h"
-#include "clip/work_budget.h"
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
 #include "hidden/map/map_edges.h"
 #include "hidden/map/side_carrier.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

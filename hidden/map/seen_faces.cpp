@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "clip/base/parallel.h"
 #include "clip/corners.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/visible_pieces.h"
-#include "hidden/parallel.h"
 
 namespace displayfile {
 

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/map/map_edges.h"
 #include "hidden/map/map_vertices.h"
 

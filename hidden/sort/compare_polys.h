@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/sort/polygon_table.h"
 #include "hidden/sort/touching_vertices.h"
 #include "hidden/sort/vertex_table.h"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/sort/depth_tests.h"
 #include "hidden/sort/drawing_graph.h"
 #include "hidden/sort/overlaps.h"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "hidden/sort/bsp_sort.h"
 #include "hidden/sort/depth_sort.h"
 

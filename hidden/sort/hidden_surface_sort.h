@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "clip/base/work_progress.h"
 #include "clip/point.h"
 #include "clip/surfaces.h"
 #include "hidden/primitives.h"
-#include "hidden/work_progress.h"
 
 namespace displayfile {
 

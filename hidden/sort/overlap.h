@@ -4,8 +4,8 @@
 #include <cassert>
 #include <span>
 
-#include "hidden/convex_turning.h"
 #include "hidden/sort/vertex_table.h"
+#include "hidden/triangles/convex_turning.h"
 
 namespace displayfile {
 

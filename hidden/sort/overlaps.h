@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
-#include "hidden/parallel.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "hidden/sort/sort_scene.h"
 
 namespace displayfile {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/sort/choose_root.h"
 #include "hidden/sort/islands.h"
 #include "hidden/sort/sort_scene.h"

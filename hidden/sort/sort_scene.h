@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "clip/corners.h"
+#include "hidden/boxes/extents.h"
 #include "hidden/exact/support_plane.h"
-#include "hidden/extents.h"
 #include "hidden/sort/compare_polys.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "hidden/sort/overlap.h"

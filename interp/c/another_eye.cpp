@@ -2,7 +2,7 @@
 #include <array>
 #include <utility>
 
-#include "displayfile/scene_in_one_view.h"
+#include "displayfile/views/scene_in_one_view.h"
 #include "interp/c/system.h"
 
 using namespace displayfile;

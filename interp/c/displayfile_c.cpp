@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/hidden_lines_left.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/segments/hidden_lines_left.h"
 #include "interp/c/system.h"
 #include "interp/device/output_device.h"
 #include "interp/draw/draw.h"

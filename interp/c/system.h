@@ -12,12 +12,12 @@
 #include <string>
 #include <type_traits>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
-#include "displayfile/collected_text.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/c/displayfile_c.h"
 #include "interp/device/output_device.h"
 #include "interp/draw/other_eye.h"

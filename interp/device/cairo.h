@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
-#include "displayfile/shared_library.h"
+#include "clip/base/error.h"
+#include "clip/base/shared_library.h"
 
 namespace displayfile {
 

@@ -3,13 +3,13 @@
 #include <cassert>
 #include <span>
 
-#include "clip/budgeted_work.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
-#include "displayfile/intensity_plane.h"
+#include "displayfile/entered/intensity_plane.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
+#include "displayfile/segments/display_file.h"
 
 namespace displayfile {
 

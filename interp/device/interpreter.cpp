@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
 #include "clip/intensity.h"
-#include "displayfile/instructions.h"
+#include "displayfile/entered/instructions.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "hidden/lines/strokes_once.h"

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "displayfile/display_file.h"
 #include "displayfile/looks/style.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/output_device.h"
 
 namespace displayfile {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/nearest_word.h"
+#include "clip/base/error.h"
+#include "clip/base/nearest_word.h"
 
 namespace displayfile {
 

@@ -2,7 +2,7 @@
 
 #include <qpdf/qpdf-c.h>
 
-#include "displayfile/shared_library.h"
+#include "clip/base/shared_library.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 
 namespace displayfile {
 
@@ -14,7 +14,8 @@ class WorldRays;
 /// A retained scene in its views, to be drawn by draw (interp/draw/draw.h) as a display file is:
 /// what is seen is found by rays cast in world coordinates.
 struct ViewedWorld {
-  /// What is noted of a primitive that is an item of the viewed scene (displayfile/viewed_scene.h).
+  /// What is noted of a primitive that is an item of the viewed scene
+  /// (displayfile/segments/viewed_scene.h).
   struct Source {
     static constexpr std::uint32_t kNotSeen = ~std::uint32_t{0};
     std::uint32_t item = kNotSeen;

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "clip/base/work_budget.h"
 #include "clip/surfaces.h"
-#include "clip/work_budget.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/style.h"
@@ -71,7 +71,7 @@ struct DrawOptions {
   /// or looked for otherwise. More of why nothing is seen is told where the scene is retained.
   Warn warn = {};
   /// What drawing may use at most, and a way to stop it, if not null: LimitReached for more, and no
-  /// file is written (clip/work_budget.md).
+  /// file is written (clip/base/work_budget.md).
   WorkBudget* budget = nullptr;
 
   /// How many rows of the picture are drawn: all, or those that are asked for.
@@ -102,7 +102,7 @@ void require_format(const Destination& to, const DrawOptions& options);
 void require_drawable(const GraphicsSystem& system, const DrawOptions& options);
 
 /// Draws the visible segments into a picture in memory. `kept` is what earlier calls sorted, used
-/// again and brought up to date (displayfile/sorted_display_file.h).
+/// again and brought up to date (displayfile/segments/sorted_display_file.h).
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept);
 Picture draw(const GraphicsSystem& system, const DrawOptions& options = {});
 

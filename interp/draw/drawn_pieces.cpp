@@ -1,6 +1,6 @@
-#include "displayfile/hidden_lines_left.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/surface_plan.h"
+#include "displayfile/segments/hidden_lines_left.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/surface_plan.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {

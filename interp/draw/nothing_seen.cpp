@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "clip/back_face.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/bounds.h"
 #include "clip/clip_pipeline.h"
-#include "clip/round_to_nearest.h"
 #include "clip/transformation.h"
-#include "displayfile/instructions.h"
-#include "displayfile/view_stage.h"
+#include "displayfile/entered/instructions.h"
+#include "displayfile/segments/view_stage.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/scan/scan_convert.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/draw/draw.h"
 

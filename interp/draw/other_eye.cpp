@@ -4,14 +4,14 @@
 #include <tuple>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "displayfile/files.h"
-#include "displayfile/scene_in_one_view.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/taken_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/text/program_in_view.h"
+#include "displayfile/views/scene_in_one_view.h"
+#include "displayfile/views/taken_scene.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_plan.h"
 #include "interp/draw/renderer.h"

@@ -5,7 +5,7 @@
 
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/draw/draw.h"
 
 namespace displayfile {
@@ -18,7 +18,7 @@ class OtherEye {
  public:
   /// The system, which must live on where it is, the scene that it retained, and all that was
   /// recorded of it: when more was called since, whatever draws or tells throws Error. Throws Error
-  /// as scene_in_one_view (displayfile/scene_in_one_view.h) does.
+  /// as scene_in_one_view (displayfile/views/scene_in_one_view.h) does.
   OtherEye(const GraphicsSystem& system, const RetainedScene& scene, std::string program);
   OtherEye(OtherEye&& other) noexcept;
   OtherEye& operator=(OtherEye&& other) noexcept;

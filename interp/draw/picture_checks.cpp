@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/hidden_surface_check.h"
-#include "displayfile/output.h"
-#include "displayfile/sorted_display_file.h"
+#include "clip/base/error.h"
+#include "displayfile/segments/hidden_surface_check.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/text/output.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/visibility/image_space.h"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "clip/memory.h"
+#include "clip/base/memory.h"
 #include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/nearest_word.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/nearest_word.h"
 #include "interp/device/raster_request.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
 #include "displayfile/looks/background.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"

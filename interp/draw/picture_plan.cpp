@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "displayfile/files.h"
-#include "displayfile/surface_plan.h"
+#include "displayfile/segments/surface_plan.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/picture_formats.h"

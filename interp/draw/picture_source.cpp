@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/looks/background.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/files/npy_file.h"

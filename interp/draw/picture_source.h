@@ -5,9 +5,9 @@
 #include <tuple>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
-#include "displayfile/scene_viewer.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/views/scene_viewer.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"

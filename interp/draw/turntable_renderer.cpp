@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
-#include "displayfile/taken_scene.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/views/taken_scene.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_plan.h"
 #include "interp/visibility/image_space.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "displayfile/turntable.h"
+#include "displayfile/views/turntable.h"
 #include "interp/draw/renderer.h"
 
 namespace displayfile {
@@ -39,11 +39,11 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
                             const DrawOptions& options);
 
-/// Draws a retained scene turned about an axis through its middle (displayfile/turntable.h), in any
-/// of some views evenly around, each by a Renderer: where no method is set all from one BSP tree in
-/// world coordinates. A view is the same, bit for bit, whichever others are drawn. Where the
-/// application edited the scene, it is taken up anew, with its middle and what the window is fitted
-/// to. For one thread, which shares the work among as many as the options say.
+/// Draws a retained scene turned about an axis through its middle (displayfile/views/turntable.h),
+/// in any of some views evenly around, each by a Renderer: where no method is set all from one BSP
+/// tree in world coordinates. A view is the same, bit for bit, whichever others are drawn. Where
+/// the application edited the scene, it is taken up anew, with its middle and what the window is
+/// fitted to. For one thread, which shares the work among as many as the options say.
 class TurntableRenderer {
  public:
   /// What is to be drawn: `scene`, which a system retained, and the display file of that system,

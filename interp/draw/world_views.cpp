@@ -4,10 +4,10 @@
 #include <cmath>
 #include <mutex>
 
-#include "clip/error.h"
-#include "clip/round_to_nearest.h"
-#include "displayfile/taken_scene.h"
-#include "displayfile/view_stage.h"
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
+#include "displayfile/segments/view_stage.h"
+#include "displayfile/views/taken_scene.h"
 #include "interp/visibility/world_rays.h"
 
 namespace displayfile {

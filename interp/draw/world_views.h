@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/device/picture.h"
 #include "interp/device/viewed_world.h"
 #include "interp/draw/draw.h"

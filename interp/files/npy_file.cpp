@@ -13,9 +13,9 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/words.h"
-#include "displayfile/output.h"
+#include "clip/base/error.h"
+#include "clip/base/words.h"
+#include "displayfile/text/output.h"
 #include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

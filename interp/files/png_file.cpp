@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/large_pages.h"
-#include "displayfile/output.h"
+#include "clip/base/error.h"
+#include "clip/base/large_pages.h"
+#include "displayfile/text/output.h"
 #include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
 #include "interp/files/pixel_bytes.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/files/png_file.h"
 
 namespace displayfile {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/output.h"
+#include "displayfile/text/output.h"
 #include "interp/device/picture.h"
 #include "interp/files/binary_input.h"
 #include "interp/files/pixel_bytes.h"

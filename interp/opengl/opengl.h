@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "clip/error.h"
-#include "displayfile/shared_library.h"
+#include "clip/base/error.h"
+#include "clip/base/shared_library.h"
 
 namespace displayfile {
 

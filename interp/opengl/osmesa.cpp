@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/opengl/opengl.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 

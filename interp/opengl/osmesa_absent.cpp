@@ -1,4 +1,4 @@
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 

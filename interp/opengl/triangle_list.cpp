@@ -9,10 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include "clip/base/error.h"
 #include "clip/clip_to_rectangle.h"
-#include "clip/error.h"
-#include "hidden/convex_turning.h"
 #include "hidden/exact/support_plane.h"
+#include "hidden/triangles/convex_turning.h"
 #include "interp/device/output_device.h"
 #include "interp/device/picture.h"
 #include "interp/scan/line_draw.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/interpreter.h"
 
 namespace displayfile {

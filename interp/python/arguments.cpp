@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/words.h"
+#include "clip/base/error.h"
+#include "clip/base/words.h"
 #include "interp/python/arrays.h"
 #include "interp/python/errors.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/python/errors.h"
 
 namespace displayfile::python {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 

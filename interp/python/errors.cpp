@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile::python {
 

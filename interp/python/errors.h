@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile::python {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
 
 namespace displayfile::python {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "interp/python/limits.h"
 
 namespace displayfile::python {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
 #include "interp/python/arguments.h"
 
 namespace displayfile::python {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <thread>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile::python {
 

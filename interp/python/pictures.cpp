@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/error.h"
 #include "clip/surfaces.h"
-#include "displayfile/collected_text.h"
 #include "displayfile/files.h"
-#include "displayfile/hidden_lines_left.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/hidden_lines_left.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/device/output_device.h"
 #include "interp/device/picture.h"

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/surfaces.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/device/output_device.h"
 #include "interp/python/arguments.h"

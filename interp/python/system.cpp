@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/camera.h"

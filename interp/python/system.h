@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/collected_text.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "interp/draw/renderer.h"

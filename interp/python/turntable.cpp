@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/draw/turntable_renderer.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"

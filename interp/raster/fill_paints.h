@@ -4,10 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "displayfile/intensity_plane.h"
+#include "displayfile/entered/intensity_plane.h"
+#include "displayfile/entered/normal_plane.h"
 #include "displayfile/looks/lighting.h"
-#include "displayfile/normal_plane.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

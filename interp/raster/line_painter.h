@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/output_device.h"

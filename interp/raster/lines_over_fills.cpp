@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "displayfile/drawn_strokes.h"
-#include "displayfile/scene_lines.h"
+#include "displayfile/segments/drawn_strokes.h"
+#include "displayfile/segments/scene_lines.h"
 
 namespace displayfile {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
-#include "clip/vector_kind.h"
+#include "clip/base/vector_kind.h"
 #include "interp/device/picture.h"
 #include "interp/raster/phong_row.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "displayfile/entered/normal_plane.h"
 #include "displayfile/looks/lighting.h"
-#include "displayfile/normal_plane.h"
 #include "hidden/exact/pixel_centre.h"
 
 namespace displayfile {

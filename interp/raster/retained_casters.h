@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/scene_viewer.h"
+#include "displayfile/views/scene_viewer.h"
 #include "interp/raster/caster_lists.h"
 #include "interp/raster/way_to_world.h"
 #include "interp/raster/world_casters.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "interp/device/output_device.h"
 #include "interp/raster/line_painter.h"
 #include "interp/raster/lines_over_fills.h"

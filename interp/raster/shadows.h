@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
+#include "hidden/boxes/space_tree.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/plane.h"
-#include "hidden/space_tree.h"
 #include "interp/device/picture.h"
 #include "interp/raster/on_demand.h"
 #include "interp/raster/retained_casters.h"

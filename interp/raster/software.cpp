@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
-#include "hidden/parallel.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/line_painter.h"

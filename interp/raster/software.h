@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/files/row_file.h"

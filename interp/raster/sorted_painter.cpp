@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "displayfile/sorted_scene.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/sorted_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/interpreter.h"
 #include "interp/scan/shown_depth.h"

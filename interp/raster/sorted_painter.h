@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
-#include "displayfile/display_file.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/output_device.h"
 #include "interp/raster/lines_over_fills.h"
 #include "interp/raster/raster_band.h"

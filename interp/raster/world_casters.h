@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "clip/bounds.h"
-#include "displayfile/retained_scene.h"
-#include "hidden/space_tree.h"
+#include "displayfile/segments/retained_scene.h"
+#include "hidden/boxes/space_tree.h"
 
 namespace displayfile {
 

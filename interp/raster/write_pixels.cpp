@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "clip/vector_kind.h"
+#include "clip/base/vector_kind.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE

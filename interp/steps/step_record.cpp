@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile {
 

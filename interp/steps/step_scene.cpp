@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "hidden/exact/depth_order.h"
 #include "interp/scan/pixel_depth.h"
 #include "interp/scan/scan_convert.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/plane.h"
 #include "interp/scan/pixel_box.h"
 #include "interp/steps/steps.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "clip/error.h"
-#include "displayfile/display_file.h"
+#include "clip/base/error.h"
+#include "displayfile/segments/display_file.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"
 #include "interp/steps/algorithms.h"

@@ -10,9 +10,9 @@
 
 #include "clip/point.h"
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/style.h"
+#include "displayfile/segments/display_file.h"
 #include "hidden/primitives.h"
 #include "interp/scan/pixel_box.h"
 #include "interp/steps/listing.h"

@@ -2,7 +2,7 @@
 
 #include "clip/point.h"
 #include "clip/rectangle.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/cairo.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile {
 

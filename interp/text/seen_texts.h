@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile {
 

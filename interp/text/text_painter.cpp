@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/text/cairo_text.h"
 
 namespace displayfile {

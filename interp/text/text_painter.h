@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/device/picture.h"
 

@@ -1,6 +1,6 @@
 // A build without Cairo: there are no texts in pixels.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/text/text_painter.h"
 
 namespace displayfile {

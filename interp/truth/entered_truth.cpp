@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "displayfile/entered_polygons.h"
+#include "clip/base/budgeted_work.h"
+#include "displayfile/entered/entered_polygons.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_planes.h"

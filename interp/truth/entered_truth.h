@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "clip/surfaces.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/truth.h"
 
 namespace displayfile {

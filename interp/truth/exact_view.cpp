@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "clip/view_volume.h"
 
 namespace displayfile {

@@ -7,10 +7,10 @@
 #include <tuple>
 #include <utility>
 
-#include "displayfile/scene_lines.h"
-#include "displayfile/segment_groups.h"
-#include "displayfile/sorted_scene.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/segment_groups.h"
+#include "displayfile/segments/sorted_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile {
 

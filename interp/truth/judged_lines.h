@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "clip/base/work_progress.h"
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "hidden/lines/visible_lines.h"
-#include "hidden/work_progress.h"
 #include "interp/truth/true_lines.h"
 
 namespace displayfile {

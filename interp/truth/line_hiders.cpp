@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "clip/base/parallel.h"
 #include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/near_line.h"
-#include "hidden/parallel.h"
 #include "interp/truth/true_picture.h"
 
 namespace displayfile {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

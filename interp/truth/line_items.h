@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "clip/budgeted_work.h"
-#include "clip/memory.h"
-#include "clip/work_budget.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
-#include "hidden/work_progress.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
+#include "clip/base/work_progress.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/true_picture.h"
 
 namespace displayfile {

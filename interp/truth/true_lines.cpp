@@ -11,10 +11,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/work_budget.h"
-#include "hidden/parallel.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/parallel.h"
+#include "clip/base/work_budget.h"
 #include "interp/truth/line_hiders.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/work_progress.h"
+#include "clip/base/work_progress.h"
 #include "interp/truth/line_items.h"
 
 namespace displayfile {

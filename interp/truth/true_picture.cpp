@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/budgeted_work.h"
-#include "clip/large_pages.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/large_pages.h"
+#include "clip/base/work_budget.h"
 #include "interp/truth/whole_numbers.h"
 
 namespace displayfile {

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "clip/back_face.h"
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile {
 

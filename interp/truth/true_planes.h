@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/whole_points.h"
 
 namespace displayfile {

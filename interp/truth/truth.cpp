@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
-#include "clip/budgeted_work.h"
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "clip/work_budget.h"
-#include "displayfile/viewed_scene.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/primitives.h"
 #include "interp/truth/true_picture.h"
 

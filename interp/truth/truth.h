@@ -1,7 +1,7 @@
 #pragma once
 
-#include "displayfile/display_file.h"
-#include "hidden/work_progress.h"
+#include "clip/base/work_progress.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

@@ -1,7 +1,7 @@
 // A build with neither GMP nor LibTomMath, and for no page: the truth has no whole numbers of its
 // own.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/judged_lines.h"
 #include "interp/truth/truth.h"

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "clip/budgeted_work.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "clip/clip_pipeline.h"
 #include "clip/transformation.h"
-#include "clip/work_budget.h"
 #include "interp/truth/exact_view.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_picture.h"

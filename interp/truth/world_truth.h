@@ -1,6 +1,6 @@
 #pragma once
 
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/truth.h"
 
 namespace displayfile {

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <utility>
 
-#include "clip/error.h"
-#include "displayfile/output.h"
+#include "clip/base/error.h"
+#include "displayfile/text/output.h"
 #include "interp/device/cairo.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/picture.h"

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "displayfile/collected_text.h"
-#include "displayfile/display_file.h"
+#include "clip/base/collected_text.h"
 #include "displayfile/files.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/vector/vector_device.h"
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/qpdf.h"
 
 namespace displayfile {

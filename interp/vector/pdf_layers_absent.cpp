@@ -1,6 +1,6 @@
 // A build without QPDF: no layers in PDF.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/vector/pdf_layers.h"
 
 namespace displayfile {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "displayfile/collected_text.h"
-#include "displayfile/output.h"
+#include "clip/base/collected_text.h"
+#include "displayfile/text/output.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/picture.h"
 #include "interp/vector/escaped_xml.h"

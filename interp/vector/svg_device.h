@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/vector/svg_ramps.h"
 #include "interp/vector/vector_device.h"
@@ -24,8 +24,8 @@ namespace displayfile {
 /// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. Every style
 /// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, with round caps and without,
 /// t1-KEY, ... of texts. Where lines were selected, each is also of a class for every kind that it
-/// is: outline, boundary, crease, material, intersection, all (displayfile/line_kinds.md). These
-/// have no rule and are the same in all files; every other name ends in the file's key
+/// is: outline, boundary, crease, material, intersection, all (displayfile/segments/line_kinds.md).
+/// These have no rule and are the same in all files; every other name ends in the file's key
 /// (interp/vector/file_key.h), so that files in one page keep apart. Coordinates have three
 /// decimals at most. Disjoint fills are a group of class "figure-KEY", in coordinates of its own:
 /// whole units of the stated precision (interp/vector/seams.md).

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/looks/background.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/output_device.h"
 #include "interp/vector/disjoint_fills.h"
 #include "interp/vector/polygon_paints.h"

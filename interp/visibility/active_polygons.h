@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/scan/scan_edge.h"
 #include "interp/visibility/fill_depths.h"
 

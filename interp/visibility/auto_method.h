@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
 #include "displayfile/looks/background.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/disjoint_sets.h"
 
 namespace displayfile {

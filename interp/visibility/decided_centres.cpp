@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 #include "interp/visibility/fills_as_entered.h"
 
 namespace displayfile {

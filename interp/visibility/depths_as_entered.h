@@ -4,7 +4,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/depth_comparison.h"
 #include "hidden/exact/entered_outline.h"
 #include "hidden/exact/pixel_centre.h"

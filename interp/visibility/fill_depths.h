@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/scan/pixel_depth.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/entered_outline.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/scan/boundary_centres.h"

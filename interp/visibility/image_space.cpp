@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/visibility/decided_centres.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "interp/visibility/ray_cast.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "clip/surfaces.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/clip_to_rectangle.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/visibility/pixel_tree.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/depth_comparison.h"
 #include "interp/visibility/coplanar_fills.h"
 #include "interp/visibility/depths_as_entered.h"

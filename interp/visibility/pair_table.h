@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/picture.h"
 #include "interp/scan/shown_depth.h"
 

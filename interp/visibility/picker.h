@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/device/picture.h"
 #include "interp/visibility/decided_centres.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "hidden/build_box_tree.h"
+#include "hidden/boxes/build_box_tree.h"
 
 namespace displayfile {
 

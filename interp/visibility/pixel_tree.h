@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "hidden/box_tree.h"
+#include "hidden/boxes/box_tree.h"
 #include "interp/scan/pixel_box.h"
 
 namespace displayfile {

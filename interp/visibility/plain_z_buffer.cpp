@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/raster_request.h"
 #include "interp/scan/sort_stably.h"

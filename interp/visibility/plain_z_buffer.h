@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/visibility/image_space.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/base/parallel.h"
 #include "clip/rectangle.h"
-#include "hidden/convex_turning.h"
 #include "hidden/exact/orientation.h"
-#include "hidden/parallel.h"
+#include "hidden/triangles/convex_turning.h"
 #include "interp/scan/scan_edge.h"
 #include "interp/visibility/fill_depths.h"
 #include "interp/visibility/row_bounds.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/visibility/row_triangles.h"
 

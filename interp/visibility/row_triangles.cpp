@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "clip/vector_kind.h"
+#include "clip/base/vector_kind.h"
 #include "hidden/exact/rounding.h"
 #include "interp/visibility/row_bounds.h"
 

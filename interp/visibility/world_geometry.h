@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "clip/base/error.h"
 #include "clip/corners.h"
-#include "clip/error.h"
 #include "clip/view.h"
 #include "clip/view_volume.h"
+#include "hidden/boxes/space_tree.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/rounding.h"
-#include "hidden/space_tree.h"
 
 /// The geometry of rays in world coordinates (interp/visibility/ray_cast.md): one algorithm, two
 /// precisions. Numbers are balls first; where these leave something undecided, exact.

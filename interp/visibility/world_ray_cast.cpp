@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/device/viewed_world.h"
 #include "interp/visibility/close_depths.h"
 

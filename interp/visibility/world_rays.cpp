@@ -9,13 +9,13 @@
 
 #include <utility>
 
+#include "clip/base/error.h"
+#include "clip/base/parallel.h"
 #include "clip/clip_pipeline.h"
-#include "clip/error.h"
 #include "clip/view_volume.h"
-#include "displayfile/shared_planes.h"
+#include "displayfile/views/shared_planes.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
-#include "hidden/parallel.h"
 #include "interp/visibility/polygon_viewer.h"
 #include "interp/visibility/world_geometry.h"
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "hidden/boxes/space_tree.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/primitives.h"
-#include "hidden/space_tree.h"
 
 namespace displayfile {
 

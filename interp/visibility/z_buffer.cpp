@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 #include "interp/scan/boundary_centres.h"
 #include "interp/scan/scan_convert.h"
 #include "interp/visibility/fill_depths.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "clip/vector_kind.h"
+#include "clip/base/vector_kind.h"
 #include "interp/scan/pixel_box.h"
 
 // The code below is compiled once for each kind of vector.

@@ -12,20 +12,20 @@
 #include <span>
 #include <sstream>
 
-#include "clip/error.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/input_file.h"
 #include "displayfile/files.h"
-#include "displayfile/input_file.h"
 #include "displayfile/text/dump_compare.h"
-#include "programs/each_input.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/made_folders.h"
-#include "programs/option_groups.h"
-#include "programs/output_name.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
-#include "programs/warnings.h"
+#include "programs/inputs/each_input.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/made_folders.h"
+#include "programs/inputs/output_name.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/option_groups.h"
+#include "programs/process/progress.h"
+#include "programs/process/warnings.h"
 
 namespace displayfile {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "programs/golden_check.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/mesh_words.h"
-#include "programs/picture_size.h"
+#include "programs/inputs/golden_check.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
 
 namespace displayfile {
 

@@ -6,14 +6,14 @@
 #include <array>
 #include <iostream>
 
-#include "clip/error.h"
-#include "displayfile/file_extension.h"
-#include "displayfile/input_file.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/input_file.h"
 #include "displayfile/text/dump_compare.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"
-#include "programs/output_paths.h"
+#include "programs/inputs/output_paths.h"
 
 namespace displayfile {
 

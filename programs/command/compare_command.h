@@ -3,7 +3,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "programs/picture_tolerance.h"
+#include "programs/options/picture_tolerance.h"
 
 namespace displayfile {
 

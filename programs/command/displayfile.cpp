@@ -12,9 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/nearest_word.h"
-#include "programs/bench_program.h"
+#include "clip/base/error.h"
+#include "clip/base/nearest_word.h"
 #include "programs/command/check_command.h"
 #include "programs/command/compare_command.h"
 #include "programs/command/draw_command.h"
@@ -25,16 +24,17 @@
 #include "programs/command/steps_command.h"
 #include "programs/command/surface_command.h"
 #include "programs/command/truth_command.h"
-#include "programs/empty_values.h"
-#include "programs/exit_status.h"
-#include "programs/keep_freed_memory.h"
+#include "programs/inputs/picture_check.h"
 #include "programs/manual/asked_of_itself.h"
-#include "programs/named_values.h"
-#include "programs/picture_check.h"
-#include "programs/standard_descriptors.h"
-#include "programs/stop_signals.h"
-#include "programs/version.h"
-#include "programs/work_limits.h"
+#include "programs/options/empty_values.h"
+#include "programs/options/named_values.h"
+#include "programs/options/work_limits.h"
+#include "programs/process/bench_program.h"
+#include "programs/process/exit_status.h"
+#include "programs/process/keep_freed_memory.h"
+#include "programs/process/standard_descriptors.h"
+#include "programs/process/stop_signals.h"
+#include "programs/process/version.h"
 
 namespace displayfile {
 namespace {

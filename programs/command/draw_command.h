@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "interp/draw/draw.h"
-#include "programs/background_option.h"
 #include "programs/command/turntable_command.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/made_folders.h"
-#include "programs/mesh_words.h"
-#include "programs/not_in_picture.h"
-#include "programs/paper_options.h"
-#include "programs/pick_option.h"
-#include "programs/picture_size.h"
-#include "programs/shading_word.h"
-#include "programs/vector_words.h"
+#include "programs/inputs/made_folders.h"
+#include "programs/inputs/not_in_picture.h"
+#include "programs/options/background_option.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/paper_options.h"
+#include "programs/options/pick_option.h"
+#include "programs/options/picture_size.h"
+#include "programs/options/shading_word.h"
+#include "programs/options/vector_words.h"
 
 namespace displayfile {
 
@@ -27,7 +27,7 @@ namespace displayfile {
 /// if its input, an option or an output is wrong.
 struct DrawCommand {
   std::vector<std::string> inputs;
-  std::string output;   ///< with fields (programs/output_name.h): a picture of each input
+  std::string output;   ///< with fields (programs/inputs/output_name.h): a picture of each input
   DrawOptions options;  ///< but for what is words
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
@@ -39,7 +39,7 @@ struct DrawCommand {
   bool stats = false;
   bool quiet = false;               ///< no warnings; what is not drawn is told at the end
   bool explain = false;             ///< what `auto` picked, and why
-  std::optional<std::string> pick;  ///< where (programs/pick_option.h)
+  std::optional<std::string> pick;  ///< where (programs/options/pick_option.h)
   std::optional<std::string>
       turntable;                     ///< so many views of it (programs/command/turntable_command.h)
   std::optional<std::string> views;  ///< which of them

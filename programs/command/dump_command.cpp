@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include "displayfile/files.h"
-#include "displayfile/output_file.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/output_paths.h"
+#include "displayfile/text/output_file.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/output_paths.h"
 
 namespace displayfile {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/hidden_surface_words.h"
-#include "programs/mesh_words.h"
-#include "programs/picture_size.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
 
 namespace displayfile {
 

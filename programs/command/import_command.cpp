@@ -4,15 +4,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/output_file.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
-#include "programs/warnings.h"
+#include "displayfile/text/output_file.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/process/progress.h"
+#include "programs/process/warnings.h"
 
 namespace displayfile {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/mesh_words.h"
-#include "programs/picture_size.h"
-#include "programs/shading_word.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
+#include "programs/options/shading_word.h"
 
 namespace displayfile {
 

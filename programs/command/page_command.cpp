@@ -7,19 +7,19 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "clip/error.h"
-#include "displayfile/collected_text.h"
+#include "clip/base/collected_text.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/input_file.h"
-#include "displayfile/output_file.h"
+#include "displayfile/text/output_file.h"
 #include "interp/draw/draw.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/option_groups.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
-#include "programs/title_words.h"
-#include "programs/version.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/option_groups.h"
+#include "programs/options/title_words.h"
+#include "programs/process/progress.h"
+#include "programs/process/version.h"
 
 namespace displayfile {
 

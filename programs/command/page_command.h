@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "interp/draw/draw.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/mesh_words.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
+#include "programs/options/shading_word.h"
 #include "programs/page/one_file_page.h"
-#include "programs/picture_size.h"
-#include "programs/shading_word.h"
 
 namespace displayfile {
 

@@ -9,20 +9,20 @@
 #include <cmath>
 #include <filesystem>
 
-#include "clip/error.h"
-#include "clip/without_choice.h"
+#include "clip/base/error.h"
+#include "clip/base/without_choice.h"
 #include "interp/device/picture.h"
-#include "programs/camera_options.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/input_names.h"
-#include "programs/number_in.h"
-#include "programs/option_groups.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/camera_options.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/number_in.h"
+#include "programs/options/option_groups.h"
+#include "programs/options/title_words.h"
+#include "programs/process/progress.h"
+#include "programs/process/warnings.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/part.h"
-#include "programs/title_words.h"
-#include "programs/warnings.h"
 
 namespace displayfile {
 

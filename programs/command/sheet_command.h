@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/import_words.h"
+#include "programs/options/import_words.h"
 
 namespace displayfile {
 

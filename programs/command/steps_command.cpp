@@ -6,20 +6,20 @@
 #include <filesystem>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 #include "clip/surfaces.h"
-#include "displayfile/file_extension.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/output_file.h"
+#include "displayfile/text/output_file.h"
 #include "interp/steps/steps.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/number_in.h"
-#include "programs/option_groups.h"
-#include "programs/output_paths.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/number_in.h"
+#include "programs/options/option_groups.h"
+#include "programs/options/title_words.h"
 #include "programs/page/one_file_page.h"
-#include "programs/progress.h"
-#include "programs/title_words.h"
+#include "programs/process/progress.h"
 
 namespace displayfile {
 

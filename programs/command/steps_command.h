@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/mesh_words.h"
-#include "programs/picture_size.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
 
 namespace displayfile {
 

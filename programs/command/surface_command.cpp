@@ -7,17 +7,17 @@
 #include <array>
 #include <cmath>
 
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "displayfile/output_file.h"
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "displayfile/text/output_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/draw.h"
-#include "programs/keep_freed_memory.h"
-#include "programs/not_in_picture.h"
-#include "programs/number_in.h"
-#include "programs/output_paths.h"
-#include "programs/picture_words.h"
-#include "programs/progress.h"
+#include "programs/inputs/not_in_picture.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/number_in.h"
+#include "programs/options/picture_words.h"
+#include "programs/process/keep_freed_memory.h"
+#include "programs/process/progress.h"
 
 namespace displayfile {
 

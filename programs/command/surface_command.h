@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "programs/background_option.h"
-#include "programs/camera_options.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/paper_options.h"
-#include "programs/picture_size.h"
+#include "programs/options/background_option.h"
+#include "programs/options/camera_options.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/paper_options.h"
+#include "programs/options/picture_size.h"
+#include "programs/options/vector_words.h"
 #include "programs/surface/surface_scene.h"
-#include "programs/vector_words.h"
 
 namespace displayfile {
 

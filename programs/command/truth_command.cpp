@@ -12,21 +12,21 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "clip/nearest_word.h"
+#include "clip/base/error.h"
+#include "clip/base/nearest_word.h"
 #include "displayfile/files.h"
-#include "displayfile/output_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/text/output_file.h"
 #include "interp/files/npy_file.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/truth/world_truth.h"
-#include "programs/hidden_surface_words.h"
-#include "programs/input_names.h"
-#include "programs/inputs.h"
-#include "programs/number_in.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
+#include "programs/inputs/input_names.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/options/hidden_surface_words.h"
+#include "programs/options/number_in.h"
+#include "programs/process/progress.h"
 
 namespace displayfile {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/device/picture.h"
 #include "interp/truth/judged_lines.h"
-#include "programs/mesh_words.h"
-#include "programs/picture_size.h"
+#include "programs/options/mesh_words.h"
+#include "programs/options/picture_size.h"
 
 namespace displayfile {
 

@@ -4,10 +4,10 @@
 
 #include <charconv>
 
-#include "clip/error.h"
-#include "programs/inputs.h"
-#include "programs/nothing_by_pens.h"
-#include "programs/progress.h"
+#include "clip/base/error.h"
+#include "programs/inputs/inputs.h"
+#include "programs/inputs/nothing_by_pens.h"
+#include "programs/process/progress.h"
 
 namespace displayfile {
 

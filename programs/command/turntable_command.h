@@ -7,8 +7,8 @@
 #include "displayfile/mesh/mesh.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
-#include "programs/mesh_words.h"
-#include "programs/not_in_picture.h"
+#include "programs/inputs/not_in_picture.h"
+#include "programs/options/mesh_words.h"
 
 namespace displayfile {
 

@@ -16,7 +16,7 @@
 #include <fstream>
 #include <limits>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "programs/import_program/system_calls.h"
 

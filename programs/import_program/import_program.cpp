@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/mesh_reply.h"

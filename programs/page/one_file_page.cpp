@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

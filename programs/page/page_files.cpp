@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "clip/error.h"
-#include "displayfile/input_file.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
 
 namespace displayfile {
 

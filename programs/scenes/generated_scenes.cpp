@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "programs/scenes/shapes.h"
 
 namespace displayfile {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "programs/scenes/families.h"
 
 namespace displayfile {

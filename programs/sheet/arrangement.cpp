@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/solids/hatched_loops.h"
 #include "programs/sheet/chained_lines.h"
 #include "programs/sheet/section_marks.h"

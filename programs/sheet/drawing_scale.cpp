@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

@@ -12,20 +12,20 @@
 #include <system_error>
 #include <unordered_map>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
 #include "clip/secret_hash.h"
 #include "clip/unit.h"
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
-#include "displayfile/input_file.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/mesh/welded_faces.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
 #include "displayfile/user_routines/system_inside.h"
-#include "programs/inputs.h"
-#include "programs/progress.h"
+#include "programs/inputs/inputs.h"
+#include "programs/process/progress.h"
+#include "programs/process/warnings.h"
 #include "programs/sheet/closed_pieces.h"
-#include "programs/warnings.h"
 
 namespace displayfile {
 

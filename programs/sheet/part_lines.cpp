@@ -7,11 +7,11 @@
 
 #include "clip/planarity.h"
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/view_stage.h"
-#include "hidden/triangulation.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/view_stage.h"
+#include "hidden/triangles/triangulation.h"
 
 namespace displayfile {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "clip/base/error.h"
+#include "displayfile/text/output_file.h"
 #include "programs/sheet/dash_pieces.h"
 #include "programs/sheet/drawing_sheet.h"
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "clip/error.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {

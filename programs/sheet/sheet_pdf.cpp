@@ -1,7 +1,7 @@
 #include <memory>
 #include <ostream>
 
-#include "displayfile/output_file.h"
+#include "displayfile/text/output_file.h"
 #include "interp/device/cairo.h"
 #include "interp/device/picture.h"
 #include "interp/vector/cairo_stream.h"

@@ -1,6 +1,6 @@
 // A build without Cairo.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {

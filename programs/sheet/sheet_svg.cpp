@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "displayfile/collected_text.h"
-#include "displayfile/output_file.h"
+#include "clip/base/collected_text.h"
+#include "displayfile/text/output_file.h"
 #include "interp/vector/escaped_xml.h"
 #include "interp/vector/file_key.h"
 #include "programs/sheet/drawing_sheet.h"

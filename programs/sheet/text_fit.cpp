@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "displayfile/characters.h"
+#include "displayfile/text/characters.h"
 #include "programs/sheet/drawing_sheet.h"
 
 namespace displayfile {

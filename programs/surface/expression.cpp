@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile {
 

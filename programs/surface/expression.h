@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hidden/work_progress.h"
+#include "clip/base/work_progress.h"
 #include "programs/surface/surface_data.h"
 
 namespace displayfile {

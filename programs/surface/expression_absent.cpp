@@ -1,4 +1,4 @@
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "programs/surface/expression.h"
 
 namespace displayfile {

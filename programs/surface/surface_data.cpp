@@ -12,15 +12,15 @@
 #include <system_error>
 #include <variant>
 
-#include "clip/error.h"
-#include "clip/memory.h"
-#include "clip/words.h"
-#include "clip/work_budget.h"
-#include "displayfile/characters.h"
-#include "displayfile/input_file.h"
+#include "clip/base/error.h"
+#include "clip/base/input_file.h"
+#include "clip/base/memory.h"
+#include "clip/base/words.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/mesh/text_cursor.h"
+#include "displayfile/text/characters.h"
 #include "interp/files/npy_file.h"
-#include "programs/progress.h"
+#include "programs/process/progress.h"
 #include "programs/surface/expression.h"
 
 namespace displayfile {

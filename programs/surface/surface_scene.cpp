@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/axes.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
+#include "displayfile/user_routines/axes.h"
 #include "programs/surface/contours.h"
 #include "programs/surface/height_colours.h"
 

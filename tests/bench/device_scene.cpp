@@ -7,10 +7,10 @@
 #include <numbers>
 #include <span>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/scenes/generated_scenes.h"
 
 namespace displayfile::bench {

@@ -14,7 +14,7 @@
 
 #include "command/counted_memory.h"  // beside this file, in older trees too
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 
 namespace displayfile::bench {
 namespace {

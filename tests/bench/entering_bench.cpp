@@ -5,9 +5,9 @@
 #include <span>
 #include <sstream>
 
-#include "displayfile/display_file.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/bench/benchmark.h"
 
 namespace displayfile::bench {

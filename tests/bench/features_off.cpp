@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "clip/secret_hash.h"
-#include "programs/exit_status.h"
+#include "programs/process/exit_status.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/bench/command/callgrind.h"
 #include "tests/bench/command/features.h"

@@ -1,5 +1,5 @@
-// New views of a retained scene (displayfile/scene_viewer.md) against entering each view anew and
-// drawing that; and what it is worth to keep what a moving eye, or a moving light, leaves as it
+// New views of a retained scene (displayfile/views/scene_viewer.md) against entering each view anew
+// and drawing that; and what it is worth to keep what a moving eye, or a moving light, leaves as it
 // was: kept, by the same way with nothing but memory kept, and entered and drawn anew, in turn. A
 // mesh, or a terrain of about that number of polygons: plain, lit, and with shadows.
 
@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/scene_viewer.h"
-#include "displayfile/turntable.h"
+#include "displayfile/views/scene_viewer.h"
+#include "displayfile/views/turntable.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "tests/bench/benchmark.h"

@@ -20,7 +20,7 @@
 #include <tuple>
 #include <vector>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/map/map_pieces.h"
 #include "hidden/sort/world_tree.h"

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "clip/unit.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/point_tree.h"
 #include "interp/vector/pens/unique_strokes.h"
-#include "programs/inputs.h"
+#include "programs/inputs/inputs.h"
 #include "programs/scenes/random.h"
 #include "tests/bench/benchmark.h"
 #include "tests/bench/command/timing.h"

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <tuple>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "tests/bench/benchmark.h"

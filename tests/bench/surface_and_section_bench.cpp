@@ -17,8 +17,8 @@
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/section.h"
-#include "displayfile/scene_lines.h"
-#include "hidden/triangulation.h"
+#include "displayfile/segments/scene_lines.h"
+#include "hidden/triangles/triangulation.h"
 #include "interp/truth/judged_lines.h"
 #include "programs/scenes/random.h"
 #include "tests/bench/benchmark.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "clip/work_budget.h"
+#include "clip/base/work_budget.h"
 #include "tests/fuzz/failed.h"
 #include "tests/fuzz/record_and_replay.h"
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/fuzz/failed.h"
 

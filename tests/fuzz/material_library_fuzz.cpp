@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/material_library.h"
 #include "tests/fuzz/failed.h"
 

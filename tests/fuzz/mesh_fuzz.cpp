@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"

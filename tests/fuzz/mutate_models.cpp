@@ -28,15 +28,15 @@
 #include <utility>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/file_extension.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh.h"
-#include "programs/exit_status.h"
 #include "programs/import_program/import_program.h"
-#include "programs/import_words.h"
+#include "programs/options/import_words.h"
+#include "programs/process/exit_status.h"
 #include "tests/fuzz/mutated_bytes.h"
 
 namespace displayfile::test {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/fuzz/failed.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace displayfile::fuzz {

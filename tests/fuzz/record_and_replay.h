@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "clip/error.h"
-#include "clip/work_budget.h"
+#include "clip/base/error.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/text/dump_compare.h"
 
 namespace displayfile {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "programs/surface/surface_data.h"

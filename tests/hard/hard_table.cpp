@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
-#include "displayfile/output_file.h"
+#include "clip/base/error.h"
+#include "displayfile/text/output_file.h"
 #include "hard/document.h"
 #include "hard/right_picture.h"
 #include "hard/tally.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/software.h"

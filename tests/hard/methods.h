@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 

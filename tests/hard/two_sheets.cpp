@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hard/methods.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"

@@ -6,7 +6,7 @@
 
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"
-#include "displayfile/instructions.h"
+#include "displayfile/entered/instructions.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/sheet_point.h"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/looks/background.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/pen_device.h"
 #include "interp/vector/pens/stroke_chains.h"

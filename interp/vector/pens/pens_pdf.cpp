@@ -1,7 +1,7 @@
 #include <memory>
 #include <ostream>
 
-#include "displayfile/output.h"
+#include "displayfile/text/output.h"
 #include "interp/device/cairo.h"
 #include "interp/vector/cairo_figure.h"
 #include "interp/vector/cairo_stream.h"

@@ -1,6 +1,6 @@
 // A build without Cairo.
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "interp/vector/pens/pen_files.h"
 
 namespace displayfile {

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "displayfile/output.h"
+#include "displayfile/text/output.h"
 #include "interp/vector/file_key.h"
 #include "interp/vector/pens/pen_files.h"
 

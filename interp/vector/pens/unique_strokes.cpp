@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "clip/budgeted_work.h"
-#include "clip/work_budget.h"
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 
 namespace displayfile {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "clip/base/error.h"
 #include "clip/equal_points.h"
-#include "clip/error.h"
 #include "clip/view_volume.h"
 #include "displayfile/looks/lighting.h"
-#include "displayfile/turntable.h"
-#include "hidden/triangulation.h"
+#include "displayfile/views/turntable.h"
+#include "hidden/triangles/triangulation.h"
 #include "interp/device/picture.h"
 #include "programs/scenes/scene.h"
 #include "tests/bench/command/contenders.h"

@@ -13,8 +13,8 @@
 namespace displayfile::bench {
 
 /// A scene as an application has it before any library knows of it, and views of it: what both
-/// sides of a comparison get. Polygons are cut into triangles (hidden/triangulation.h), as OpenGL
-/// knows nothing else, and vertices that are equal to the last bit are one.
+/// sides of a comparison get. Polygons are cut into triangles (hidden/triangles/triangulation.h),
+/// as OpenGL knows nothing else, and vertices that are equal to the last bit are one.
 struct ApplicationMesh {
   std::vector<Point3> vertices;        ///< world coordinates
   std::vector<std::uint32_t> corners;  ///< of the vertices, three a triangle

@@ -12,13 +12,13 @@
 #include <thread>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 #include "clip/secret_hash.h"
 #include "clip/surfaces.h"
-#include "displayfile/file_extension.h"
-#include "displayfile/output_file.h"
-#include "programs/output_paths.h"
-#include "programs/progress.h"
+#include "displayfile/text/output_file.h"
+#include "programs/inputs/output_paths.h"
+#include "programs/process/progress.h"
 #include "tests/bench/command/beside.h"
 #include "tests/bench/command/environment.h"
 #include "tests/bench/command/feature_costs.h"

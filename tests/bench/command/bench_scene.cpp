@@ -7,11 +7,11 @@
 #include <glm/common.hpp>
 #include <system_error>
 
-#include "clip/error.h"
-#include "displayfile/sorted_display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "clip/base/error.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/scan/scan_convert.h"
-#include "programs/inputs.h"
+#include "programs/inputs/inputs.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 #include "programs/scenes/random.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/scenes/scene.h"
 #include "tests/bench/command/report.h"
 

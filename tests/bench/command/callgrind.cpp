@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/bench/command/process.h"
 #include "tests/bench/command/temporary_folder.h"
 

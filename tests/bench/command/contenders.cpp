@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "displayfile/hidden_surface_check.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/visibility/image_space.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 
 namespace displayfile::bench {

@@ -6,16 +6,16 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "displayfile/mesh/mesh_extensions.h"
-#include "programs/bench_program.h"
-#include "programs/empty_values.h"
-#include "programs/exit_status.h"
 #include "programs/manual/asked_of_itself.h"
-#include "programs/number_in.h"
-#include "programs/standard_descriptors.h"
-#include "programs/stop_signals.h"
-#include "programs/work_limits.h"
+#include "programs/options/empty_values.h"
+#include "programs/options/number_in.h"
+#include "programs/options/work_limits.h"
+#include "programs/process/bench_program.h"
+#include "programs/process/exit_status.h"
+#include "programs/process/standard_descriptors.h"
+#include "programs/process/stop_signals.h"
 #include "tests/bench/command/bench_command.h"
 
 namespace displayfile {

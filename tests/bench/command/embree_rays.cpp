@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile::bench {
 

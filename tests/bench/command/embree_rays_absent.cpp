@@ -1,4 +1,4 @@
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/bench/command/embree_rays.h"
 
 namespace displayfile::bench {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <thread>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
+#include "clip/base/shared_library.h"
 #include "displayfile/mesh/import_library.h"
-#include "displayfile/shared_library.h"
 #include "interp/opengl/osmesa.h"
 #include "tests/bench/command/build_information.h"
 #include "tests/bench/command/embree_rays.h"

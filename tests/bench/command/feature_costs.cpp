@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/bench/command/callgrind.h"
 #include "tests/bench/command/counted_memory.h"
 #include "tests/bench/command/features.h"

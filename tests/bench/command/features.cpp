@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_views.h"
-#include "displayfile/sorted_display_file.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/display_file.h"
 #include "displayfile/looks/style.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/scenes/scene.h"
 
 namespace displayfile::bench {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hidden/parallel.h"
+#include "clip/base/parallel.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile::bench {

@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/bench/command/timing.h"
 
 namespace displayfile::bench {

@@ -1,4 +1,4 @@
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "tests/bench/command/gl2ps_sort.h"
 
 namespace displayfile::bench {

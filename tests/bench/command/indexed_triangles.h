@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile::bench {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/judged_lines.h"
 #include "tests/bench/command/contenders.h"

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "displayfile/retained_scene.h"
-#include "displayfile/scene_viewer.h"
+#include "displayfile/segments/retained_scene.h"
 #include "displayfile/user_routines/system_inside.h"
+#include "displayfile/views/scene_viewer.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
 #include "interp/device/picture.h"
 #include "tests/bench/command/application_mesh.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile::bench {
 

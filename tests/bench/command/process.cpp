@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile::bench {
 

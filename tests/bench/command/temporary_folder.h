@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 
 namespace displayfile::bench {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "hidden/triangulation.h"
+#include "hidden/triangles/triangulation.h"
 
 namespace displayfile::bench {
 

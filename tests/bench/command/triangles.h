@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "displayfile/display_file.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/viewed_scene.h"
 
 namespace displayfile::bench {
 
@@ -15,8 +15,8 @@ struct Triangles {
   std::size_t size() const { return fills.size(); }
 };
 
-/// Cut by hidden/triangulation.h: a fill that crosses itself has no tiling, and what is made of it
-/// covers other pixels.
+/// Cut by hidden/triangles/triangulation.h: a fill that crosses itself has no tiling, and what is
+/// made of it covers other pixels.
 Triangles in_triangles(const ViewedScene& scene);
 
 /// A display file of the triangles, solid and without lines, for methods that are to get the same

@@ -6,10 +6,10 @@
 #include <span>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/retained_scene.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/world_truth.h"
-#include "programs/inputs.h"
+#include "programs/inputs/inputs.h"
 #include "programs/scenes/hard_cases.h"
 
 namespace displayfile::bench {

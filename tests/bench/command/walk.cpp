@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "displayfile/retained_scene.h"
-#include "displayfile/retained_views.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/views/retained_views.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "programs/scenes/generated_scenes.h"

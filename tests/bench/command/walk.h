@@ -23,9 +23,9 @@ std::unique_ptr<Drawing> draw_walk(const std::vector<Scene>& views, const Conten
 /// What was drawn of a view, below what was drawn before.
 void append(const Picture& picture, Picture& all);
 
-/// One BSP tree in world coordinates (displayfile/retained_views.h), for all views; it is built in
-/// draw_anew only. It sees world coordinates, so it claims no exactness in device coordinates. The
-/// contender has no `draw`, as it draws no single display file but walks.
+/// One BSP tree in world coordinates (displayfile/views/retained_views.h), for all views; it is
+/// built in draw_anew only. It sees world coordinates, so it claims no exactness in device
+/// coordinates. The contender has no `draw`, as it draws no single display file but walks.
 Contender retained_tree();
 std::unique_ptr<Drawing> draw_walk_with_tree(const std::vector<Scene>& views, const Frame& frame);
 

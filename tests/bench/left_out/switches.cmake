@@ -33,11 +33,11 @@ switch(clip/transformation.h "return identity_;"
        "return is_left_out(PartLeftOut::modelling) || identity_;")
 switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
        "if (is_left_out(PartLeftOut::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
-switch(clip/budgeted_work.h "if (--left_ == 0) ask();"
+switch(clip/base/budgeted_work.h "if (--left_ == 0) ask();"
        "if (!is_left_out(PartLeftOut::budgets) && --left_ == 0) ask();")
-switch(clip/budgeted_work.h "if (steps >= left_)"
+switch(clip/base/budgeted_work.h "if (steps >= left_)"
        "if (is_left_out(PartLeftOut::budgets)) return;\n    if (steps >= left_)")
-switch(clip/budgeted_work.h "if (const WorkBudget* const budget = work_in_force().budget) {"
+switch(clip/base/budgeted_work.h "if (const WorkBudget* const budget = work_in_force().budget) {"
        "if (is_left_out(PartLeftOut::budgets)) return;
         if (const WorkBudget* const budget = work_in_force().budget) {")
 switch(displayfile/looks/style.h "std::optional<Light> light;"
@@ -53,9 +53,9 @@ switch(displayfile/user_routines/system_state.h "RetainedScene* retaining() { re
                                         own_retained_ ?")
 switch(displayfile/looks/style.h "Shading shading ="
        "Switch<PartLeftOut::shading, Shading> shading =")
-switch(displayfile/instructions.h "return has_shadows_;"
+switch(displayfile/entered/instructions.h "return has_shadows_;"
        "return !is_left_out(PartLeftOut::shadows) && has_shadows_;")
-switch(displayfile/instructions.h "return !texts_.empty();"
+switch(displayfile/entered/instructions.h "return !texts_.empty();"
        "return !is_left_out(PartLeftOut::texts) && !texts_.empty();")
 switch(displayfile/looks/style.h "std::optional<FillShadow> shadow{};"
        "Switch<PartLeftOut::shadows, std::optional<FillShadow>> shadow{};")

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/error.h"
+#include "clip/base/error.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"

@@ -12,12 +12,12 @@
 #include <sstream>
 #include <utility>
 
+#include "clip/base/error.h"
 #include "clip/corners.h"
-#include "clip/error.h"
 #include "clip/surfaces.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
-#include "displayfile/scene_lines.h"
+#include "displayfile/segments/scene_lines.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/scenes/scene.h"
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "clip/view.h"
-#include "displayfile/display_file.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/retained_scene.h"
-#include "displayfile/scene_viewer.h"
-#include "displayfile/viewed_scene.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/viewed_scene.h"
+#include "displayfile/views/scene_viewer.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "tests/bench/lines_beside_peers/drawn_length.h"

@@ -10,7 +10,7 @@
 
 #include "interp/vector/pdf_device.h"
 #include "interp/vector/svg_device.h"
-#include "programs/exit_status.h"
+#include "programs/process/exit_status.h"
 
 namespace displayfile::bench {
 namespace {

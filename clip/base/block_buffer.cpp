@@ -1,0 +1,43 @@
+#include "clip/base/block_buffer.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace displayfile {
+
+BlockBuffer::BlockBuffer(int descriptor)
+    : descriptor_(descriptor), block_(std::make_unique_for_overwrite<char[]>(kBlock)) {
+  setp(block_.get(), block_.get() + kBlock);
+}
+
+/// What could not be written once is not tried again.
+bool BlockBuffer::write_block() {
+  if (reason_ == 0 &&
+      !write_all(descriptor_, pbase(), static_cast<std::size_t>(pptr() - pbase()))) {
+    reason_ = errno;
+  }
+  setp(block_.get(), block_.get() + kBlock);
+  return reason_ == 0;
+}
+
+BlockBuffer::int_type BlockBuffer::overflow(int_type next) {
+  if (!write_block()) return traits_type::eof();
+  if (traits_type::eq_int_type(next, traits_type::eof())) return traits_type::not_eof(next);
+  return sputc(traits_type::to_char_type(next));
+}
+
+int BlockBuffer::sync() { return write_block() ? 0 : -1; }
+
+bool write_all(int descriptor, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = ::write(descriptor, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,66 @@
+#include "clip/base/input_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "clip/base/error.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr std::size_t kBytesPerRead = std::size_t{1} << 20;
+/// What a file says of its size is believed up to here.
+constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 30;
+
+struct Close {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+[[noreturn]] void fail(const std::string& path) {
+  throw Error(fmt::format("{}: cannot be read: {}", input_name(path), std::strerror(errno)));
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+std::string read_text_file(const std::string& path) {
+  // To open a pipe without a writer would take for ever.
+  std::error_code unknown;
+  if (path != "-" && std::filesystem::is_fifo(path, unknown)) {
+    throw Error(path + ": not a regular file: expected one, or - for standard input");
+  }
+  const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
+                                                           : std::fopen(path.c_str(), "rb"));
+  if (!file) fail(path);
+  std::string text;
+  const std::uintmax_t size = path == "-" ? 0 : std::filesystem::file_size(path, unknown);
+  if (!unknown) {
+    text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostAtOnce)) +
+                 kBytesPerRead);
+  }
+  for (std::size_t used = 0;;) {
+    text.resize(used + kBytesPerRead);
+    const std::size_t count = std::fread(text.data() + used, 1, kBytesPerRead, file.get());
+    if (std::ferror(file.get()) != 0) fail(path);
+    const bool binary = std::memchr(text.data() + used, 0, count) != nullptr;
+    used += count;
+    if (count < kBytesPerRead || binary) {
+      text.resize(used);
+      return text;
+    }
+  }
+}
+
+}  // namespace displayfile

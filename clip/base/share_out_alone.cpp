@@ -1,0 +1,13 @@
+#include "clip/base/share_out.h"
+
+namespace displayfile {
+
+// On a system without threads, as browsers are to a page that asks for none.
+
+int most_threads() { return 1; }
+
+void share_out(int /*threads*/, std::size_t count, const std::function<void(std::size_t)>& work) {
+  for (std::size_t k = 0; k < count; ++k) work(k);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "clip/base/share_out.h"
+
+namespace displayfile {
+
+namespace {
+
+/// This thread shares work out, or does a share of it: what it shares out then is its own to do.
+thread_local bool shares = false;
+
+/// Calls that several threads take, each the next one that is left.
+class SharedWork {
+ public:
+  SharedWork(std::size_t count, const std::function<void(std::size_t)>& work)
+      : count_(count), work_(work) {}
+
+  /// Until none is left, or one has failed.
+  void do_share() {
+    shares = true;
+    try {
+      for (std::size_t k = next_++; k < count_; k = next_++) work_(k);
+    } catch (...) {
+      next_ = count_;
+      const std::lock_guard lock(guard_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+    shares = false;
+  }
+
+  void throw_failure() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::size_t count_;
+  const std::function<void(std::size_t)>& work_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex guard_;
+  std::exception_ptr failure_;  // the first
+};
+
+}  // namespace
+
+int most_threads() {
+  return shares ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void share_out(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+  SharedWork shared(count, work);
+  const std::size_t helpers = std::min(static_cast<std::size_t>(threads), count) - 1;
+  try {
+    std::vector<std::jthread> threads_of_helpers;
+    threads_of_helpers.reserve(helpers);
+    while (threads_of_helpers.size() < helpers) {
+      threads_of_helpers.emplace_back([&] { shared.do_share(); });
+    }
+    shared.do_share();
+  } catch (const std::system_error&) {
+    throw std::bad_alloc();  // there is no memory for a thread
+  }
+  shared.throw_failure();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,99 @@
+#include "clip/base/unfinished_path.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <ctime>
+#include <utility>
+
+namespace displayfile {
+
+namespace {
+
+/// What stands in the table belongs to it, and to the handler alone while that has it: the handler
+/// frees nothing, since the process ends.
+constexpr std::size_t kPlaces = 4096;
+std::array<std::atomic<char*>, kPlaces> unfinished{};
+static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler reads the table");
+
+std::atomic<int> naming{0};  // threads that are about it
+std::atomic<bool> ending{false};
+thread_local int names_of_thread = 0;  // how many Naming objects it has
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+}  // namespace
+
+UnfinishedPath::UnfinishedPath(std::string path) {
+  auto* const text = new char[path.size() + 1];
+  std::copy_n(path.c_str(), path.size() + 1, text);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    char* none = nullptr;
+    if (unfinished[i].load() != nullptr || !unfinished[i].compare_exchange_strong(none, text)) {
+      continue;
+    }
+    place_ = i + 1;
+    return;
+  }
+  delete[] text;
+}
+
+UnfinishedPath::~UnfinishedPath() {
+  if (place_ != 0) delete[] unfinished[place_ - 1].exchange(nullptr);
+}
+
+UnfinishedPath::UnfinishedPath(UnfinishedPath&& other) noexcept
+    : place_(std::exchange(other.place_, 0)) {}
+
+UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
+  std::swap(place_, other.place_);
+  return *this;
+}
+
+/// A folder goes when nothing is in it any more: as long as anything goes, another may.
+void UnfinishedPath::remove_all() noexcept {
+  for (bool any_went = true; any_went;) {
+    any_went = false;
+    for (auto& place : unfinished) {
+      char* const path = place.exchange(nullptr);
+      if (path == nullptr) continue;
+      if (::unlink(path) == 0 || ::rmdir(path) == 0) any_went = true;
+      char* none = nullptr;
+      place.compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+    }
+  }
+}
+
+// ---- Names while the process is told to stop
+// -----------------------------------------------------
+
+UnfinishedPath::Naming::Naming() : before_() {
+  if (names_of_thread++ > 0) return;
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  naming.fetch_add(1);
+  if (!ending.load()) return;
+  naming.fetch_sub(1);
+  while (true) ::pause();  // another thread is ending the process
+}
+
+UnfinishedPath::Naming::~Naming() {
+  if (--names_of_thread > 0) return;
+  naming.fetch_sub(1);
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+/// A file system that hangs must not keep the process from ending: the wait has an end.
+void UnfinishedPath::end_naming() noexcept {
+  constexpr int kTurns = 2000;
+  constexpr timespec kMillisecond{0, 1'000'000};
+  ending.store(true);
+  for (int turn = 0; turn < kTurns && naming.load() > 0; ++turn) {
+    ::nanosleep(&kMillisecond, nullptr);
+  }
+}
+
+}  // namespace displayfile

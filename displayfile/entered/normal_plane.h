@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The normal over the picture of a polygon that was cut from one triangle, not of length 1: each
+/// component is linear, as an intensity is (displayfile/entered/intensity_plane.h). Device
+/// coordinates.
+struct NormalPlane {
+  double x0 = 0.0, y0 = 0.0;  ///< a vertex
+  Point3 n0{0.0};             ///< and its normal
+  Point3 dn_dx{0.0}, dn_dy{0.0};
+  Point3 low{0.0}, high{0.0};  ///< of the vertices' components: rounding leads nowhere else
+
+  NormalPlane() = default;
+  /// The plane through the vertices that span the most (hidden/exact/support_plane.h). If the
+  /// polygon is edge-on, or so nearly that doubles know no slope, the mean everywhere.
+  NormalPlane(std::span<const Point3> device, std::span<const Point3> normals);
+
+  static Point3 within(const Point3& normal, const Point3& low, const Point3& high);
+  Point3 at(const Point3& p) const {
+    return within(n0 + dn_dy * (p.y - y0) + dn_dx * (p.x - x0), low, high);
+  }
+};
+
+}  // namespace displayfile

@@ -1,0 +1,80 @@
+#include "displayfile/segments/drawn_strokes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/viewed_scene.h"
+#include "hidden/lines/line_ends.h"
+
+namespace displayfile {
+
+namespace {
+
+bool is_line(const ViewedScene& scene, ViewedScene::Item item) {
+  return scene.kind(item) == Primitives::Kind::line;
+}
+
+}  // namespace
+
+std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPieces& pieces) {
+  const std::size_t first = std::min(pieces.first_stroke, pieces.pieces.size());
+  const std::vector<std::uint32_t> looks = looks_of_lines(scene);
+  std::vector<StrokeOfPicture> strokes;
+  strokes.reserve(pieces.pieces.size() - first);
+  for (std::size_t k = first; k < pieces.pieces.size(); ++k) {
+    const SortedPiece& piece = pieces.pieces[k];
+    const LineKinds kinds = pieces.visible[piece.first + 1];
+    const std::uint32_t look = looks.empty() ? 0 : looks[piece.item];
+    strokes.push_back({{Point2(pieces.points[piece.first]), Point2(pieces.points[piece.first + 1])},
+                       static_cast<std::uint32_t>(std::countr_zero(kinds)),
+                       2 * look + (pieces.is_hidden(k) ? 1 : 0),
+                       is_line(scene, piece.item) && !pieces.stroke_cuts(piece).any(),
+                       pieces.is_hidden(k)});
+  }
+  return strokes_once(strokes, lines_apart(scene.touching_of_ends()));
+}
+
+std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const FoundLines& found,
+                                            const Point2& pixels) {
+  const std::vector<VisiblePiece>& seen = found.seen.pieces;
+  const std::vector<std::uint32_t> looks = looks_of_lines(scene);
+  const Primitives items = scene.primitives();
+  std::vector<StrokeOfPicture> strokes;
+  strokes.reserve(seen.size() + found.seen.intersections.size());
+  for (const VisiblePiece& piece : seen) {
+    const LineEnds ends(items, {piece.item, piece.corner});
+    strokes.push_back({{Point2(ends.at(piece.from)), Point2(ends.at(piece.to))},
+                       0,
+                       looks.empty() ? 0 : looks[piece.item],
+                       is_line(scene, piece.item) && piece.from == 0.0 && piece.to == 1.0});
+  }
+  // Lines that end where others do, and are not looked at themselves.
+  const auto own = static_cast<std::uint32_t>(strokes.size());
+  const std::uint32_t no_look = scene.items();
+  for (const VisibleIntersection& piece : found.seen.intersections) {
+    const IntersectionLine& line = found.intersections[piece.line];
+    const auto at = [&](double share) {
+      return Point2(StrokePart::at(line.start, line.end, share));
+    };
+    strokes.push_back({{at(piece.from), at(piece.to)}, 0, no_look, true});
+  }
+  std::vector<VisiblePiece> drawn;
+  for (const StrokePart& part : strokes_once(strokes, lines_apart(scene.touching_of_ends()))) {
+    if (part.stroke >= own) break;
+    VisiblePiece piece = seen[part.stroke];
+    const double length = piece.to - piece.from;
+    if (part.to != 1.0) piece.to = piece.from + part.to * length;
+    if (part.from != 0.0) piece.from += part.from * length;
+    const LineEnds ends(items, {piece.item, piece.corner});
+    const Point2 from(ends.at(piece.from)), to(ends.at(piece.to));
+    const double width = scene.line_style(piece.item).width;
+    if (part.is_alone && is_shorter_than_wide(from, to, pixels, width)) continue;
+    if (piece.from < piece.to) drawn.push_back(piece);
+  }
+  return drawn;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,93 @@
+#include "displayfile/segments/hidden_surface_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "clip/base/memory.h"
+#include "displayfile/segments/cuts_at_vertices.h"
+#include "displayfile/segments/scene_lines.h"
+#include "hidden/sort/touching_vertices.h"
+
+namespace displayfile {
+
+namespace {
+
+SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
+  if (finds_lines(method)) {
+    return lines_in_order(scene, find_lines(scene, method, options), options.hidden_lines);
+  }
+  if (method == HiddenMethod::map) return map_in_order(scene, options);
+  Primitives items = scene.primitives();
+  if (!options.precision.exact) {  // a ROUNDOFF decides what is in one plane
+    items.planes = {};
+    items.plane_rests = {};
+    items.touching = 0.0;
+  }
+  SortedPieces sorted = sort_hidden_surfaces(items, method, options);
+  put_cuts_at_vertices(scene, sorted);
+  append_lines(scene, options, sorted);
+  return sorted;
+}
+
+std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
+                                                const ImageTransformation& image,
+                                                HiddenMethod method, const SortOptions& options) {
+  SortedPieces pieces = pieces_of(viewed, method, options);
+  const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
+  const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
+                          pieces.depth};
+  double moved = viewed.boundary_error() + cuts_may_move(viewed);
+  if (options.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
+  auto ordered = std::make_shared<OrderedScene>(
+      OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
+  return std::make_shared<SortedScene>(SortedScene{{std::move(ordered)},
+                                                   image,
+                                                   method,
+                                                   options.precision,
+                                                   counts,
+                                                   options.hidden_lines,
+                                                   options.intersections,
+                                                   options.shadows,
+                                                   moved,
+                                                   options.root});
+}
+
+/// What `sort` returns, which has every point in its tables at least.
+template <class Sort>
+std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, HiddenMethod method,
+                                                       Sort&& sort) {
+  return with_memory(
+      points * sizeof(Point3),
+      [&] { return fmt::format("sorting {} points by {}", points, name_of(method)); }, sort);
+}
+
+}  // namespace
+
+bool is_object_space(HiddenMethod by) {
+  const HiddenMethod method = surfaces_of(by);
+  return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
+         method == HiddenMethod::map || finds_lines(method);
+}
+
+std::shared_ptr<const SortedScene> hidden_surface_check(
+    const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
+    HiddenMethod by, const SortOptions& options) {
+  const HiddenMethod method = surfaces_of(by);
+  return with_memory_of_sort(entered->points(), method, [&] {
+    return sorted_scene(ViewedScene(entered, image), image, method, options);
+  });
+}
+
+std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
+                                                        HiddenMethod by,
+                                                        const SortOptions& options) {
+  const HiddenMethod method = surfaces_of(by);
+  std::size_t points = 0;
+  for (const Segment* segment : segments) points += segment->entered()->points();
+  return with_memory_of_sort(
+      points, method, [&] { return sorted_scene(ViewedScene(segments), {}, method, options); });
+}
+
+}  // namespace displayfile

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "displayfile/segments/segment.h"
+#include "displayfile/segments/sorted_scene.h"
+#include "hidden/sort/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// True for the methods that work in object space, which HIDDEN-SURFACE-CHECK runs: those that sort
+/// polygons and the map, also for the colour rule, and those that find lines.
+bool is_object_space(HiddenMethod by);
+
+/// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
+/// or `depth_sort`; by `map` the parts of polygons that are seen, which do not overlap, and after
+/// all of them what is seen of lines and sides; or by `roberts`, `appel` or `franklin` what is seen
+/// of its lines and its polygons' sides, and no fills. If the options ask for hidden lines, these
+/// are drawn dashed: before the visible ones, or after all fills. Points are those after the image
+/// transformation, and so are those of the result. Each piece of a polygon that was cut keeps its
+/// styles and its pick identifier, and if the polygon is shaded its place in the shade; sides that
+/// cuts made are invisible. A polygon that draws nothing, hollow and of line style none, is left
+/// out. The instructions must not grow while the result lives.
+///
+/// Throws Error for another method, and for more than 2^32 - 2 points.
+std::shared_ptr<const SortedScene> hidden_surface_check(
+    const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
+    HiddenMethod by, const SortOptions& options);
+
+/// HIDDEN-SURFACE-CHECK of several segments together, in order of creation, with a segment
+/// instruction wherever the segment changes. Of coplanar polygons the one of the segment created
+/// later is seen.
+std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
+                                                        HiddenMethod by,
+                                                        const SortOptions& options);
+
+}  // namespace displayfile

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "displayfile/segments/viewed_scene.h"
+#include "hidden/lines/lines_in_order.h"
+
+namespace displayfile {
+
+// The lines of a viewed scene (hidden/lines/lines_in_order.h): its lines, and its polygons' sides
+// that are visible and have a line style.
+
+std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
+/// Items of different segments or line styles are not drawn by one stroke: a number for each
+/// segment and style, by item. Empty if there is one.
+std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
+/// Throws Error for a method that finds no lines.
+FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options);
+
+/// What of one segment and line style is joined into chains.
+SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
+                            HiddenLines hidden_lines);
+SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
+                                HiddenLines hidden_lines);
+
+/// The scene's map, and after all fills its lines.
+SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options);
+
+/// Adds to an order of the scene's polygons, after all fills, the lines that the options ask for
+/// and no polygon of the order has: those that are hidden, and where polygons pass through each
+/// other.
+void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted);
+
+}  // namespace displayfile

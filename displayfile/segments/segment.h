@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "clip/transformation.h"
+#include "displayfile/entered/instructions.h"
+#include "displayfile/looks/style.h"
+#include "displayfile/segments/sorted_scene.h"
+
+namespace displayfile {
+
+/// How the hidden surfaces of a segment are to be found by itself.
+struct SortByItself {
+  HiddenMethod method;  ///< in object space
+  Precision precision;
+  HiddenLines hidden_lines = HiddenLines::none;
+  bool intersections = false;
+};
+
+/// One segment: a name, attributes, and its instructions in arrays of their own, so that
+/// it is edited or deleted without touching another segment's storage.
+///
+/// It keeps its instructions as they were entered and, if its hidden surfaces were sorted, also
+/// back to front. What is drawn is the sorted order, if there is one; what needs every polygon
+/// whole and in order of entry - the truth, the z-buffers - walks the entered one.
+///
+/// Points are normalised device coordinates before the image transformation. Copies of a closed
+/// segment share their instructions.
+class Segment {
+ public:
+  explicit Segment(int name) : name_(name), entered_(std::make_shared<Instructions>()) {}
+  Segment(const Segment& other);
+  Segment& operator=(const Segment& other);
+  Segment(Segment&&) = default;
+  Segment& operator=(Segment&&) = default;
+
+  int name() const { return name_; }
+  void rename(int name) { name_ = name; }
+
+  bool visible = true;
+  ImageTransformation image;
+  /// What close-segment put off, since all segments were to be sorted together: for the case that
+  /// they are not.
+  std::optional<SortByItself> put_off;
+
+  // Entering instructions (displayfile/entered/instructions.h). A sorted order is dropped.
+  void set_style(const FillStyle& fill) { writable().set_style(fill); }
+  void set_style(const LineStyle& line) { writable().set_style(line); }
+  void set_style(const TextStyle& text) { writable().set_style(text); }
+  void set_pick(std::int32_t id) { writable().set_pick(id); }
+  void set_line_pick(std::int32_t id) { writable().set_line_pick(id); }
+  void enter_line(const Point3& from, const Point3& to) { writable().enter_line(from, to); }
+  void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
+                     const VertexShading& shading = {}) {
+    writable().enter_polygon(vertices, edge_visible, shading);
+  }
+  void enter_text(const Point3& anchor, std::string_view characters) {
+    writable().enter_text(anchor, characters);
+  }
+  void mark_surface(const SurfaceMark& mark) { writable().mark_surface(mark); }
+  template <class PointAt, class IsDrawn>
+  void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
+    writable().enter_next_polygon(n, point, is_drawn);
+  }
+  /// Keeps the polygons entered from here on as the application entered them, too
+  /// (displayfile/entered/entered_polygons.h). Nothing was entered yet.
+  void keep_entered(const Touching& touching, const ViewVolume& volume) {
+    writable().keep_entered(touching, volume);
+  }
+  /// What is to be called after each polygon that is entered; null if they are not kept.
+  EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }
+  /// The same; null also if the instructions are shared, so that others may be reading them.
+  EnteredPolygons* entered_alone() {
+    return entered_.use_count() == 1 ? entered_->keeping_entered() : nullptr;
+  }
+  /// Makes room for polygons of so many corners and fill styles in all.
+  void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {
+    constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
+    writable().reserve_more(corners + kOtherCodes * polygons, corners, fills);
+    if (EnteredPolygons* const kept = keeping_entered()) kept->reserve_more(polygons, corners);
+  }
+  /// In place of all instructions entered so far, those of another segment.
+  void take_instructions(Segment&& other) {
+    entered_ = std::move(other.entered_);
+    sorted_.reset();
+  }
+  /// Gives back the room for more instructions.
+  void free_room() { writable().free_room(); }
+  /// No more instructions are to come: copies may share them.
+  void close() { closed_ = true; }
+  bool is_closed() const { return closed_; }
+
+  /// Closed segments whose pointers are the same have the same instructions.
+  std::shared_ptr<const Instructions> entered() const { return entered_; }
+  /// Null if the hidden surfaces were not sorted.
+  const std::shared_ptr<const SortedScene>& sorted() const { return sorted_; }
+  void set_sorted(std::shared_ptr<const SortedScene> sorted) { sorted_ = std::move(sorted); }
+  /// True if it was sorted with the image transformation that it has now.
+  bool sorted_as_drawn() const { return sorted_ != nullptr && sorted_->image == image; }
+
+  /// Calls the visitor for each instruction in the order of drawing, with points after the image
+  /// transformation: what is drawn and dumped. An order that was found before an image
+  /// transformation is kept through it; one that was found with another is not.
+  template <class Visitor>
+  void walk_drawn(Visitor&& visit) const {
+    if (sorted_as_drawn()) return sorted_->walk(visit);
+    if (sorted_ != nullptr && sorted_->image.is_identity()) {
+      return sorted_->walk_transformed(image, visit);
+    }
+    entered_->walk_transformed(image, visit);
+  }
+  /// Walks the instructions in order of entry, with points as stored.
+  template <class Visitor>
+  void walk_entered(Visitor&& visit) const {
+    entered_->walk(visit);
+  }
+  /// Walks the instructions in order of entry, with points after the image transformation: what is
+  /// judged.
+  template <class Visitor>
+  void walk_entered_drawn(Visitor&& visit) const {
+    entered_->walk_transformed(image, visit);
+  }
+
+  // What the instructions hold as they were entered.
+  std::size_t polygons() const { return entered_->polygons(); }
+  std::size_t lines() const { return entered_->lines(); }
+  bool stores_z() const { return entered_->stores_z(); }
+  bool has_shadows() const { return entered_->has_shadows(); }
+  bool shows() const { return entered_->shows(); }
+  bool has_texts() const { return entered_->has_texts(); }
+  std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
+
+ private:
+  /// Instructions that no copy shares.
+  Instructions& writable() {
+    if (closed_ || sorted_ != nullptr) [[unlikely]]
+      make_writable();
+    return *entered_;
+  }
+  void make_writable();
+
+  int name_;
+  std::shared_ptr<Instructions> entered_;
+  bool closed_ = false;
+  std::shared_ptr<const SortedScene> sorted_;
+};
+
+}  // namespace displayfile

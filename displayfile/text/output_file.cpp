@@ -1,0 +1,276 @@
+#include "displayfile/text/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+#include "clip/base/error.h"
+#include "clip/base/on_disk.h"
+#include "clip/base/real_path.h"
+
+namespace displayfile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNamesToTry = 1000;
+constexpr std::size_t kLongestStem = 200;  // of a name of 255 bytes at most
+
+bool may_write(const std::string& path) {
+  return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// False, with the reason in errno, for a descriptor that is closed or open for reading alone.
+bool can_write(int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
+  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
+}
+
+/// A name beside the target, of this process.
+std::string temporary_name(const fs::path& target, int attempt) {
+  return (target.parent_path() / fmt::format(".{}.{}-{}{}",
+                                             target.stem().string().substr(0, kLongestStem),
+                                             ::getpid(), attempt, target.extension().string()))
+      .string();
+}
+
+/// By what name a file may be opened that has none.
+std::string path_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// Gives the nameless file a name; false, with the reason in errno, if it cannot have that one.
+bool link_nameless(int descriptor, const std::string& name) {
+  return ::linkat(AT_FDCWD, path_of(descriptor).c_str(), AT_FDCWD, name.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// Which folder that would be is said by one of these, or by none.
+std::string no_temporary_folder() {
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    if (const char* const folder = std::getenv(variable)) {
+      return fmt::format("{} names {}, which is no folder: expected one for temporary files",
+                         variable, folder);
+    }
+  }
+  return "/tmp is no folder: expected one for temporary files";
+}
+
+}  // namespace
+
+/// By a name that leads to a file, that would be replaced, and nothing that is written there later
+/// would be in it.
+bool is_standard_output(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+void OutputFile::fail(const std::string& what) const { throw Error(path_ + ": " + what); }
+
+void OutputFile::fail_to_write() const {
+  const int reason = errno;
+  const fs::path folder = fs::path(target_).parent_path();
+  std::error_code error;
+  if (reason == ENOENT && !folder.empty() && !fs::exists(folder, error)) {
+    fail(fmt::format("cannot be written: there is no folder {}", folder.string()));
+  }
+  fail(fmt::format("cannot be written: {}", std::strerror(reason)));
+}
+
+/// With no temporary file left; 0 is no reason.
+void OutputFile::fail_at_the_end(const std::string& what, int reason) {
+  remove_temporary();
+  fail(fmt::format("{}{}{}", what, reason != 0 ? ": " : "",
+                   reason != 0 ? std::strerror(reason) : ""));
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+  if (path_.empty()) throw Error("the output file has no name");
+  std::error_code error;
+  if (is_standard_output(path_)) {
+    path_ = "standard output";
+    if (!can_write(STDOUT_FILENO)) fail_to_write();
+    standard_output_ = true;
+    create_to_be_copied();
+    return;
+  }
+  const fs::file_status status = fs::status(path_, error);
+  if (fs::is_directory(status)) fail("is a folder: expected a file name");
+  if (fs::exists(status) && !may_write(path_)) fail_to_write();
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    direct_ = true;
+    temporary_ = path_;
+    return;
+  }
+  if (fs::is_symlink(fs::symlink_status(path_, error))) {
+    target_ = real_path(path_, error).string();
+    if (error) fail("cannot be written: " + error.message());
+  }
+  create_temporary();
+  if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()));
+}
+
+// ---- The temporary file -------------------------------------------------------------------------
+
+void OutputFile::create_to_be_copied() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) fail("cannot be written: " + no_temporary_folder());
+  target_ = (folder / "displayfile").string() + fs::path(target_).extension().string();
+  copied_ = true;
+  create_temporary();
+}
+
+void OutputFile::create_temporary() {
+  if (create_nameless()) return;
+  create_named([&] {
+    descriptor_ =
+        ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
+    return descriptor_ >= 0;
+  });
+}
+
+/// False where the system or the file system has no such files, or no way to open them anew.
+bool OutputFile::create_nameless() {
+#if defined(O_TMPFILE)
+  const fs::path folder = fs::path(target_).parent_path();
+  descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) return false;
+  if (::access(path_of(descriptor_).c_str(), F_OK) == 0) {
+    temporary_ = path_of(descriptor_);
+    return true;
+  }
+  ::close(std::exchange(descriptor_, -1));
+#endif
+  return false;
+}
+
+/// Tries one name after the other; `create` says whether it is taken, with the reason in errno.
+template <class Create>
+void OutputFile::create_named(const Create& create) {
+  const UnfinishedPath::Naming naming;
+  for (int attempt = 0; attempt < kNamesToTry; ++attempt) {
+    temporary_ = temporary_name(target_, attempt);
+    unfinished_ = UnfinishedPath(temporary_);
+    if (create()) {
+      pending_ = true;
+      return;
+    }
+    const int reason = errno;
+    unfinished_ = {};
+    errno = reason;
+    if (reason != EEXIST) fail_to_write();
+  }
+  fail("cannot be written: every temporary name beside it is taken");
+}
+
+void OutputFile::name_temporary() {
+  create_named([&] { return link_nameless(descriptor_, temporary_); });
+}
+
+const std::string& OutputFile::temporary_path() {
+  // A library may look back at what it wrote.
+  if (std::exchange(direct_, false)) create_to_be_copied();
+  if (!pending_) name_temporary();
+  return temporary_;
+}
+
+OutputFile::~OutputFile() { remove_temporary(); }
+
+void OutputFile::remove_temporary() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  if (!pending_) return;
+  const UnfinishedPath::Naming naming;
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+  unfinished_ = {};
+  pending_ = false;
+}
+
+std::ostream& OutputFile::stream() {
+  if (blocks_ == nullptr) {
+    if (direct_) descriptor_ = ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    if (descriptor_ < 0) fail_to_write();
+    blocks_ = std::make_unique<BlockBuffer>(descriptor_);
+    stream_.rdbuf(blocks_.get());
+  }
+  return stream_;
+}
+
+// ---- The end ------------------------------------------------------------------------------------
+
+void OutputFile::finish() {
+  if (finished_) return;
+  if (blocks_ != nullptr) {
+    stream_.flush();
+    if (!stream_) fail_at_the_end("not all could be written", blocks_->reason());
+  }
+  finished_ = true;
+  if (direct_ || copied_) return;
+  if (!put_on_disk(descriptor_)) fail_at_the_end("not all could be put on the disk", errno);
+}
+
+void OutputFile::commit() {
+  finish();
+  if (direct_) return remove_temporary();  // nothing but the descriptor
+  if (copied_) return copy_to_target();
+  replace_target();
+  ::close(std::exchange(descriptor_, -1));
+  if (!put_names_on_disk(fs::path(target_).parent_path())) {
+    fail(fmt::format("is written, but its name may not be on the disk: {}", std::strerror(errno)));
+  }
+}
+
+void OutputFile::replace_target() {
+  const UnfinishedPath::Naming naming;
+  if (!pending_ && link_to_target()) return;
+  if (!pending_) name_temporary();
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const int reason = errno;
+    std::error_code error;
+    const fs::path folder = fs::path(target_).parent_path();
+    if (reason == ENOENT && !folder.empty() && !fs::exists(folder, error)) {
+      fail_at_the_end("cannot be written: there is no folder " + folder.string(), 0);
+    }
+    fail_at_the_end("cannot be replaced", reason);
+  }
+  unfinished_ = {};
+  pending_ = false;
+}
+
+/// True if there was no target, and the nameless file is it now.
+bool OutputFile::link_to_target() const { return link_nameless(descriptor_, target_); }
+
+/// The temporary file has no name any more when the first byte is written: a reader that goes away
+/// may end this process.
+void OutputFile::copy_to_target() {
+  const int to =
+      standard_output_ ? STDOUT_FILENO : ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (to < 0) fail_to_write();
+  if (standard_output_) std::cout.flush();
+  const int from = std::exchange(descriptor_, -1);
+  remove_temporary();
+  ::lseek(from, 0, SEEK_SET);
+  std::array<char, 1 << 16> block;
+  ssize_t count = 0;
+  bool written = true;
+  while (written && (count = ::read(from, block.data(), block.size())) > 0) {
+    written = write_all(to, block.data(), static_cast<std::size_t>(count));
+  }
+  const int reason = errno;
+  ::close(from);
+  if (!standard_output_) ::close(to);
+  errno = reason;
+  if (!written || count < 0) fail_to_write();
+}
+
+}  // namespace displayfile

@@ -1,0 +1,308 @@
+#include "displayfile/views/retained_views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+#include <utility>
+
+#include "clip/base/error.h"
+#include "clip/base/round_to_nearest.h"
+#include "clip/clip_pipeline.h"
+#include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/view_stage.h"
+#include "displayfile/views/shared_planes.h"
+#include "displayfile/views/view_rounding.h"
+#include "hidden/sort/world_tree.h"
+
+namespace displayfile {
+
+/// The segments that share a tree.
+class RetainedViews::Part {
+ public:
+  Part(RetainedScene world, const ImageTransformation& image, const SortOptions& options,
+       HiddenScope scope)
+      : image_(image),
+        together_(scope == HiddenScope::all),
+        lines_{.precision = options.precision,
+               .threads = options.threads,
+               .intersections = world.has_intersections(),
+               .hidden_lines = options.hidden_lines},
+        world_(std::move(world)),
+        items_(world_.items(primitive_of_)),
+        shared_planes_(of_items(shared_planes(world_))),
+        any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
+        tree_(sorted_in_world(), SortOptions{.precision = options.precision,
+                                             .root = options.root,
+                                             .names_sides = world_.selects_lines(),
+                                             .most_pieces = options.most_pieces}),
+        moving_eye_(tree_) {
+    for (std::uint32_t i = 0; i < world_.size(); ++i) {
+      off_plane_.push_back(world_.off_plane(i));
+    }
+    const std::span<const Point3> points = world_.primitives(items_).points;
+    for (std::size_t item = 0; item < shared_planes_.size(); ++item) {
+      const auto& [p, q, r] = shared_planes_[item];
+      if (p == Primitives::kOwnPlane) continue;
+      const Plane plane(points[p], points[q], points[r]);
+      double& off = off_plane_[primitive_of_[item]];
+      off = std::max(off, world_.off_plane(primitive_of_[item], plane));
+    }
+  }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  SortCounts counts() const {
+    const SortedPieces& pieces = tree_.pieces();
+    return {pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
+  }
+  const MovingEye& moving_eye() const { return moving_eye_; }
+
+  /// Enters the segments, whole polygons in order of entry; returns them sorted.
+  std::shared_ptr<const SortedScene> draw(const View& view, const glm::dmat3& lights_turned,
+                                          DisplayFile& file) {
+    const ViewVolume volume(view);
+    ViewStage stage(volume);
+    const std::size_t first = file.segments().size();
+    const Eye eye = Eye::of(view);
+    if (!any_sides_.empty()) world_.sides_in_view(eye, sides_);
+    enter_whole(eye, stage, lights_turned, file);
+    auto scene = std::make_shared<ViewedScene>(scene_of(file, first));
+    auto sorted = std::make_shared<SortedScene>();
+    sorted->method = HiddenMethod::bsp;
+    sorted->precision = lines_.precision;
+    sorted->hidden_lines = lines_.hidden_lines;
+    sorted->intersections = lines_.intersections;
+    sorted->counts = counts();
+    sorted->boundary_error =
+        boundary_error(ViewRounding(view, volume), *scene) + scene->boundary_error();
+    SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
+    append_lines(*scene, lines_, order);
+    sorted->parts.push_back(
+        std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
+    return sorted;
+  }
+
+ private:
+  using Index = WorldTree::Index;
+  static constexpr ViewedScene::Item kNotSeen = ~ViewedScene::Item{0};
+
+  /// The sides that the tree's pieces keep are those that are drawn in some view.
+  Primitives sorted_in_world() const {
+    Primitives world = world_.primitives(items_);
+    if (!any_sides_.empty()) world.visible = any_sides_;
+    if (lines_.precision.exact) world.planes = shared_planes_;
+    return world;
+  }
+
+  std::vector<Primitives::PlanePoints> of_items(
+      const std::vector<Primitives::PlanePoints>& of_primitives) const {
+    std::vector<Primitives::PlanePoints> planes;
+    if (of_primitives.empty()) return planes;
+    for (const std::uint32_t primitive : primitive_of_) planes.push_back(of_primitives[primitive]);
+    return planes;
+  }
+
+  /// Notes which item of the viewed scene each primitive becomes.
+  void enter_whole(const Eye& eye, ViewStage& stage, const glm::dmat3& lights_turned,
+                   DisplayFile& file) {
+    item_of_.assign(world_.size(), kNotSeen);
+    ViewedScene::Item items = 0;
+    for (const RetainedScene::Segment& part : world_.segments()) {
+      Segment& segment = file.create(part.name);
+      segment.image = image_;
+      world_.enter_viewed(part, eye, stage, lights_turned, segment,
+                          [&](std::uint32_t i) { item_of_[i] = items++; });
+      segment.close();
+    }
+  }
+
+  /// Segments that are sorted together keep points after the image transformation, one by itself
+  /// those before.
+  ViewedScene scene_of(const DisplayFile& file, std::size_t first) const {
+    if (!together_) return {file.segments().back().entered(), ImageTransformation{}};
+    std::vector<const Segment*> segments;
+    for (std::size_t k = first; k < file.segments().size(); ++k) {
+      segments.push_back(&file.segments()[k]);
+    }
+    return ViewedScene(segments);
+  }
+
+  /// The most that a boundary of what is seen may be off, after the image transformation.
+  double boundary_error(const ViewRounding& rounding, const ViewedScene& scene) const {
+    double most = 0.0;
+    for (std::uint32_t i = 0; i < world_.size(); ++i) {
+      if (item_of_[i] == kNotSeen) continue;
+      most =
+          std::max(most, rounding.of(world_.points(i), scene.points(item_of_[i]), off_plane_[i]));
+    }
+    const double image_scale = std::abs(image_.scale.x) + std::abs(image_.scale.y);
+    return image_.is_identity() ? most : most * image_scale;
+  }
+
+  /// The tree's pieces as pieces of the viewed scene, for an eye anywhere.
+  SortedPieces order_of_pieces(std::span<const Index> order, ClipPipeline& pipeline) const {
+    SortedPieces pieces;
+    pieces.pieces.reserve(order.size());
+    for (const Index i : order) {
+      const SortedPiece& piece = tree_.pieces().pieces[i];
+      const std::uint32_t primitive = primitive_of_[piece.item];
+      if (item_of_[primitive] == kNotSeen) continue;
+      if (piece.first == SortedPiece::kWhole) {
+        pieces.pieces.push_back({item_of_[primitive], SortedPiece::kWhole, piece.sides});
+      } else {
+        add_clipped(primitive, piece, pipeline, pieces);
+      }
+    }
+    return pieces;
+  }
+
+  /// A piece of a polygon that was cut; of two points a line, or a side of a polygon whose vertices
+  /// are in line.
+  void add_clipped(std::uint32_t primitive, const SortedPiece& piece, ClipPipeline& pipeline,
+                   SortedPieces& pieces) const {
+    const SortedPieces& sorted = tree_.pieces();
+    const auto world = std::span(sorted.points).subspan(piece.first, piece.sides);
+    const std::vector<LineKinds> sides = sides_of(primitive, piece);
+    if (piece.sides == 2) {
+      std::array<Point3, 2> ends;
+      const bool drawn = world_.shared_attributes(primitive).is_outlined() && sides[1] != 0;
+      if (drawn && pipeline.clip_line(world[0], world[1], ends[0], ends[1])) {
+        add_piece(primitive, ends, std::array<std::uint8_t, 2>{0, sides[1]}, pieces);
+      }
+      return;
+    }
+    const ClippedPolygon clipped = pipeline.clip_polygon(world, sides);
+    if (clipped.vertices.size() >= 3) {
+      add_piece(primitive, clipped.vertices, clipped.edge_visible, pieces);
+    }
+  }
+
+  /// In this view, of a piece.
+  std::vector<LineKinds> sides_of(std::uint32_t primitive, const SortedPiece& piece) const {
+    const SortedPieces& sorted = tree_.pieces();
+    const auto visible = std::span(sorted.visible).subspan(piece.first, piece.sides);
+    std::vector<LineKinds> sides(visible.begin(), visible.end());
+    if (any_sides_.empty()) return sides;
+    for (std::uint32_t k = 0; k < piece.sides; ++k) {
+      const std::uint32_t corner = sorted.corners[piece.first + k];
+      const bool is_own = sides[k] != 0 && corner != SortedPieces::kNoCorner;
+      sides[k] = is_own ? sides_[world_[primitive].first + corner] : LineKinds{0};
+    }
+    return sides;
+  }
+
+  void add_piece(std::uint32_t primitive, std::span<const Point3> points,
+                 std::span<const std::uint8_t> visible, SortedPieces& pieces) const {
+    pieces.pieces.push_back({item_of_[primitive], static_cast<std::uint32_t>(pieces.points.size()),
+                             static_cast<std::uint32_t>(points.size())});
+    pieces.visible.insert(pieces.visible.end(), visible.begin(), visible.end());
+    if (!together_ || image_.is_identity()) {
+      pieces.points.insert(pieces.points.end(), points.begin(), points.end());
+    } else {
+      const ImageMatrix matrix(image_);
+      for (const Point3& p : points) pieces.points.push_back(matrix.apply(p));
+    }
+  }
+
+  ImageTransformation image_;  // the same of all segments
+  bool together_;
+  SortOptions lines_;  // with which they are found
+  RetainedScene world_;
+  std::vector<std::uint32_t> primitive_of_;  // the items' primitives
+  std::vector<Primitives::Item> items_;
+  std::vector<Primitives::PlanePoints> shared_planes_;
+  std::vector<LineKinds> any_sides_;  // empty: no segment selects any
+  WorldTree tree_;
+  MovingEye moving_eye_;
+  std::vector<double> off_plane_;           // of the primitives
+  std::vector<LineKinds> sides_;            // of all corners, in the view drawn last
+  std::vector<ViewedScene::Item> item_of_;  // the primitives' items in the view drawn last
+};
+
+RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
+                             const SortOptions& options, HiddenScope scope)
+    : taken_(scene, attributes), options_(options), scope_(scope) {
+  take();
+}
+
+bool RetainedViews::are_of(const SortOptions& options, HiddenScope scope) const {
+  return scope == scope_ && options.precision == options_.precision &&
+         options.hidden_lines == options_.hidden_lines && options.root == options_.root &&
+         options.most_pieces == options_.most_pieces;
+}
+
+/// Sorts what is visible now. If it throws, what was taken before stays.
+void RetainedViews::take() {
+  const RoundToNearest nearest;
+  const DisplayFile& attributes = taken_.attributes();
+  std::vector<std::unique_ptr<Part>> parts;
+  RetainedScene visible = taken_.scene().visible_in(attributes);
+  const auto image_of = [&](const RetainedScene::Segment& segment) {
+    return attributes.segment(segment.name).image;
+  };
+  const auto add = [&](RetainedScene world) {
+    const ImageTransformation image = image_of(world.segments().front());
+    parts.push_back(std::make_unique<Part>(std::move(world), image, options_, scope_));
+  };
+  if (scope_ == HiddenScope::segment) {
+    for (const RetainedScene::Segment& part : visible.segments()) {
+      add(visible.selected([&](const auto& segment) { return segment.name == part.name; }));
+    }
+  } else if (!visible.segments().empty()) {
+    const RetainedScene::Segment& first = visible.segments().front();
+    for (const RetainedScene::Segment& segment : visible.segments()) {
+      if (ImageMatrix(image_of(segment)) == ImageMatrix(image_of(first))) continue;
+      throw Error(fmt::format(
+          "segments {} and {} have different image transformations, which act after viewing: "
+          "expected each segment to be sorted on its own",
+          first.name, segment.name));
+    }
+    add(std::move(visible));
+  }
+  taken_.take();
+  parts_ = std::move(parts);
+  counts_ = {};
+  for (const auto& part : parts_) counts_ += part->counts();
+}
+
+void RetainedViews::bring_up_to_date() {
+  if (!taken_.is_gone() && !taken_.is_same()) take();
+}
+
+RetainedViews::RetainedViews(RetainedViews&&) noexcept = default;
+RetainedViews& RetainedViews::operator=(RetainedViews&&) noexcept = default;
+RetainedViews::~RetainedViews() = default;
+
+DisplayFile RetainedViews::view(const View& view, const glm::dmat3& lights_turned) {
+  const RoundToNearest nearest;
+  bring_up_to_date();
+  DisplayFile file;
+  for (const auto& part : parts_) {
+    const auto sorted = part->draw(view, lights_turned, file);
+    if (scope_ == HiddenScope::segment) {
+      const int name = file.segments().back().name();
+      file.segment(name).set_sorted(sorted);
+    } else {
+      file.set_sorted(sorted);
+    }
+  }
+  return file;
+}
+
+std::uint64_t RetainedViews::walks() const {
+  std::uint64_t sum = 0;
+  for (const auto& part : parts_) sum += part->moving_eye().walks();
+  return sum;
+}
+
+std::uint64_t RetainedViews::reused() const {
+  std::uint64_t sum = 0;
+  for (const auto& part : parts_) sum += part->moving_eye().reused();
+  return sum;
+}
+
+}  // namespace displayfile

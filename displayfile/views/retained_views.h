@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <vector>
+
+#include "clip/surfaces.h"
+#include "clip/view.h"
+#include "displayfile/segments/display_file.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/sorted_scene.h"
+#include "displayfile/views/taken_scene.h"
+#include "hidden/sort/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// One tree, many views: the hidden surfaces of a retained scene sorted once, in world coordinates,
+/// and put in order for each view by a walk of the tree (hidden/sort/world_tree.md).
+class RetainedViews {
+ public:
+  /// Takes the visible segments of the scene; `attributes` is the display file of the system that
+  /// retained them and says which are visible, and their image transformations. Both may be edited
+  /// and moved: the next view sorts anew. Once one of them is gone, views are of what was taken
+  /// last. Throws Error for more than 2^32 - 1 points, and if segments with different image
+  /// transformations are to be sorted together: those act after viewing.
+  ///
+  /// With scope `all` there is one tree for all segments, or else one for each. Of the options the
+  /// tree follows precision and most_pieces; hidden lines are found in each view, and drawn too.
+  RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
+                const SortOptions& options = {}, HiddenScope scope = HiddenScope::all);
+  RetainedViews(RetainedViews&&) noexcept;
+  RetainedViews& operator=(RetainedViews&&) noexcept;
+  ~RetainedViews();
+
+  /// What the scene is in this view, as if the application had drawn it there: the polygons clipped
+  /// and checked for back faces, whole and in order of entry; and sorted, with the lines over them
+  /// that close-segment would find: where polygons pass through each other, if segments select
+  /// that, and hidden ones if the options have them. Lights are turned by
+  /// `lights_turned`, a rotation. Throws Error as ViewVolume does, and as the constructor for a
+  /// scene that was edited.
+  DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
+
+  /// The trees are those that these options would make.
+  bool are_of(const SortOptions& options, HiddenScope scope) const;
+
+  /// Here as below of the scene as it was taken last.
+  std::size_t trees() const { return parts_.size(); }
+  /// The counts of the trees, for all views. Comparisons are those of building them.
+  const SortCounts& counts() const { return counts_; }
+  std::uint64_t walks() const;   ///< of a tree
+  std::uint64_t reused() const;  ///< orders that needed no walk, since the eye crossed no plane
+
+ private:
+  class Part;
+  void take();
+  void bring_up_to_date();
+  TakenScene taken_;
+  std::vector<std::unique_ptr<Part>> parts_;
+  SortOptions options_;
+  HiddenScope scope_;
+  SortCounts counts_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,36 @@
+#include "displayfile/views/scene_in_one_view.h"
+
+#include <fmt/format.h>
+
+#include "clip/base/error.h"
+
+namespace displayfile {
+
+SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& attributes,
+                                 const View& otherwise) {
+  SceneInOneView result{otherwise, {}, {}};
+  const RetainedScene::Segment* first = nullptr;
+  for (const RetainedScene::Segment& segment : scene.segments()) {
+    if (!attributes.segment(segment.name).visible) continue;
+    const auto texts = scene.texts(segment);
+    if (segment.first == segment.end && texts.empty()) continue;
+    if (first == nullptr) {
+      first = &segment;
+      result.view = segment.view;
+    } else if (segment.view != first->view) {
+      throw Error(fmt::format(
+          "segments {} and {} are drawn in different views: expected one view to turn before",
+          first->name, segment.name));
+    }
+    const auto points = scene.points(segment);
+    for (const Point3& p : points) result.bounds.include(p);
+    result.points.insert(result.points.end(), points.begin(), points.end());
+    for (const RetainedScene::Text& text : texts) {
+      result.bounds.include(text.anchor);
+      result.points.push_back(text.anchor);
+    }
+  }
+  return result;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "hidden/exact/entered_plane.h"
+#include "hidden/exact/entered_polygon.h"
+
+namespace displayfile {
+
+/// Which polygons of a scene lie in the support plane of another, by the definition
+/// (interp/truth/entered_truth.md), from the points as they were entered. Exact. How they are
+/// found: hidden/touching/touching_planes.md.
+class TouchingPlanes {
+ public:
+  /// A polygon by its number. Its points and its matrix need only last until the next call, and one
+  /// of fewer than three points has no plane.
+  using PolygonOf = std::function<EnteredPolygon(std::uint32_t)>;
+  /// How many comparisons were made, for tests and reports.
+  struct Counts {
+    std::uint64_t compared = 0;  ///< a polygon with a plane, roughly
+    std::uint64_t tested = 0;    ///< of them those that needed the definition
+  };
+
+  TouchingPlanes() = default;
+  /// The polygons are 0 to `polygons` - 1, in order of entry. `reach` is before the modelling
+  /// transformation (entered_reach of clip/surfaces.h); with 0 polygons lie in one
+  /// plane only if they do exactly. Coordinates in
+  /// the world are finite. Throws LimitReached where the budget in force is used up.
+  TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);
+  /// The same, of these polygons alone, whose numbers rise: the others have no plane.
+  TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
+                 const PolygonOf& polygon_of, double reach);
+
+  /// The polygon whose support plane the polygon lies in: itself where it touches no other's, or
+  /// has no plane. plane_of(plane_of(p)) = plane_of(p).
+  std::uint32_t plane_of(std::uint32_t polygon) const {
+    assert(polygon < plane_.size());
+    const std::uint32_t plane = plane_[polygon];
+    return plane == kNone ? polygon : planes_[plane].polygon;
+  }
+  bool has_plane(std::uint32_t polygon) const { return plane_[polygon] != kNone; }
+  /// How many polygons lie in the plane of another.
+  std::size_t touching() const { return touching_; }
+
+  /// The planes in which more than one polygon lies are numbered from 0, in the order of the
+  /// definition.
+  std::size_t shared_planes() const { return first_member_.empty() ? 0 : first_member_.size() - 1; }
+  /// The polygons that lie in such a plane, in the order of the definition: falling area, then
+  /// entry. The plane is that of the first.
+  std::span<const std::uint32_t> members(std::size_t shared_plane) const {
+    assert(shared_plane < shared_planes());
+    const std::size_t first = first_member_[shared_plane];
+    return std::span(members_).subspan(first, first_member_[shared_plane + 1] - first);
+  }
+
+  /// True if a point, entered under that matrix (null: the identity), is within reach of the plane
+  /// that the polygon lies in, by the larger reach of both matrices. Exact; false if the polygon
+  /// has no plane. With a reach of 0: if it is on the plane.
+  bool lies_in(const Point3& entered, const glm::dmat4x3* modelling, std::uint32_t polygon) const;
+
+  /// Keeps shared_planes, members and touching alone, in little memory: nothing else may be called
+  /// from here on.
+  void keep_members_alone();
+
+  const Counts& counts() const { return counts_; }
+  std::size_t bytes() const;  ///< of the arrays, as used
+
+ private:
+  class Search;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// A polygon's own plane.
+  struct OwnPlane {
+    EnteredPlane::Corners corners;
+    std::uint32_t polygon, modelling;
+  };
+
+  double reach_ = 0.0;
+  std::vector<Modelling> modellings_;
+  std::vector<OwnPlane> planes_;      // that polygons lie in
+  std::vector<std::uint32_t> plane_;  // in planes_, by polygon
+  std::vector<std::uint32_t> first_member_, members_;
+  std::size_t touching_ = 0;
+  Counts counts_;
+};
+
+}  // namespace displayfile

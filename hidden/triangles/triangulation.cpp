@@ -1,0 +1,63 @@
+#include "hidden/triangles/triangulation.h"
+
+#include <cmath>
+#include <limits>
+
+#include "clip/back_face.h"
+#include "clip/corners.h"
+#include "hidden/triangles/triangle_sweep.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Counterclockwise when seen against the normal: the axis of its largest component dropped.
+Point2 along_axis(const Point3& p, const Point3& normal) {
+  const Point3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
+  if (size.z >= size.x && size.z >= size.y)
+    return normal.z > 0 ? Point2(p.x, p.y) : Point2(p.y, p.x);
+  if (size.x >= size.y) return normal.x > 0 ? Point2(p.y, p.z) : Point2(p.z, p.y);
+  return normal.y > 0 ? Point2(p.z, p.x) : Point2(p.x, p.z);
+}
+
+}  // namespace
+
+void Triangulation::flatten(std::span<const Point3> polygon) {
+  const Point3 normal = newell_normal(polygon);
+  flattened_.clear();
+  for (const Point3& p : polygon) flattened_.push_back(along_axis(p, normal));
+  corners_.clear();
+}
+
+/// The triangles found: a side of the polygon joins neighbours in its order, all else is a
+/// diagonal.
+std::span<const Triangulation::Triangle> Triangulation::with_sides() {
+  const auto sides = static_cast<std::uint32_t>(flattened_.size());
+  const auto is_side = [&](std::uint32_t from, std::uint32_t to) {
+    return static_cast<std::uint8_t>(next_corner(from, sides) == to);
+  };
+  triangles_.clear();
+  for (const auto& [a, b, c] : corners_) {
+    triangles_.push_back({{a, b, c}, {is_side(c, a), is_side(a, b), is_side(b, c)}});
+  }
+  return triangles_;
+}
+
+std::span<const Triangulation::Triangle> Triangulation::triangulate(
+    std::span<const Point3> polygon) {
+  if (polygon.size() <= kMostForEars) return triangulate_by_ears(polygon);
+  flatten(polygon);
+  if (!sweep_triangles(flattened_, corners_)) {
+    ears_.cut(flattened_, kLooksPerCorner * polygon.size(), corners_);
+  }
+  return with_sides();
+}
+
+std::span<const Triangulation::Triangle> Triangulation::triangulate_by_ears(
+    std::span<const Point3> polygon) {
+  flatten(polygon);
+  ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
+  return with_sides();
+}
+
+}  // namespace displayfile

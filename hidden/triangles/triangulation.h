@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+#include "hidden/triangles/ear_cutting.h"
+
+namespace displayfile {
+
+/// Cuts polygons, mostly those that are not flat, into triangles
+/// (hidden/triangles/triangulation.md).
+class Triangulation {
+ public:
+  struct Triangle {
+    std::array<std::uint32_t, 3> vertex;  ///< indices into the polygon
+    std::array<std::uint8_t, 3>
+        edge_visible;  ///< of the side that ends at that vertex; 0 for a diagonal
+  };
+
+  /// Polygons of more corners than this are cut by a sweep, others by cutting off ears.
+  static constexpr std::size_t kMostForEars = 64;
+  /// Where the sweep finds that a polygon crosses itself, ears are cut until so many corners have
+  /// been looked at for each that it has.
+  static constexpr std::size_t kLooksPerCorner = 256;
+
+  /// Triangles that tile the polygon (three vertices at least, any coordinates in space), two fewer
+  /// than it has vertices, as seen along the axis that is nearest to its Newell normal; each keeps
+  /// the polygon's own turning direction, and each side of the polygon is a side of one of them. In
+  /// n log n. A polygon that crosses itself has no such tiling; it is cut where ears are found, and
+  /// fanned from there. Valid until the next call.
+  std::span<const Triangle> triangulate(std::span<const Point3> polygon);
+
+  /// The same by cutting off ears alone, in quadratic time: the tests' reference.
+  std::span<const Triangle> triangulate_by_ears(std::span<const Point3> polygon);
+
+ private:
+  void flatten(std::span<const Point3> polygon);
+  std::span<const Triangle> with_sides();
+
+  std::vector<Point2> flattened_;
+  std::vector<CornerTriple> corners_;
+  std::vector<Triangle> triangles_;
+  EarCutting ears_;
+};
+
+}  // namespace displayfile

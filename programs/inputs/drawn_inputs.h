@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "displayfile/graphics_system.h"
+#include "displayfile/segments/retained_scene.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "interp/draw/draw.h"
+#include "programs/options/mesh_words.h"
+
+namespace displayfile {
+
+/// Inputs entered into a system of their own, as the command draws them.
+class DrawnInputs {
+ public:
+  /// What is done with them but a picture of pixels.
+  enum class Use { picture, display_file };
+  /// Throws Error as enter_inputs does. The inputs must live on.
+  DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
+              const MeshWords& meshes, Shading shading, Use use = Use::display_file);
+  DrawnInputs(const DrawnInputs&) = delete;
+  DrawnInputs& operator=(const DrawnInputs&) = delete;
+
+  /// Bare meshes of which no more than a picture of pixels is wanted, found in image space, are
+  /// retained alone: its display file is then empty.
+  const GraphicsSystem& system() const { return system_; }
+  /// As given, but for bare meshes with the method that is picked for them.
+  const DrawOptions& options() const { return options_; }
+
+  std::size_t polygons() const;  ///< of the display file, or retained
+
+  /// Draws them; `kept` is the display file as it was sorted, if one was. Progress is told as
+  /// DrawOptions says. Returns what drawing warned of.
+  std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
+                                const WorkProgress& progress) const;
+
+  /// Warns, with the reason, if such a picture is empty, and returns true then. To work out the
+  /// reason, inputs that were not retained are entered once more.
+  bool warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned, PictureKind kind) const;
+
+ private:
+  void enter(GraphicsSystem& system) const;
+  bool are_bare_meshes() const;
+  std::string why_nothing_is_seen(PictureKind kind) const;
+
+  std::span<const std::string> inputs_;
+  DrawOptions options_;
+  MeshWords meshes_;
+  Shading shading_;
+  RetainedScene scene_;  // of the system, if it retains
+  GraphicsSystem system_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,292 @@
+#include "programs/inputs/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
+#include "clip/base/input_file.h"
+#include "displayfile/files.h"
+#include "displayfile/looks/background.h"
+#include "displayfile/mesh/fitted_view.h"
+#include "displayfile/segments/hidden_lines_left.h"
+#include "displayfile/user_routines/system_inside.h"
+#include "interp/draw/drawing_choice.h"
+#include "programs/process/keep_freed_memory.h"
+#include "programs/process/progress.h"
+#include "programs/process/warnings.h"
+
+namespace displayfile {
+
+bool is_drawing_program(const std::string& input) {
+  return input == "-" || extension_of(input) == ".draw";
+}
+
+void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::Skipped> skipped) {
+  for (std::size_t i = 0; i < skipped.size(); ++i) {
+    if (const auto kinds = left_out(skipped[i]); !kinds.empty()) {
+      warnings() << fmt::format("{}: left out: {}\n", meshes[i], fmt::join(kinds, ", "));
+    }
+    for (const std::string& warning : skipped[i].warnings) {
+      warnings() << fmt::format("{}: {}\n", meshes[i], warning);
+    }
+  }
+}
+
+namespace {
+
+/// Inputs as read, and what is known of the meshes before any of them is entered.
+struct InputsRead {
+  std::vector<std::string> programs;  // their texts
+  std::vector<Mesh> meshes;
+  /// World coordinates of meshes before which no program sets the window, and of what programs draw
+  /// in the same view.
+  std::vector<Point3> bare;
+  SaidView said;          ///< before the first of them
+  CommonUpright upright;  ///< of those meshes
+};
+
+/// Adds what programs drew in the view, and is visible.
+void append_drawn(const View& view, const RetainedScene& retained, const GraphicsSystem& system,
+                  std::vector<Point3>& points) {
+  const RetainedScene drawn = retained.visible_in(system.display_file());
+  for (const RetainedScene::Segment& segment : drawn.segments()) {
+    View other = segment.view;
+    other.window = view.window;  // which may be widened
+    if (other != view) continue;
+    const auto of_segment = drawn.points(segment);
+    points.insert(points.end(), of_segment.begin(), of_segment.end());
+    for (const RetainedScene::Text& text : drawn.texts(segment)) points.push_back(text.anchor);
+  }
+}
+
+/// As far as it goes: what is wrong with it is told when it is replayed among the others.
+void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
+  const std::size_t saved = ahead.counts().transformations_saved;
+  try {
+    replay(program, name, ahead);
+  } catch (const LimitReached&) {
+    throw;
+  } catch (const Error&) {
+    while (ahead.counts().solids_open > 0) ahead.discard_solid();
+    ahead.set_hidden_surfaces({.removal = false});
+    if (ahead.open_segment_name()) ahead.close_segment();
+    while (ahead.counts().transformations_saved > saved) ahead.restore_transformation_3();
+  }
+}
+
+/// A mesh's segments, for the programs that follow and may name them.
+void enter_ahead(const Mesh& mesh, GraphicsSystem& ahead) {
+  try {
+    enter_empty_segments(mesh, ahead);
+  } catch (const Error&) {  // which is told when the mesh is entered
+  }
+}
+
+/// In files.
+std::size_t bytes_of_meshes(std::span<const std::string> inputs) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 32;
+  std::uintmax_t bytes = 0;
+  for (const std::string& input : inputs) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(input, unknown);
+    if (!is_drawing_program(input) && !unknown) bytes += std::min(size, kMost);
+  }
+  return static_cast<std::size_t>(std::min(bytes, kMost));
+}
+/// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
+/// that is fitted to the meshes as they place them.
+InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system,
+                       const MeshOptions& options) {
+  ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and what is made of it are more
+  InputsRead read{{}, {}, {}, {}, CommonUpright(options.camera)};
+  RetainedScene drawn;
+  GraphicsSystem ahead;
+  ahead.retain(&drawn);
+  ahead.set_shading(system.attributes().shading);
+  for (const std::string& input : inputs) {
+    const Progress progress("reading " + input);
+    if (is_drawing_program(input)) {
+      read.programs.push_back(read_text_file(input));
+      replay_ahead(read.programs.back(), input_name(input), ahead);
+      continue;
+    }
+    const bool smooth = ahead.attributes().shading != Shading::flat;
+    const NamedWarnings named(input);
+    Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
+    if (smooth) complete_normals(mesh);
+    enter_ahead(mesh, ahead);
+    const GraphicsSystem& before = system.said().contains_view() ? system : ahead;
+    if (before.said().contains(Setting::window)) continue;
+    if (read.bare.empty()) read.said = {before.view(), before.said()};
+    append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
+    read.upright.add(mesh, ahead.modelling_transformation());
+  }
+  if (read.upright.differ()) {
+    read.meshes.front().skipped.warnings.emplace_back(kStandDifferently);
+  }
+  if (!read.bare.empty()) append_drawn(read.said.view, drawn, ahead, read.bare);
+  return read;
+}
+
+/// Axes stand where the view has them: in the one that is fitted to what is known so far. Adds what
+/// programs draw in that one, if there are axes among it.
+void append_axes(std::span<const std::string> inputs, const GraphicsSystem& system,
+                 InputsRead& read) {
+  const auto has_axes = [](const std::string& program) {
+    return program.find("axes-3") != std::string::npos;
+  };
+  if (std::ranges::none_of(read.programs, has_axes)) return;
+  RetainedScene drawn;
+  GraphicsSystem fitted;
+  fitted.retain(&drawn);
+  fitted.set_aspect_ratio(system.aspect_ratio());
+  fit_view(read.bare, fitted, read.upright.camera(), read.said);
+  View shared = fitted.view();
+  bool is_before_meshes = true;
+  auto program = read.programs.begin();
+  auto mesh = read.meshes.begin();
+  for (const std::string& input : inputs) {
+    is_before_meshes = is_before_meshes && is_drawing_program(input);
+    if (!is_drawing_program(input)) {
+      enter_ahead(*mesh++, fitted);
+      continue;
+    }
+    replay_ahead(*program++, input_name(input), fitted);
+    if (is_before_meshes) shared = fitted.view();
+  }
+  append_drawn(shared, drawn, fitted, read.bare);
+}
+
+/// While it lives, what close-segment looks at is told to a Progress.
+class ToldOfClosing {
+ public:
+  ToldOfClosing(GraphicsSystem& system, Progress& progress) : system_(system) {
+    system.set_progress(progress.told());
+  }
+  ~ToldOfClosing() { system_.set_progress({}); }
+  ToldOfClosing(const ToldOfClosing&) = delete;
+  ToldOfClosing& operator=(const ToldOfClosing&) = delete;
+
+ private:
+  GraphicsSystem& system_;
+};
+
+/// The meshes' lines, if there is a selection of them, hold where none is set, and for these
+/// meshes alone.
+void enter_meshes_with_lines(std::span<const Mesh> meshes, GraphicsSystem& system,
+                             const MeshOptions& options,
+                             const std::optional<LineSelection>& lines) {
+  if (!lines) return enter_meshes(meshes, system, options);
+  const LineSelection before = system.hidden_surfaces().lines;
+  SystemInside::by_default(system, Setting::lines,
+                           [&] { system.set_hidden_surfaces({.lines = *lines}); });
+  enter_meshes(meshes, system, options);
+  SystemInside::by_default(system, Setting::lines,
+                           [&] { system.set_hidden_surfaces({.lines = before}); });
+}
+
+std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
+                                  const MeshOptions& options,
+                                  const std::optional<LineSelection>& lines_of_meshes) {
+  if (std::ranges::all_of(inputs, is_drawing_program)) {
+    for (const std::string& input : inputs) {
+      Progress progress("replaying " + input);
+      const ToldOfClosing told(system, progress);
+      replay_file(input, system);
+    }
+    return std::nullopt;
+  }
+  InputsRead read = read_inputs(inputs, system, options);
+  const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
+  naming_mesh(first_mesh, [&] {
+    if (read.bare.empty()) return;
+    append_axes(inputs, system, read);
+    fit_view(read.bare, system, read.upright.camera(), read.said);
+  });
+  Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
+  const ToldOfClosing told(system, progress);
+  auto program = read.programs.begin();
+  std::span<const Mesh> meshes = read.meshes;
+  for (std::size_t i = 0; i < inputs.size();) {
+    if (is_drawing_program(inputs[i])) {
+      replay(*program++, input_name(inputs[i++]), system);
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i < inputs.size() && !is_drawing_program(inputs[i])) ++i;
+    naming_mesh(inputs[begin], [&] {
+      enter_meshes_with_lines(meshes.first(i - begin), system, options, lines_of_meshes);
+    });
+    for (std::size_t k = begin; k < i; ++k) {
+      report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
+    }
+    meshes = meshes.subspan(i - begin);
+  }
+  if (read.bare.empty() || read.said.settings.contains(Setting::camera)) return std::nullopt;
+  return read.upright.upright();
+}
+
+std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
+                                 const MeshOptions& options,
+                                 const std::optional<LineSelection>& lines_of_meshes) {
+  const std::int64_t empty_before = system.counts().empty_solids;
+  const std::optional<Upright> upright = enter_each(inputs, system, options, lines_of_meshes);
+  if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {
+    warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
+                              empty == 1 ? "" : "s");
+  }
+  return upright;
+}
+
+}  // namespace
+
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshOptions& options) {
+  return enter_all(inputs, system, options, std::nullopt);
+}
+
+std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
+                                    const MeshWords& meshes, double aspect,
+                                    const HiddenSurfaceOptions& asked) {
+  MeshOptions options = meshes.options();
+  options.sides_drawn =
+      meshes.lines || meshes.lines_of_meshes || (asked.method && shows_lines_only(*asked.method));
+  options.hidden_sides_drawn = asked.hidden_lines == HiddenLines::dashed;
+  if (options.colour && std::ranges::all_of(inputs, is_drawing_program)) {
+    throw Error("--colour: expected a mesh among the inputs");
+  }
+  meshes.start(system, aspect);
+  const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes);
+  meshes.require_fitted(fitted.has_value());
+  return fitted;
+}
+
+DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
+                   const MeshWords& meshes, double aspect) {
+  GraphicsSystem system;
+  system.set_threads(options.threads);
+  enter_inputs(inputs, system, meshes, aspect, options);
+  SurfacePlan plan = resolve_surfaces(system, options);
+  const HiddenMethod method = plan.method;
+  require_hidden_lines_found(plan.hidden_lines, method);
+  Progress progress(
+      fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
+  plan.options.progress = progress.told();
+  DrawnFile drawn{SortedDisplayFile{}.update(system, plan, unsorted_if_automatic(method)),
+                  std::nullopt};
+  require_hidden_lines_dumped(drawn.file, method, options);
+  if (!is_colour_rule(method)) return drawn;
+  require_colour_of_fills(method, system.background());
+  drawn.fills = system.background().colour;
+  return drawn;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,77 @@
+#include "programs/inputs/not_in_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+#include "displayfile/segments/display_file.h"
+#include "interp/visibility/image_space.h"
+#include "programs/process/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Whether something of a visible segment has what its instructions store of vertices.
+template <class Stored>
+bool has_stored(const DisplayFile& drawn, Stored stored) {
+  return std::ranges::any_of(drawn.segments(), [&](const Segment& segment) {
+    return segment.visible && !((*segment.entered()).*stored)().empty();
+  });
+}
+
+}  // namespace
+
+void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options,
+                        PictureKind kind) {
+  if (kind == PictureKind::raster) {
+    if (options.vectors.pick_ids) elements_ = true;
+    if (options.vectors.seams != VectorOptions().seams) seams_ = true;
+    if (options.vectors.precision != VectorOptions().precision) precision_ = true;
+  }
+  if (kind != PictureKind::vector) return;
+  const DisplayFile& drawn = system.display_file();
+  if (options.pens && drawn.has_texts()) texts_ = true;
+  const HiddenMethod by = drawing_method(system, options, kind);
+  const bool fills = !finds_lines(by) && (!options.pens || options.pens->hatching);
+  if (fills && has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
+  const bool by_map = by == HiddenMethod::map || is_image_space(by);
+  const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
+  if (fills && drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
+  if (options.samples > 1) samples_ = true;
+  if (options.vectors.pick_ids && !by_map) pick_ids_ = true;
+}
+
+void NotInPicture::note(const std::vector<DrawWarning>& warned) {
+  for (const DrawWarning& warning : warned) {
+    if (warning.kind == DrawWarning::Kind::hidden_lines) hidden_lines_ = true;
+  }
+}
+
+void NotInPicture::warn(const std::string& output) const {
+  if (hidden_lines_) {
+    warnings()
+        << output
+        << ": left out: set-hidden-lines dashed, as nothing finds hidden lines in order of entry\n";
+  }
+  std::vector<std::string_view> left_out;
+  if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
+  if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
+  if (samples_) left_out.emplace_back("--samples");
+  if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
+  if (pick_ids_) left_out.emplace_back("--pick-ids, which name fills of map");
+  if (!left_out.empty()) {
+    warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
+  }
+  std::vector<std::string_view> not_in_pixels;
+  if (elements_) not_in_pixels.emplace_back("--pick-ids");
+  if (seams_) not_in_pixels.emplace_back("--seams");
+  if (precision_) not_in_pixels.emplace_back("--vector-precision");
+  if (not_in_pixels.empty()) return;
+  warnings() << fmt::format("{}: pixels leave out {}\n", output, fmt::join(not_in_pixels, ", "));
+}
+
+}  // namespace displayfile

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "interp/draw/draw.h"
+#include "programs/inputs/golden_check.h"
+#include "programs/options/picture_size.h"
+#include "programs/options/picture_tolerance.h"
+
+namespace displayfile {
+
+/// `displayfile check --picture`: the picture of an input, drawn by the software device, against a
+/// golden picture.
+class PictureCheck : public GoldenCheckOption {
+ public:
+  void add_to(CLI::App& command) override;
+  bool asked_for(const CheckedInputs& inputs) override;
+
+  std::string_view extension() const override { return ".png"; }
+  void read_golden(const std::string& file) override;
+  std::optional<std::string> difference(const std::string& input) const override;
+  void update(const std::string& input, const std::string& golden) const override;
+
+ private:
+  Picture picture_of(const std::string& input, const DrawOptions& options) const;
+
+  bool asked_ = false;
+  MeshWords meshes_;
+  bool has_size_ = false;
+  PictureTolerance tolerance_;
+  DrawOptions options_;  // of a golden file that is written or drawn
+  Picture golden_;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,154 @@
+#include "programs/options/camera_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "clip/base/error.h"
+#include "programs/options/number_list.h"
+#include "programs/options/option_groups.h"
+#include "programs/process/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+[[noreturn]] void refuse(const char* option, const std::string& word, const char* expected) {
+  throw Error(fmt::format("{} {}: expected {}", option, word, expected));
+}
+
+Point3 point(const char* option, const std::string& word) {
+  const auto values = number_list(word);
+  if (!values || values->size() != 3) refuse(option, word, "X,Y,Z in world coordinates");
+  return {(*values)[0], (*values)[1], (*values)[2]};
+}
+
+std::variant<EyeDirection, Point3> eye_of(const std::string& word) {
+  const auto values = number_list(word);
+  if (values && values->size() == 3) return point("--eye", word);
+  if (!values || values->size() != 2 || !(std::abs((*values)[1]) <= 90.0)) {
+    refuse("--eye", word,
+           "AZIMUTH,ELEVATION in degrees, the elevation -90 to 90, or X,Y,Z in world coordinates");
+  }
+  return EyeDirection{(*values)[0], (*values)[1]};
+}
+
+Upright upright_or_refuse(const std::string& word, const char* expected) {
+  try {
+    return upright(word);
+  } catch (const Error&) {
+    refuse("--up", word, expected);
+  }
+}
+
+std::variant<UprightBy, Upright> upright_of(const std::string& word) {
+  if (word == "auto") return UprightBy::convention;
+  return upright_or_refuse(word, "x, y, z, -x, -y, -z or auto");
+}
+
+double angle_of_view(const std::string& word) {
+  const auto values = number_list(word);
+  if (!values || values->size() != 1 || !((*values)[0] > 0.0 && (*values)[0] < 180.0)) {
+    refuse("--fov", word, "degrees, more than 0 and less than 180");
+  }
+  return values->front();
+}
+
+}  // namespace
+
+Upright upright_of_option(const std::string& word) {
+  return upright_or_refuse(word, "x, y, z, -x, -y or -z");
+}
+
+void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
+  const auto option = [&](const char* name, std::string& word, const char* value,
+                          const std::string& what) {
+    return command.add_option(name, word, what)->type_name(value)->group(kCameraOptions);
+  };
+  option(
+      "--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
+      fmt::format("where {} is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, 90,0 "
+                  "from the right, 0,90 from above; or X,Y,Z, where the eye is [{}]",
+                  usual.what, usual.eye));
+  option("--look-at", look_at, "X,Y,Z",
+         "what is in the middle of the picture; if not given, its own middle");
+  option("--up", up, "x|y|z|-x|-y|-z|auto",
+         fmt::format("the axis that is upright; auto, by the custom of the format where the file "
+                     "does not say it [{}]",
+                     usual.up));
+  auto* const angle = option("--fov", fov, "DEGREES",
+                             "degrees from the bottom of the picture to its top; if not given, the "
+                             "eye is four times its radius away");
+  command.add_flag("--parallel", parallel, "parallel projection in place of perspective")
+      ->excludes(angle)
+      ->group(kCameraOptions);
+  command
+      .add_flag(
+          "--fit,!--no-fit", fit,
+          "find the window, or the eye's distance for --fov, in which the mesh is seen whole; "
+          "otherwise a ball of radius 1 at the origin, or at --look-at, is")
+      ->default_str("true")
+      ->group(kCameraOptions);
+  command
+      .add_flag("--widen", widen,
+                "widen windows that programs set to the picture's shape, too; otherwise they are "
+                "stretched to it, with a warning")
+      ->group(kCameraOptions);
+}
+
+Camera CameraWords::camera() const {
+  Camera camera;
+  if (!eye.empty()) camera.eye = eye_of(eye);
+  if (!look_at.empty()) camera.look_at = point("--look-at", look_at);
+  if (!up.empty()) camera.upright = upright_of(up);
+  if (!fov.empty()) camera.angle_of_view = angle_of_view(fov);
+  camera.parallel = parallel;
+  camera.fit = fit;
+  camera.turning = turning;
+  return camera;
+}
+
+std::vector<std::string> CameraWords::given() const {
+  std::vector<std::string> names;
+  const auto add = [&](bool is_given, const char* name) {
+    if (is_given) names.emplace_back(name);
+  };
+  add(!eye.empty(), "--eye");
+  add(!look_at.empty(), "--look-at");
+  add(!up.empty(), "--up");
+  add(!fov.empty(), "--fov");
+  add(parallel, "--parallel");
+  add(!fit, "--no-fit");
+  return names;
+}
+
+void CameraWords::require_fitted(bool fitted) const {
+  const auto names = given();
+  if (fitted || names.empty()) return;
+  throw Error(fmt::format("{}: expected a mesh before which no program sets the view",
+                          fmt::join(names, " ")));
+}
+
+void CameraWords::start(GraphicsSystem& system, double aspect) const {
+  system.set_aspect_ratio(aspect);
+  if (widen) system.set_window_fit(WindowFit::widen);
+}
+
+void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
+                              int height) {
+  const auto& stretched = system.stretched_window();
+  if (!stretched) return;
+  const double factor = stretched->window / stretched->viewport;
+  const double pixels = std::max(factor, 1.0 / factor) - 1.0;
+  if (pixels * std::max(width, height) < 1.0) return;
+  warnings() << fmt::format(
+      "{}: segment {}: a window {:.4g} times as wide as high is stretched to a viewport {:.4g} "
+      "times as wide as high in {} x {} pixels: --widen widens it, set-window-fit stretch says "
+      "that it is meant\n",
+      picture, stretched->segment, stretched->window, stretched->viewport, width, height);
+}
+
+}  // namespace displayfile

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "clip/surfaces.h"
+#include "displayfile/segments/sorted_display_file.h"
+
+namespace displayfile {
+
+/// The options of commands that find hidden surfaces, as words.
+struct HiddenSurfaceWords {
+  std::string hidden, scope, precision, hidden_lines;
+  std::optional<std::string> lines, touching;
+
+  void add_to(CLI::App& command);
+  /// Throws Error for an unknown word.
+  HiddenSurfaceOptions options(int threads) const;
+  /// Which lines are drawn; nothing if the programs say it. Throws Error likewise.
+  std::optional<LineSelection> line_selection() const;
+  /// Within which distance polygons touch; nothing if the programs say it. Throws Error likewise.
+  std::optional<Touching> touching_in_force() const;
+};
+
+/// The option that touching_of_option reads.
+void add_touching_option(CLI::App& command, std::optional<std::string>& touching);
+/// Throws Error, naming the option, for an unknown word.
+Touching touching_of_option(const std::string& word);
+/// What --lines says. Throws Error, naming the option, for an unknown word.
+LineSelection line_selection_of_option(const std::string& words);
+
+}  // namespace displayfile

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "clip/surfaces.h"
+#include "displayfile/mesh/mesh.h"
+#include "programs/options/camera_options.h"
+#include "programs/options/import_words.h"
+
+namespace displayfile {
+
+/// The options of commands that enter meshes, as words: those of the camera, the colour, and what
+/// the import library may take.
+struct MeshWords : CameraWords {
+  std::string colour;
+  ImportWords import;
+  std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
+  /// No option: what --touching sets of all inputs.
+  std::optional<Touching> touching;
+  /// No option: the lines of meshes, where neither --lines nor a program selects any.
+  std::optional<LineSelection> lines_of_meshes;
+
+  void add_to(CLI::App& command);
+  /// Throws Error for a word that is not understood.
+  MeshOptions options() const;
+  /// What the inputs start with.
+  void start(GraphicsSystem& system, double aspect) const;
+};
+
+}  // namespace displayfile

@@ -1,0 +1,114 @@
+#include "programs/options/paper_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "clip/base/error.h"
+#include "programs/options/colour_word.h"
+#include "programs/options/number_in.h"
+#include "programs/options/option_groups.h"
+
+namespace displayfile {
+
+namespace {
+
+std::optional<double> number_of(std::string_view word) {
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, failure] = std::from_chars(word.data(), end, value);
+  if (failure != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// SPACING[,ANGLE][,cross][,width=MM][,#rrggbb|black|white]
+Hatching hatching_of(const std::string& text) {
+  Hatching hatching;
+  const auto fail = [&] {
+    throw Error(
+        fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in "
+                    "mm and degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
+                    text));
+  };
+  const auto number = [&](std::string_view word) {
+    const auto value = number_of(word);
+    if (!value) fail();
+    return *value;
+  };
+  constexpr std::string_view kWidth = "width=";
+  std::size_t place = 0;
+  for (std::string_view rest = text; place == 0 || !rest.empty(); ++place) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    if (comma + 1 == rest.size()) fail();
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    if (place == 0) {
+      hatching.spacing = number(word);
+    } else if (word == "cross") {
+      hatching.cross = true;
+    } else if (word.starts_with(kWidth)) {
+      hatching.width = number(word.substr(kWidth.size()));
+    } else if (place == 1 && number_of(word)) {
+      hatching.angle = number(word);
+    } else if (const auto colour = colour_of(word)) {
+      hatching.colour = colour;
+    } else {
+      fail();
+    }
+  }
+  return hatching;
+}
+
+}  // namespace
+
+void PaperWords::add_to(CLI::App& command) {
+  command
+      .add_option(
+          "--paper", paper,
+          "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
+          "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it, or else "
+          "as the picture is wider or higher")
+      ->type_name("PAPER")
+      ->group(kPaperOptions);
+  command.add_option("--margin", margin, "mm around the picture on the paper [10]")
+      ->type_name("MM")
+      ->transform(any_number<double>())
+      ->group(kPaperOptions);
+  command
+      .add_flag(
+          "--pens", pens,
+          "for plotters and lasers: strokes alone, none twice, in an order with little travel "
+          "between them, a layer for each pen (colour and width); on A4 unless --paper says "
+          "another; auto is franklin then, and meshes have the lines outline,boundary,crease "
+          "unless --lines or a program before them selects others")
+      ->group(kPaperOptions);
+  command
+      .add_option(
+          "--hatch", hatch,
+          "--pens, with fills as parallel lines: SPACING[,ANGLE][,cross][,width=MM][,COLOUR]. They "
+          "are SPACING mm apart where a fill is as dark as the pen and farther the brighter it is, "
+          "at ANGLE degrees [45]; cross: darker than the middle tone, lines at right angles too; "
+          "by a pen of a width [0.3] and colour [black; white on dark paper]. Fills must come as "
+          "they are seen, and not be painted over: as by --hidden none or back-face where that is "
+          "so")
+      ->type_name("SPACING,...")
+      ->group(kPaperOptions);
+}
+
+void PaperWords::read(DrawOptions& options) const {
+  if (!paper.empty()) options.vectors.paper = paper_of(paper);
+  if (pens || !hatch.empty()) options.pens.emplace();
+  if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
+  if (!margin) return;
+  if (!options.vectors.paper && !options.pens) {
+    throw Error(fmt::format("--margin {}: expected with --paper, --pens or --hatch", *margin));
+  }
+  if (!options.vectors.paper) options.vectors.paper.emplace();
+  options.vectors.paper->margin = *margin;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,40 @@
+#include "programs/options/picture_size.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "clip/base/error.h"
+#include "interp/device/picture.h"
+#include "programs/options/option_groups.h"
+
+namespace displayfile {
+
+void PictureSizeWord::add_to(CLI::App& command) {
+  command.add_option("--size", size, "in pixels; of a PDF, in points")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+}
+
+void PictureSizeWord::read(int& width, int& height) const {
+  long long across = 0, up = 0;
+  const char *p = size.data(), *end = p + size.size();
+  const auto w = std::from_chars(p, end, across);
+  const bool cross = w.ec == std::errc{} && w.ptr != end && (*w.ptr == 'x' || *w.ptr == 'X');
+  const auto h = cross ? std::from_chars(w.ptr + 1, end, up) : w;
+  if (!cross || h.ec != std::errc{} || h.ptr != end) {
+    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, such as 512x512", size));
+  }
+  require_picture_size(across, up);
+  width = static_cast<int>(across);
+  height = static_cast<int>(up);
+}
+
+double PictureSizeWord::aspect() const {
+  int width = 0, height = 0;
+  read(width, height);
+  return static_cast<double>(width) / height;
+}
+
+}  // namespace displayfile

@@ -1,0 +1,51 @@
+#include "programs/options/vector_words.h"
+
+#include <CLI/CLI.hpp>
+
+#include "clip/base/error.h"
+#include "programs/options/number_list.h"
+#include "programs/options/option_groups.h"
+
+namespace displayfile {
+
+void VectorWords::add_to(CLI::App& command) {
+  command
+      .add_option("--vector-precision", precision,
+                  "visible surfaces in vectors: vertices are rounded to so many pixels, 0.001 to 1 "
+                  "[0.01]")
+      ->type_name("PIXELS")
+      ->group(kVectorOptions);
+  command
+      .add_option(
+          "--seams", seams,
+          "visible surfaces in vectors: trapped, so that no seam is seen between neighbours, "
+          "or butted, in a smaller file [trapped]")
+      ->type_name("trapped|butted")
+      ->group(kVectorOptions);
+  command
+      .add_flag("--pick-ids", pick_ids,
+                "visible surfaces in .svg: each pick identifier an element of its own, with "
+                "data-pick and a title")
+      ->group(kVectorOptions);
+}
+
+VectorOptions VectorWords::options() const {
+  VectorOptions options;
+  options.pick_ids = pick_ids;
+  if (seams == "butted") {
+    options.seams = Seams::butted;
+  } else if (!seams.empty() && seams != "trapped") {
+    throw Error("--seams " + seams + ": expected trapped or butted");
+  }
+  if (precision.empty()) return options;
+  const auto value = number_list(precision);
+  const bool one = value && value->size() == 1;
+  options.precision = one ? value->front() : 0.0;
+  if (!one || options.precision < VectorOptions::kFinestPrecision ||
+      options.precision > VectorOptions::kCoarsestPrecision) {
+    throw Error("--vector-precision " + precision + ": expected 0.001 to 1 pixels");
+  }
+  return options;
+}
+
+}  // namespace displayfile

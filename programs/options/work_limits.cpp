@@ -1,0 +1,168 @@
+#include "programs/options/work_limits.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <string_view>
+
+#include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/unfinished_path.h"
+#include "clip/unit.h"
+#include "programs/options/number_in.h"
+#include "programs/options/option_groups.h"
+
+namespace displayfile {
+
+namespace {
+
+constexpr double kShareOfMachine = 0.75;
+constexpr double kMostSeconds = 1e8;
+
+/// What is said if time is over and the work has not stopped by itself; a signal handler reads it.
+std::array<char, 256> time_is_over{};
+std::size_t time_is_over_length = 0;
+
+extern "C" void on_time_over(int /*signal*/) {
+  UnfinishedPath::end_naming();
+  UnfinishedPath::remove_all();
+  if (::write(STDERR_FILENO, time_is_over.data(), time_is_over_length) < 0) ::_exit(2);
+  ::_exit(2);
+}
+
+void set_timer(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))) + (seconds > 0.0 ? 1 : 0);
+  if (timer.it_value.tv_usec >= 1'000'000) timer.it_value.tv_usec = 999'999;
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void end_when_time_is_over(double seconds) {
+  constexpr double kGrace = 1.02;
+  const auto result = fmt::format_to_n(
+      time_is_over.data(), time_is_over.size(),
+      "displayfile: {} seconds are not enough: expected a higher limit of seconds\n", seconds);
+  time_is_over_length = std::min(result.size, time_is_over.size());
+  struct sigaction action {};
+  action.sa_handler = on_time_over;
+  ::sigaction(SIGALRM, &action, nullptr);
+  sigset_t alarm;  // whoever started the process may have blocked it
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
+  set_timer(kGrace * seconds);
+}
+
+std::size_t usual_memory() {
+  static const auto usual =
+      static_cast<std::size_t>(kShareOfMachine * static_cast<double>(memory_of_machine()));
+  return usual;
+}
+
+WorkLimits limits_of(const WorkLimitWords& words) {
+  WorkLimits limits;
+  limits.pieces = words.pieces;
+  if (words.seconds) limits.seconds = *words.seconds;
+  if (!words.memory.empty()) {
+    limits.bytes = bytes_of_word("--limit-memory", words.memory);
+  } else if (const std::size_t usual = usual_memory(); usual > 0) {
+    limits.bytes = usual;
+  }
+  return limits;
+}
+
+/// The command is given no memory for data beyond so many bytes, by the system: what needs more is
+/// out of memory. A limit that is lower already stays. RLIMIT_DATA counts what the process may
+/// write to and nobody shares, as it is mapped: unlike the address space, it has no room that is
+/// only kept free, and unlike what is resident, it cannot be passed.
+void limit_memory_of_process(std::uint64_t bytes) {
+  if (const std::size_t now = memory_of_process(); now >= bytes) {
+    throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
+  }
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
+  ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+/// A usual limit that the process has passed already, as one with a sanitizer has, is none.
+void limit_memory(const WorkLimitWords& words, std::uint64_t bytes) {
+  if (bytes == WorkLimits::kNone) return;
+  if (words.memory.empty() && memory_of_process() >= bytes) return;
+  limit_memory_of_process(bytes);
+}
+
+}  // namespace
+
+std::size_t bytes_of_word(const std::string& option, const std::string& word) {
+  constexpr std::string_view kUnits = "kMG";
+  const char* const end = word.data() + word.size();
+  double number = 0.0;
+  const auto [stop, failure] = std::from_chars(word.data(), end, number);
+  std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  if (unit.ends_with('B')) unit.remove_suffix(1);
+  double scale = 1.0;
+  bool is_known = failure == std::errc{} && unit.size() <= 1;
+  if (is_known && !unit.empty()) {
+    const std::size_t at = kUnits.find(unit[0] == 'K' ? 'k' : unit[0]);
+    is_known = at != std::string_view::npos;
+    scale = std::pow(1024.0, static_cast<double>(at) + 1.0);
+  }
+  const double bytes = number * scale;
+  if (!is_known || !(bytes >= 1.0) || !(bytes < 0x1p62)) {
+    throw Error(fmt::format("{} {}: expected bytes, such as 500M or 2G", option, word));
+  }
+  return static_cast<std::size_t>(bytes);
+}
+
+void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
+  const std::string here =
+      for_this_machine
+          ? fmt::format(", here {:.3g}G", static_cast<double>(usual_memory()) * 0x1p-30)
+          : "";
+  command
+      .add_option("--limit-seconds", seconds,
+                  "how long the command may take; at the limit nothing is written, but of many "
+                  "inputs or views the pictures that were whole before stay [none]")
+      ->type_name("SECONDS")
+      ->transform(number_in(1e-3, kMostSeconds))
+      ->group(kLimitOptions);
+  command
+      .add_option(
+          "--limit-memory", memory,
+          "how much memory it may have: bytes, or with k, M or G after it [3/4 of the machine's" +
+              here + "]")
+      ->type_name("BYTES")
+      ->group(kLimitOptions);
+  command
+      .add_option(
+          "--limit-pieces", pieces,
+          "into how many pieces polygons may be cut, in how many lines may be seen, and how "
+          "many edges the map may have; what is not cut is always allowed")
+      ->type_name("N")
+      ->transform(number_in<std::size_t>(1, 4'000'000'000))
+      ->capture_default_str()
+      ->group(kLimitOptions);
+}
+
+WorkLimitsInForce::WorkLimitsInForce(const WorkLimitWords& words)
+    : budget_(limits_of(words)), in_force_(budget_), is_timed_(words.seconds.has_value()) {
+  limit_memory(words, budget_.limits().bytes);
+  if (is_timed_) end_when_time_is_over(*words.seconds);
+}
+
+WorkLimitsInForce::~WorkLimitsInForce() {
+  if (is_timed_) set_timer(0.0);
+}
+
+}  // namespace displayfile

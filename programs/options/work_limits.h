@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "clip/base/work_budget.h"
+#include "hidden/sort/hidden_surface_sort.h"
+
+namespace displayfile {
+
+/// What a command may use at most, as words (clip/base/work_budget.md).
+struct WorkLimitWords {
+  std::string memory;
+  std::optional<double> seconds;
+  std::size_t pieces = kMostPieces;
+
+  /// Adds --limit-seconds, --limit-memory and --limit-pieces; what is said of them names figures of
+  /// this machine, or holds for any.
+  void add_to(CLI::App& command, bool for_this_machine = true);
+};
+
+/// What a word says of bytes: a number, and k, M or G after it (1024, 1024^2 and 1024^3 bytes).
+/// Throws Error, naming the option, for another word.
+std::size_t bytes_of_word(const std::string& option, const std::string& word);
+
+/// The limits of a command, in force while it lives, on the thread that made it and those that help
+/// it: by a budget, and from the system, so that they hold whatever library is at work. The process
+/// has no more memory for data than that; and if the work goes on a fiftieth of its time after it
+/// should have stopped, the process ends, with exit status 2, the message and nothing unfinished.
+class WorkLimitsInForce {
+ public:
+  /// Throws Error for a word that is none.
+  explicit WorkLimitsInForce(const WorkLimitWords& words);
+  ~WorkLimitsInForce();
+  WorkLimitsInForce(const WorkLimitsInForce&) = delete;
+  WorkLimitsInForce& operator=(const WorkLimitsInForce&) = delete;
+
+ private:
+  WorkBudget budget_;
+  BudgetInForce in_force_;
+  bool is_timed_;
+};
+
+}  // namespace displayfile

@@ -34,7 +34,7 @@ TEST(Application, DrawsAndCatches) {
     EXPECT_NE(std::string(error.what()), "");
   }
   g.close_segment();
-  displayfile::DrawOptions options;
+  displayfile::DrawOptions options{.samples = 1};
   options.width = options.height = 16;
   options.hidden = displayfile::HiddenMethod::z_buffer;
   const displayfile::Picture picture = displayfile::draw(g, options);
@@ -68,7 +68,7 @@ TEST(Application, EntersMeshes) {
 TEST(Application, AnimatesAndPicks) {
   displayfile::GraphicsSystem g;
   displayfile::Renderer renderer;
-  const displayfile::DrawOptions options{.width = 40, .height = 40, .with_ids = true};
+  const displayfile::DrawOptions options{.width = 40, .height = 40, .samples = 1, .with_ids = true};
   for (int frame = 0; frame < 3; ++frame) {
     if (frame > 0) g.delete_segment(2);
     g.open_segment(2);
@@ -108,7 +108,7 @@ TEST(Application, ViewsARetainedScene) {
   using displayfile::HiddenMethod;
   for (const auto method : {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::map,
                             HiddenMethod::world_ray_cast}) {
-    const displayfile::DrawOptions options{.width = 9, .height = 9, .hidden = method};
+    const displayfile::DrawOptions options{.width = 9, .height = 9, .hidden = method, .samples = 1};
     EXPECT_EQ(renderer.draw(in, options).pixels, displayfile::draw(g, options).pixels);
   }
 }
@@ -337,7 +337,7 @@ TEST(Application, TurnsAnImageAboutAPointOfTheModel) {
   ASSERT_TRUE(at);
   g.set_image_centre(1, at->x, at->y);
   displayfile::Renderer renderer;
-  const displayfile::DrawOptions options{.width = 200, .height = 100};
+  const displayfile::DrawOptions options{.width = 200, .height = 100, .samples = 1};
   const displayfile::Point2 pixel = displayfile::pixel_at(*at, options.width, options.height);
   for (int turn = 0; turn < 360; turn += 45) {
     g.set_image_rotation(1, turn);
@@ -355,7 +355,7 @@ TEST(Renderer, ARefusedPictureIsWholeOrNone) {
   g.close_segment();
   displayfile::Renderer renderer;
   const displayfile::Picture& picture =
-      renderer.draw(g, {.width = 32, .height = 32, .with_ids = true});
+      renderer.draw(g, {.width = 32, .height = 32, .samples = 1, .with_ids = true});
   const displayfile::Picture before = picture;
   for (const displayfile::DrawOptions& wrong :
        {displayfile::DrawOptions{.width = 0}, displayfile::DrawOptions{.samples = 99},

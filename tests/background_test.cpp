@@ -35,7 +35,7 @@ void enter(GraphicsSystem& g) {
 }
 
 DrawOptions options(HiddenMethod method, const Background& background) {
-  DrawOptions o;
+  DrawOptions o{.samples = 1};
   o.width = o.height = 24;
   o.hidden = method;
   o.background = background;
@@ -157,7 +157,7 @@ TEST_F(BackgroundTest, PpmSaysThatItHasNoAlpha) {
         << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(file("a.ppm")));
-  DrawOptions asked;
+  DrawOptions asked{.samples = 1};
   asked.background = Background{};
   EXPECT_NO_THROW(draw(g, file("a.ppm"), asked));
 }

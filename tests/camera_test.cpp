@@ -71,7 +71,7 @@ class CameraTest : public test::MeshFiles {
     GraphicsSystem g;
     g.set_aspect_ratio(static_cast<double>(width) / height);
     import_mesh(file("a.obj", obj), g, MeshOptions{.camera = camera});
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = width;
     options.height = height;
     options.with_ids = true;

@@ -90,7 +90,7 @@ TEST(ColourRule, ShowsLinesOnTheBackgroundAndHasTheFillsItemBuffer) {
          {Background{}, Background{Background::Kind::solid, {0.1, 0.2, 0.3}},
           Background{Background::Kind::none}}) {
       g.set_background(background);
-      DrawOptions options;
+      DrawOptions options{.samples = 1};
       options.width = options.height = 90;
       options.with_ids = options.with_depth = true;
       const Picture rule = draw(g, options);
@@ -111,7 +111,7 @@ TEST(ColourRule, IsTheSameOnAnyThreads) {
   GraphicsSystem g;
   enter(generated_scene("soup").make(40, 3), g);
   for (const HiddenMethod surfaces : {z_buffer, bsp, none}) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.hidden = colour_rule_by(surfaces);
     const Picture one = draw(g, options);
     options.threads = 3;
@@ -151,7 +151,7 @@ TEST_F(ColourRuleFiles, InVectorsFillsHaveTheBackgroundsColour) {
     return test::content(file("cube.svg"));
   };
   for (const HiddenMethod surfaces : {automatic, bsp, depth_sort, z_buffer}) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.hidden = colour_rule_by(surfaces);
     options.background = Background{Background::Kind::solid, {0, 0, 1}};
     const std::string text = svg(options);
@@ -173,7 +173,7 @@ TEST(ColourRule, IsDumpedWithFillsInTheBackgroundsColour) {
 TEST(ColourRule, IsNotDrawnByOpenGl) {
   GraphicsSystem g;
   enter_cube(g);
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.hidden = colour_rule;
   options.device = "osmesa";
   EXPECT_NE(error_of([&] { draw(g, options); }).find("expected the software device"),

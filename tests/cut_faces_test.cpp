@@ -183,7 +183,7 @@ TEST(CutFaces, WhatIsLeftIsDrawnAsASolidOfThatForm) {
     g.close_segment();
     return g;
   };
-  const DrawOptions options{.width = 90, .height = 90};
+  const DrawOptions options{.width = 90, .height = 90, .samples = 1};
   for (const HiddenMethod method :
        {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::franklin}) {
     EXPECT_EQ(draw(entered(true, method), options).pixels,

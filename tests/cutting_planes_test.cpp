@@ -186,7 +186,7 @@ TEST(CuttingPlanes, EveryMethodSeesWhatTheTruthSees) {
       g.set_hidden_surfaces({.removal = true});
       set_view(g, test::any_view(s));
       enter_cut_shapes(s, g);
-      DrawOptions options{.width = 64, .height = 64};
+      DrawOptions options{.width = 64, .height = 64, .samples = 1};
       options.with_ids = true;
       EXPECT_EQ(draw(g, options).ids, truth(g.display_file(), 64, 64, false).ids)
           << name_of(method) << " " << round;

@@ -32,8 +32,12 @@ void expect_depths_of_the_truth(const GraphicsSystem& system) {
   };
   Renderer renderer;
   for (const HiddenMethod method : kMethods) {
-    const DrawOptions options{
-        .width = kSize, .height = kSize, .hidden = method, .with_ids = true, .with_depth = true};
+    const DrawOptions options{.width = kSize,
+                              .height = kSize,
+                              .hidden = method,
+                              .samples = 1,
+                              .with_ids = true,
+                              .with_depth = true};
     const Picture& drawn = renderer.draw(system, options);
     ASSERT_EQ(drawn.ids, right.ids) << name_of(method);
     for (std::size_t k = 0; k < right.ids.size(); ++k) {

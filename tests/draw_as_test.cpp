@@ -32,7 +32,7 @@ TEST_F(DrawAs, BytesAreThoseOfTheFile) {
     for (const Choice& format : picture_formats()) {
       if (name.size() % 2 == 1 && format.name == ".eps") continue;  // Cairo takes its time
       SCOPED_TRACE(format.name);
-      DrawOptions options;
+      DrawOptions options{.samples = 1};
       options.width = options.height = 96;
       const auto path = file(name + std::string(format.name));
       draw(retained.system, path, options);
@@ -46,7 +46,7 @@ TEST_F(DrawAs, BytesAreThoseOfTheFile) {
 TEST_F(DrawAs, EveryRendererWritesToStreams) {
   test::Retained retained;
   replay_file(DISPLAYFILE_SOURCE_DIR "/programs/cube.draw", retained.system);
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.format = "svg";
   options.width = options.height = 64;
   const std::string expected = draw_as(retained.system, "svg", options);
@@ -79,7 +79,7 @@ TEST_F(DrawAs, WhatCannotBeWrittenIsAnError) {
   std::ostringstream out;
   out << "before";
   expect_error([&] { draw(system, out); }, "the stream: unknown picture format ''");
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.format = "svg";
   options.device = "osmesa";
   expect_error([&] { draw(system, out, options); }, "the stream: the osmesa device draws pixels");

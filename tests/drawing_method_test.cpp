@@ -68,7 +68,7 @@ TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
     g.polygon_abs_3({{-0.5, 0.5, farther}, {0.5, 0.5, farther}, {0, -0.5, farther}});
     g.close_segment();
   };
-  const DrawOptions small{.width = 9, .height = 9};
+  const DrawOptions small{.width = 9, .height = 9, .samples = 1};
   const auto middle = [&](const GraphicsSystem& g) { return draw(g, small).pixels[4 * 9 + 4]; };
   const std::uint32_t red = pixel_of(Colour(1, 0, 0)), blue = pixel_of(Colour(0, 0, 1));
   GraphicsSystem deep, flat, off, method;
@@ -76,7 +76,8 @@ TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
   EXPECT_EQ(middle(deep), red);
   EXPECT_EQ(draw_as(deep, "svg"), draw_as(deep, "svg", {.hidden = HiddenMethod::map}));
   EXPECT_EQ(deep.display_file().segment(1).sorted(), nullptr);
-  EXPECT_EQ(draw(deep, {.width = 9, .height = 9, .hidden = HiddenMethod::none}).pixels[4 * 9 + 4],
+  EXPECT_EQ(draw(deep, {.width = 9, .height = 9, .hidden = HiddenMethod::none, .samples = 1})
+                .pixels[4 * 9 + 4],
             blue);
   draw_two(flat, 0.25, 0.25);
   EXPECT_EQ(middle(flat), blue);
@@ -180,7 +181,7 @@ TEST(PicturePlan, RefusesWhatCannotBe) {
 TEST(PicturePlan, LeavesTheRenderersPictureWhereItRefuses) {
   GraphicsSystem g;
   Renderer renderer;
-  renderer.draw(g, {.width = 3, .height = 2});
+  renderer.draw(g, {.width = 3, .height = 2, .samples = 1});
   EXPECT_THROW(renderer.draw(g, {.width = 0}), Error);
   EXPECT_EQ(renderer.take_picture().width, 3);
 }

@@ -122,7 +122,7 @@ TEST(DrawnLines, NothingIsSeenThroughASeam) {
   for (const HiddenMethod method :
        {HiddenMethod::franklin, HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::z_buffer,
         HiddenMethod::bsp, HiddenMethod::map}) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = options.height = 300;
     options.hidden = method;
     EXPECT_EQ(dark_pixels(draw(g, options), 0, 300, 0, 300), 0u) << name_of(method);
@@ -150,7 +150,7 @@ TEST(DrawnLines, HiddenOnesOnEachOtherAreDashedOnce) {
       "end-solid\n"
       "close-segment\n",
       "test", g);
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = 440;
   options.height = 280;
   EXPECT_EQ(dark_pixels(draw(g, options), 120, 121, 105, 175), 42u);
@@ -172,7 +172,7 @@ TEST(DrawnLines, CrumbsAreLeftOut) {
     replay(program + lines + "close-segment\n", "test", g);
     std::size_t most = 0;
     for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::z_buffer}) {
-      DrawOptions options;
+      DrawOptions options{.samples = 1};
       options.width = options.height = 100;
       options.hidden = method;
       options.crumbs = crumbs;

@@ -190,7 +190,7 @@ TEST(DrawnPieces, DrawnAnewMakeThePicture) {
     if (!is_of_pieces(retained.system)) return;
     for (const HiddenMethod method :
          {HiddenMethod::none, HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::franklin}) {
-      DrawOptions options;
+      DrawOptions options{.samples = 1};
       options.width = options.height = 128;
       options.background = Background{Background::Kind::solid, Colour(1.0)};
       options.hidden = method;

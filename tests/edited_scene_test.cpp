@@ -34,7 +34,7 @@ using test::error_of;
 using test::Retained;
 
 DrawOptions options_of(std::optional<HiddenMethod> method) {
-  DrawOptions options{.width = 60, .height = 50};
+  DrawOptions options{.width = 60, .height = 50, .samples = 1};
   options.hidden = method;
   options.with_ids = !method || !finds_lines(*method);
   return options;

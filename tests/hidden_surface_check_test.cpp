@@ -63,6 +63,7 @@ std::vector<std::int32_t> true_ids(const GraphicsSystem& g) {
 
 std::vector<std::int32_t> drawn_ids(const GraphicsSystem& g, DrawOptions options = {}) {
   options.width = options.height = kSize;
+  options.samples = 1;
   options.with_ids = true;
   return draw(g, options).ids;
 }
@@ -218,7 +219,7 @@ TEST_P(HiddenSurfaceCheck, LinesAreInTheOrder) {
   EXPECT_EQ(g.display_file().segment(1).sorted()->lines(), 3u);
   const DisplayFile& file = g.display_file();
   const auto pixels = [&](HiddenMethod method) {
-    return draw(g, {.width = kSize, .height = kSize, .hidden = method}).pixels;
+    return draw(g, {.width = kSize, .height = kSize, .hidden = method, .samples = 1}).pixels;
   };
   ASSERT_EQ(file.segment(1).sorted()->counts.cuts, 0u);
   EXPECT_EQ(pixels(GetParam()), pixels(HiddenMethod::z_buffer));
@@ -513,7 +514,7 @@ TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
   }
   const HiddenSurfaceOptions all{.method = GetParam(), .scope = HiddenScope::all};
   SortedDisplayFile kept;
-  DrawOptions draw_all;
+  DrawOptions draw_all{.samples = 1};
   draw_all.hidden = GetParam();
   const auto expect_work = [&](std::size_t groups, std::size_t sorted) {
     kept.update(g, GetParam(), all);

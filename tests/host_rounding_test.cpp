@@ -78,7 +78,7 @@ std::string result_of(const Call& call) {
 }
 
 DrawOptions options_with(HiddenMethod method, int samples = 1) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = 96;
   options.hidden = method;
   options.samples = samples;

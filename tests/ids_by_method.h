@@ -19,7 +19,7 @@ inline constexpr HiddenMethod kSurfaceMethods[] = {
     HiddenMethod::depth_sort, HiddenMethod::map,       HiddenMethod::world_ray_cast};
 
 inline DrawOptions options_for_ids(int size, HiddenMethod method) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = size;
   options.hidden = method;
   options.with_ids = true;

@@ -38,7 +38,7 @@ using test::Retained;
 constexpr int kWidth = 72, kHeight = 56;
 
 DrawOptions options_of(HiddenMethod method, int threads = 1) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = kWidth;
   options.height = kHeight;
   options.hidden = method;
@@ -277,7 +277,7 @@ TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
   Renderer renderer;
   for (const auto& [method, name] : hidden_methods()) {
     SCOPED_TRACE(name);
-    DrawOptions options{.width = 60, .height = 50};
+    DrawOptions options{.width = 60, .height = 50, .samples = 1};
     options.hidden = method;
     for (const char* const format : {"ppm", "svg"}) {
       options.format = format;
@@ -295,7 +295,7 @@ TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
   }
   EXPECT_EQ(renderer.trees().sorted, 1u);
   g.set_hidden_surfaces({.z_buffer = true});
-  const DrawOptions options{.width = 60, .height = 50, .with_ids = true};
+  const DrawOptions options{.width = 60, .height = 50, .samples = 1, .with_ids = true};
   EXPECT_EQ(renderer.draw(in_view(g, g.view()), options).ids, draw(g, options).ids);
 }
 

@@ -41,7 +41,7 @@ struct Step {
 };
 
 const Picture& draw(FromEyes& renderer, const Step& step) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = step.width;
   options.height = step.height;
   options.hidden = step.method;
@@ -216,7 +216,7 @@ TEST(KeptViews, SamplesAreThoseEnteredAnew) {
   Retained retained;
   enter_hills(retained.system);
   FromEyes renderer(retained.scene, retained.system.display_file());
-  DrawOptions options{.width = kWidth, .height = kHeight};
+  DrawOptions options{.width = kWidth, .height = kHeight, .samples = 1};
   options.samples = 2;
   options.with_ids = true;
   for (const double angle : {0.0, 0.3, 0.3}) {

@@ -109,7 +109,7 @@ TEST_F(LineCommand, HiddenLinesThatRoundingPartsAreDrawnOnce) {
       x = to_x;
       y = to_y;
     }
-    EXPECT_EQ(run("draw " + options + " -o a.ppm"), 0) << err_;
+    EXPECT_EQ(run("draw " + options + " --samples 1 -o a.ppm"), 0) << err_;
     all.dark = dark_inside(read(folder_ / "a.ppm"));
     EXPECT_EQ(run("draw " + options + " --pens -o a.svg"), 0) << err_;
     all.strokes = static_cast<double>(std::ranges::count(read(folder_ / "a.svg"), 'M'));

@@ -238,7 +238,7 @@ class LineEnds : public TemporaryFolder, public testing::WithParamInterface<cons
   }
   Picture draw(const GraphicsSystem& g, HiddenMethod method) const {
     const auto path = file(std::string("a.") + GetParam());
-    DrawOptions options{.width = 100, .height = 100};
+    DrawOptions options{.width = 100, .height = 100, .samples = 1};
     options.hidden = method;
     displayfile::draw(g, path, options);
     return rasterised(path);
@@ -337,7 +337,7 @@ TEST_F(TemporaryFolder, BytesOfLinesDependOnNeitherThreadsNorMethods) {
   for (const HiddenMethod method :
        {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     for (const int threads : {1, 4}) {
-      DrawOptions options{.width = 100, .height = 100};
+      DrawOptions options{.width = 100, .height = 100, .samples = 1};
       options.hidden = method;
       options.threads = threads;
       displayfile::draw(g, file("a.svg"), options);

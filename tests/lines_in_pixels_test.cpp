@@ -291,7 +291,7 @@ TEST(LinesInPixels, LieOverTheFillsOfTheirOwnSegmentWhereEachIsSortedByItself) {
     if (second) add(2, -0.2);
     return g;
   };
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = 80;
   const Picture both = draw(make(true, true), options);
   const Picture below = draw(make(true, false), options);
@@ -337,7 +337,7 @@ TEST(LinesInPixels, AreTheSameInStrips) {
 /// applications draw.
 TEST(LinesInPixels, AreTheSameByEveryExactMethodOverTheGallery) {
   test::for_each_in_gallery([](const std::string& program, const test::Retained& retained) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = 130;
     options.height = 90;
     options.scope = HiddenScope::all;

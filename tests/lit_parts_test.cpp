@@ -84,7 +84,7 @@ Picture by_map(const GraphicsSystem& g, int threads = 1) {
 }
 
 Picture by_rays(const GraphicsSystem& g) {
-  DrawOptions options{.width = kSize, .height = kSize};
+  DrawOptions options{.width = kSize, .height = kSize, .samples = 1};
   options.hidden = HiddenMethod::z_buffer;
   options.ids = "asked for";
   return draw(g, options);

@@ -83,20 +83,22 @@ TEST(OutOfMemory, OfAPictureIsSaidBeforeAnyWork) {
                    [&] { return error_of([&] { draw(g, {.width = 60000, .height = 60000}); }); }),
             "out of memory: a picture of 60000 x 60000 pixels needs at least 14400000000 bytes, "
             "and the limit is L");
-  EXPECT_EQ(within(500 * kMegabyte,
-                   [&] {
-                     Renderer renderer;
-                     renderer.draw(g, {.width = 100, .height = 100});
-                     DrawOptions all{.width = 60000, .height = 60000};
-                     all.with_ids = all.with_depth = true;
-                     const std::string error = error_of([&] { renderer.draw(g, all); });
-                     const Picture& next = renderer.draw(g, {.width = 100, .height = 100});
-                     return error + (next.pixels == draw(g, {.width = 100, .height = 100}).pixels
-                                         ? ""
-                                         : ", and another picture");
-                   }),
-            "out of memory: a picture of 60000 x 60000 pixels needs at least 57600000000 bytes, "
-            "and the limit is L");
+  EXPECT_EQ(
+      within(500 * kMegabyte,
+             [&] {
+               Renderer renderer;
+               renderer.draw(g, {.width = 100, .height = 100, .samples = 1});
+               DrawOptions all{.width = 60000, .height = 60000};
+               all.with_ids = all.with_depth = true;
+               const std::string error = error_of([&] { renderer.draw(g, all); });
+               const Picture& next = renderer.draw(g, {.width = 100, .height = 100, .samples = 1});
+               return error +
+                      (next.pixels == draw(g, {.width = 100, .height = 100, .samples = 1}).pixels
+                           ? ""
+                           : ", and another picture");
+             }),
+      "out of memory: a picture of 60000 x 60000 pixels needs at least 57600000000 bytes, "
+      "and the limit is L");
   EXPECT_EQ(within(500 * kMegabyte,
                    [&] { return error_of([&] { truth(g.display_file(), 65535, 65535, false); }); }),
             "out of memory: the truth of 65535 x 65535 pixels needs at least 73012215825 bytes, "
@@ -134,8 +136,8 @@ TEST(OutOfMemory, ARendererNeedsOnePictureOnly) {
                    [&] {
                      Renderer renderer;
                      return error_of([&] {
-                       for (int k = 0; k < 3; ++k)
-                         renderer.draw(g, {.width = 5000, .height = 5000});
+                       for (const int samples : {1, 1, 1, 2, 2})
+                         renderer.draw(g, {.width = 5000, .height = 5000, .samples = samples});
                      });
                    }),
             "");

@@ -133,7 +133,8 @@ TEST_F(MeshTest, AModellingTransformationThatMirrorsLeavesTheLightFacesOutside) 
       }
       import_mesh(path, system, 1.0);
       EXPECT_TRUE(system.attributes().back_face_removal);
-      pictures[mirrored] = draw(system, {.width = 60, .height = 60, .with_depth = true});
+      pictures[mirrored] =
+          draw(system, {.width = 60, .height = 60, .samples = 1, .with_depth = true});
     }
     // Gouraud's triangles are mirrored, too.
     EXPECT_TRUE(shading != Shading::flat || pictures[0].pixels == pictures[1].pixels);
@@ -351,7 +352,7 @@ TEST(Meshes, FacesOfACubeAreLightAndDiffer) {
     g.set_parallel(-eye);
     g.set_window(-3, 3, -3, 3);
     enter_meshes(std::span(&cube, 1), g, {});
-    const Picture picture = draw(g, {.width = 60, .height = 60, .with_ids = true});
+    const Picture picture = draw(g, {.width = 60, .height = 60, .samples = 1, .with_ids = true});
     std::set<std::uint32_t> greens;
     for (std::size_t k = 0; k < picture.ids.size(); ++k) {
       if (picture.ids[k] >= 0) greens.insert(picture.pixels[k] >> 8 & 255);

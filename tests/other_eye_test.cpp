@@ -25,7 +25,7 @@ using test::dump_of;
 using test::error_of;
 
 DrawOptions options_of(HiddenMethod method) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = 72;
   options.height = 56;
   options.hidden = method;

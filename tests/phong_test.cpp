@@ -380,7 +380,7 @@ TEST(PhongShading, IsNotChangedByClipping) {
       g.set_view_depth(-2, 2);
       g.set_window(-half, half, -half, half);
       enter(triangles(5, 60), Shading::phong, g);
-      DrawOptions options{.width = size, .height = size};
+      DrawOptions options{.width = size, .height = size, .samples = 1};
       options.hidden = HiddenMethod::z_buffer;
       options.ids = "asked for";
       return draw(g, options);

@@ -37,7 +37,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Every pixel of a picture picked, against the item buffer of the truth.
 void expect_picks_of_the_truth(const GraphicsSystem& system, int width, int height) {
-  const DrawOptions options{.width = width, .height = height};
+  const DrawOptions options{.width = width, .height = height, .samples = 1};
   const Picture right = truth_as_entered(system.display_file(), width, height, true);
   Renderer renderer;
   for (int y = 0; y < height; ++y) {
@@ -86,10 +86,11 @@ TEST(Picking, NamesSegmentIdentifierAndDepth) {
   g.open_segment(9);
   g.polygon_abs_3({{0.25, 0.5, -0.5}, {1, 0.5, -0.5}, {1, 1, -0.5}, {0.25, 1, -0.5}});
   g.close_segment();
-  const DrawOptions options{.width = 100, .height = 50};
+  const DrawOptions options{.width = 100, .height = 50, .samples = 1};
   Renderer renderer;
   const auto at = [&](double x, double y) { return renderer.pick(g, x, y, options); };
-  const DrawOptions with_all{.width = 100, .height = 50, .with_ids = true, .with_depth = true};
+  const DrawOptions with_all{
+      .width = 100, .height = 50, .samples = 1, .with_ids = true, .with_depth = true};
   const Picture picture = renderer.draw(g, with_all);
   const auto upper_left = at(10, 10);
   ASSERT_TRUE(upper_left);
@@ -143,7 +144,7 @@ TEST(Picking, RefusesWhatIsNoPlaceNoReachAndNoSize) {
 
 // ---- Lines ---------------------------------------------------------------------------------
 
-const DrawOptions kHundred{.width = 100, .height = 100};
+const DrawOptions kHundred{.width = 100, .height = 100, .samples = 1};
 
 TEST(PickingLines, WithinAReach) {
   GraphicsSystem g = unit_square();
@@ -229,7 +230,7 @@ TEST(PickingLines, EndsOfHiddenOnesAreHidden) {
   g.move_abs_3(4, 8.5, 0);
   g.line_abs_3(10, 8.5, 0);
   g.close_segment();
-  const DrawOptions options{.width = 16, .height = 16};
+  const DrawOptions options{.width = 16, .height = 16, .samples = 1};
   const std::array<std::array<double, 3>, 4> places{
       {{3, 7, 0.5}, {3, 7, 0.6}, {2, 7, 1.5}, {10, 7, 0.5}}};
   for (const bool is_hidden : {false, true}) {

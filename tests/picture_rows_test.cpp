@@ -52,7 +52,7 @@ TEST_F(PictureRowsTest, AreThoseOfTheWholePicture) {
           HiddenMethod::scan_line_z, HiddenMethod::warnock, HiddenMethod::ray_cast,
           HiddenMethod::bsp, HiddenMethod::none, HiddenMethod::franklin}) {
       SCOPED_TRACE(name + " by " + std::string(name_of(method)));
-      DrawOptions options;
+      DrawOptions options{.samples = 1};
       options.width = 70;
       options.height = 90;
       options.hidden = method;
@@ -71,7 +71,7 @@ TEST_F(PictureRowsTest, AreThoseOfTheWholePicture) {
 TEST_F(PictureRowsTest, OfViewsAndOtherDevices) {
   test::Retained retained;
   replay_file(DISPLAYFILE_SOURCE_DIR "/programs/gears.draw", retained.system);
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = 64;
   FromEyes views(retained.scene, retained.system.display_file());
   const Picture whole = views.draw(retained.system.view(), options);
@@ -96,7 +96,7 @@ TEST_F(PictureRowsTest, OfViewsAndOtherDevices) {
 TEST_F(PictureRowsTest, FilesHaveThemToo) {
   test::Retained retained;
   replay_file(DISPLAYFILE_SOURCE_DIR "/programs/cube.draw", retained.system);
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = 40;
   const std::string whole = draw_as(retained.system, "ppm", options);
   options.rows = PictureRows{0, 15};
@@ -111,13 +111,13 @@ TEST_F(PictureRowsTest, OthersAreErrors) {
   const GraphicsSystem system;
   for (const PictureRows rows : {PictureRows{-1, 3}, PictureRows{3, 3}, PictureRows{5, 2},
                                  PictureRows{0, 41}, PictureRows{40, 41}}) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = options.height = 40;
     options.rows = rows;
     expect_error([&] { draw(system, options); }, "expected some of the picture's 40");
     expect_error([&] { draw_as(system, "png", options); }, "expected some of the picture's 40");
   }
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.rows = PictureRows{0, 10};
   expect_error([&] { draw_as(system, "svg", options); }, "vectors have no rows");
 }

@@ -36,7 +36,7 @@ class Rasterised : public TemporaryFolder, public testing::WithParamInterface<co
   bool svg_format() const { return std::string(GetParam()) == "svg"; }
   Picture draw(const GraphicsSystem& g, int width, int height, bool by_map) const {
     const fs::path path = file(std::string("a.") + GetParam());
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = width;
     options.height = height;
     if (by_map) options.hidden = HiddenMethod::map;

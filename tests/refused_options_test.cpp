@@ -33,7 +33,7 @@ class RefusedOptions : public testing::Test {
 
   const DisplayFile& file() const { return retained_.system.display_file(); }
   static DrawOptions options(std::optional<HiddenMethod> method = std::nullopt) {
-    DrawOptions options{.width = 40, .height = 30};
+    DrawOptions options{.width = 40, .height = 30, .samples = 1};
     options.hidden = method;
     return options;
   }

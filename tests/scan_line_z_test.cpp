@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, RowsWrittenOf,
 
 TEST_P(RowsWrittenOf, AreThePictureInMemory) {
   const GraphicsSystem g = crossing_fills_and_lines();
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.hidden = GetParam().method;
   options.width = GetParam().width;
   options.height = GetParam().height;
@@ -245,7 +245,8 @@ TEST_F(RowsWritten, MemoryDoesNotGrowWithThePicturesHeight) {
   GraphicsSystem g = crossing_fills_and_lines();
   const auto memory = [&](int height) {
     return bench::most_bytes_held([&] {
-      draw(g, file("a.png"), {.width = 600, .height = height, .hidden = HiddenMethod::scan_line_z});
+      draw(g, file("a.png"),
+           {.width = 600, .height = height, .hidden = HiddenMethod::scan_line_z, .samples = 1});
     });
   };
   const std::int64_t of_one_strip = memory(1700);

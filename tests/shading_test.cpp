@@ -299,7 +299,7 @@ TEST(GouraudShading, TurnsWithThePicture) {
     g.set_view_up(up);
     g.set_view_depth(-2, 2);
     enter(scene, Shading::gouraud, g);
-    DrawOptions options{.width = 80, .height = 80};
+    DrawOptions options{.width = 80, .height = 80, .samples = 1};
     options.hidden = HiddenMethod::z_buffer;
     return draw(g, options);
   };

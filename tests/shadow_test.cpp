@@ -71,7 +71,7 @@ GraphicsSystem drawn(const Polygons& polygons, const Point3& light, const Viewer
 
 Picture picture(const GraphicsSystem& g, HiddenMethod method = HiddenMethod::z_buffer,
                 int threads = 1, int size = kSize) {
-  DrawOptions options{.width = size, .height = size};
+  DrawOptions options{.width = size, .height = size, .samples = 1};
   options.hidden = method;
   options.threads = threads;
   options.ids = "asked for";
@@ -394,7 +394,7 @@ TEST(Shadows, OneOnAnotherThatItTouchesIsNot) {
           "set-line-style none\nset-light 0.3 1 0.2 0.3\nset-fill-style solid 0.5 1 0.5\n" +
               fmt::format(fmt::runtime(scene), shadows) + "close-segment\n",
           "touching.draw", g);
-      return draw(g, {.width = 64, .height = 64});
+      return draw(g, {.width = 64, .height = 64, .samples = 1});
     };
     EXPECT_EQ(picture("set-shadows on").pixels, picture("set-shadows off").pixels);
   }

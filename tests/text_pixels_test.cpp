@@ -45,14 +45,14 @@ std::optional<Box> difference(const Picture& a, const Picture& b) {
   return box;
 }
 
-Picture picture_of(std::string_view program, DrawOptions options = {}) {
+Picture picture_of(std::string_view program, DrawOptions options = {.samples = 1}) {
   options.width = 320;
   options.height = 200;
   return draw(replayed(program), options);
 }
 
 /// The ink of texts in the scene.
-std::optional<Box> ink(std::string_view texts, const DrawOptions& options = {},
+std::optional<Box> ink(std::string_view texts, const DrawOptions& options = {.samples = 1},
                        std::string_view before = "") {
   return difference(picture_of(scene_with(texts, before), options),
                     picture_of(scene_with("", before), options));
@@ -90,7 +90,7 @@ TEST(Text, IsSeenOnTransparentGround) {
                                     "text \"HHHH\"\nset-line-style solid 1 0 0\n"
                                     "move-abs-3 .04 .45 0\ntext \"OO\"\n");
   for (const int samples : {1, 4}) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.samples = samples;
     const Picture clear = picture_of(program, options);
     options.background = Background{};
@@ -141,7 +141,7 @@ TEST(Text, AnchorsOutsideOfTheViewVolumeAreNotDrawn) {
 TEST(Text, IsSeenWhereItsAnchorIs) {
   for (const HiddenMethod method : methods_that_remove()) {
     SCOPED_TRACE(name_of(method));
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.hidden = method;
     const auto drawn = [&](std::string_view at, std::string_view style = "") {
       return ink(fmt::format("move-abs-3 {}\n{}\ntext \"HH\"\n", at, style), options).has_value();
@@ -157,7 +157,7 @@ TEST(Text, IsSeenWhereItsAnchorIs) {
     EXPECT_FALSE(drawn(".3 .7 -.0001"));
     EXPECT_TRUE(drawn(".3 .7 -1", "set-text-style .03 always"));
   }
-  DrawOptions not_removed;
+  DrawOptions not_removed{.samples = 1};
   not_removed.hidden = HiddenMethod::none;
   EXPECT_TRUE(ink("move-abs-3 .3 .7 -1\ntext \"HH\"\n", not_removed));
   EXPECT_TRUE(ink("move-abs-3 .3 .7 -1\ntext \"HH\"\n", {}, "").has_value() == false);
@@ -174,7 +174,7 @@ TEST(Text, IsHiddenByWhatItIsSortedWith) {
         kScene, scope, text ? "text \"HH\"\n" : "");
   };
   const auto drawn = [&](std::string_view scope, std::optional<HiddenMethod> method) {
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.hidden = method;
     return difference(picture_of(program(scope, true), options),
                       picture_of(program(scope, false), options))
@@ -283,7 +283,7 @@ TEST(Text, RendererUsedAgain) {
 
 TEST(Text, ByOsmesa) {
   if (!osmesa_available()) GTEST_SKIP() << osmesa_description();
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.device = "osmesa";
   for (const HiddenMethod method :
        {HiddenMethod::none, HiddenMethod::z_buffer, HiddenMethod::bsp}) {

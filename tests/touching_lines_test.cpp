@@ -35,7 +35,7 @@ using test::length_of;
 using test::Source;
 
 std::vector<std::int32_t> ids_of(const GraphicsSystem& g) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = 48;
   options.hidden = HiddenMethod::z_buffer;
   options.with_ids = true;

@@ -512,8 +512,8 @@ void expect_program_right(const std::string& name, std::size_t touching) {
   const DisplayFile as_viewed = test::without_entered(retained.system.display_file());
   SortedDisplayFile sorted;
   const DisplayFile& in_order = sorted.update(as_viewed, HiddenMethod::bsp, {});
-  const Picture drawn =
-      draw(in_order, {.width = kProgramSize, .height = kProgramSize, .with_ids = true});
+  const Picture drawn = draw(
+      in_order, {.width = kProgramSize, .height = kProgramSize, .samples = 1, .with_ids = true});
   EXPECT_GT(wrong_pixels(drawn.ids, truth.picture), truth.picture.ids.size() / 50);
 }
 

@@ -35,7 +35,7 @@ class TurntableRendererTest : public TemporaryFolder {
     return {retained_.system, retained_.scene, retained_.system.display_file(), views, options};
   }
   static DrawOptions options_of(std::optional<HiddenMethod> method) {
-    DrawOptions options{.width = 60, .height = 50};
+    DrawOptions options{.width = 60, .height = 50, .samples = 1};
     options.hidden = method;
     options.with_ids = options.with_depth = !method || !finds_lines(*method);
     return options;

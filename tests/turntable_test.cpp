@@ -60,7 +60,7 @@ TEST(Turntable, TurnsTheSceneCounterclockwiseSeenFromAbove) {
     enter_turned(degrees, turned);
     const auto [view, lights] = turntable.at(degrees);
     const Picture seen = drawn(views.view(view, lights), 64);
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = options.height = 64;
     options.hidden = HiddenMethod::z_buffer;
     options.with_ids = true;

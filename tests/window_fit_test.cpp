@@ -119,7 +119,7 @@ TEST(WindowFit, ASquareIsAsHighAsWide) {
     g.open_segment(1);
     g.polygon_abs_2({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
     g.close_segment();
-    DrawOptions options;
+    DrawOptions options{.samples = 1};
     options.width = width;
     options.height = height;
     options.with_ids = true;

@@ -69,7 +69,7 @@ std::vector<Operation> operations(const GraphicsSystem& g, const fs::path& folde
   std::vector<Operation> all;
   const auto draws = [&](const std::string& name, HiddenMethod method, const std::string& file) {
     all.push_back({name, [&g, method, threads, file = folder / file](WorkBudget& budget) {
-                     DrawOptions options;
+                     DrawOptions options{.samples = 1};
                      options.hidden = method;
                      options.threads = threads;
                      options.budget = &budget;
@@ -175,10 +175,11 @@ TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
     EXPECT_TRUE(empty_folder());
   }
   WorkBudget budget({.bytes = 30000});
-  EXPECT_NE(reached([&] { draw(g, {.width = 100, .height = 100, .budget = &budget}); })
-                .find("a picture of 100 x 100 pixels needs at least 40000 bytes, and the limit is "
-                      "30000"),
-            std::string::npos);
+  EXPECT_NE(
+      reached([&] { draw(g, {.width = 100, .height = 100, .samples = 1, .budget = &budget}); })
+          .find("a picture of 100 x 100 pixels needs at least 40000 bytes, and the limit is "
+                "30000"),
+      std::string::npos);
 }
 
 /// The textbook's routine: the segment is open still, and closes when there is a method that
@@ -213,7 +214,8 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
        {HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::z_buffer}) {
     Renderer renderer;
     WorkBudget budget;
-    DrawOptions options{.width = 1500, .height = 1500, .hidden = method, .threads = 2};
+    DrawOptions options{
+        .width = 1500, .height = 1500, .hidden = method, .threads = 2, .samples = 1};
     options.budget = &budget;
     std::atomic<bool> begun = false;
     std::thread stopper([&] {
@@ -233,7 +235,8 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
   const GraphicsSystem few = crossing(20);
   Renderer renderer;
   WorkBudget none({.seconds = 1e-9});
-  DrawOptions options{.width = 300, .height = 200, .hidden = HiddenMethod::bsp, .budget = &none};
+  DrawOptions options{
+      .width = 300, .height = 200, .hidden = HiddenMethod::bsp, .samples = 1, .budget = &none};
   EXPECT_NE(reached([&] { renderer.draw(few, options); }), "done");
   options.budget = nullptr;
   EXPECT_EQ(renderer.draw(few, options).pixels, draw(few, options).pixels);
@@ -251,7 +254,8 @@ TEST_F(Budgets, PaintingStops) {
   g.close_segment();
   for (const HiddenMethod method : {HiddenMethod::none, HiddenMethod::bsp}) {
     WorkBudget budget({.seconds = 0.2});
-    const DrawOptions options{.width = 3000, .height = 3000, .hidden = method, .budget = &budget};
+    const DrawOptions options{
+        .width = 3000, .height = 3000, .hidden = method, .samples = 1, .budget = &budget};
     EXPECT_NE(reached([&] { draw(g, options); }).find("0.2 seconds are not enough"),
               std::string::npos)
         << name_of(method);
@@ -266,7 +270,7 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
   g.close_segment();
   WorkBudget stopped;
   stopped.stop();
-  DrawOptions options{.width = 50, .height = 50, .budget = &stopped};
+  DrawOptions options{.width = 50, .height = 50, .samples = 1, .budget = &stopped};
   Renderer renderer;
   EXPECT_NE(reached([&] { renderer.pick(g, 25, 25, options); }).find("stopped"), std::string::npos);
   const auto turntable = [&] {
@@ -287,7 +291,9 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
 TEST_F(Budgets, WorkThatFailedIsNotToldOfOtherWork) {
   const GraphicsSystem g = crossing(60);
   WorkBudget budget({.pieces = 100});
-  EXPECT_NE(reached([&] { draw(g, {.hidden = HiddenMethod::bsp, .budget = &budget}); }), "done");
+  EXPECT_NE(
+      reached([&] { draw(g, {.hidden = HiddenMethod::bsp, .samples = 1, .budget = &budget}); }),
+      "done");
   const std::string said = reached([] {
     with_memory(
         1000, [] { return "entering polygons"; }, [] { throw std::bad_alloc(); });

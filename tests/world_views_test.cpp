@@ -32,7 +32,7 @@ using test::Retained;
 constexpr int kWidth = 80, kHeight = 64;
 
 DrawOptions options_of(HiddenMethod method) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = kWidth;
   options.height = kHeight;
   options.hidden = method;

@@ -30,7 +30,7 @@ bool draws_pixels(HiddenMethod method) {
 
 /// The median: the first ones find the code not compiled in full, where it is WebAssembly.
 double time_of(const GraphicsSystem& system, HiddenMethod method) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = kSide;
   options.hidden = method;
   std::vector<double> times;

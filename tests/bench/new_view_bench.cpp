@@ -128,7 +128,7 @@ class Bench {
     test::FromEyes kept(scene_, system_.display_file());
     SceneViewer viewer(scene_, system_.display_file());
     SoftwareRenderer renderer, renderer_of_files;
-    DrawOptions drawn;
+    DrawOptions drawn{.samples = 1};
     drawn.width = drawn.height = options_.size;
     drawn.threads = options_.threads;
     drawn.hidden = request_.method;

@@ -44,7 +44,7 @@ def frame_of_command(scene, size, folder):
     def whole(views):
         begin = time.perf_counter()
         run("draw", scene, "-o", folder / "turn.ppm", "--size", size, "--turntable", views, "--hidden", "z-buffer",
-            "--threads", 1, "--quiet")
+            "--samples", 1, "--threads", 1, "--quiet")
         return 1000 * (time.perf_counter() - begin)
 
     return (whole(TURNS + 1) - whole(1)) / TURNS

@@ -34,7 +34,7 @@ PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; 
 // ---- OSMesa ----------------------------------------------------------------------------
 
 DrawOptions by_z_buffer(const BesideTask& task) {
-  DrawOptions options;
+  DrawOptions options{.samples = 1};
   options.width = options.height = task.scene.size;
   options.threads = task.threads;
   options.hidden = HiddenMethod::z_buffer;

@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   }
   const Mesh mesh = read_mesh(argv[1]);
   const int rounds = std::atoi(argv[2]);
-  const DrawOptions options{.width = 1024, .height = 1024, .hidden = HiddenMethod::z_buffer};
+  const DrawOptions options{
+      .width = 1024, .height = 1024, .hidden = HiddenMethod::z_buffer, .samples = 1};
   double entering = std::numeric_limits<double>::infinity(), anew = entering, again = entering;
   for (int k = 0; k < rounds; ++k) {
     GraphicsSystem system;

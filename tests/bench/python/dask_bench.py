@@ -62,7 +62,7 @@ class Job:
 def jobs(command: str, mesh: str, views: int, side: int, folder: Path) -> list[Job]:
     system = displayfile.PicklableSystem()
     system.import_mesh(mesh)
-    draw = [command, "draw", mesh, "--hidden", "z-buffer"]
+    draw = [command, "draw", mesh, "--hidden", "z-buffer", "--samples", "1"]
     view, wall = folder / "view.png", folder / "wall.png"
 
     def words_of_views(_: int, first: int, end: int) -> list[str]:
@@ -74,10 +74,12 @@ def jobs(command: str, mesh: str, views: int, side: int, folder: Path) -> list[J
         return [*draw, "-o", f"{folder}/part-{part}.png", "--size", f"{side}x{side}", *only]
 
     def saved_views() -> Any:
-        return displayfile.dask.save_turntable(system, view, views, 512, hidden="z-buffer")
+        return displayfile.dask.save_turntable(
+            system, view, views, 512, hidden="z-buffer", samples=1
+        )
 
     def saved_rows() -> Any:
-        return displayfile.dask.save(system, wall, side, hidden="z-buffer")
+        return displayfile.dask.save(system, wall, side, hidden="z-buffer", samples=1)
 
     return [
         Job(f"{views} views", views, words_of_views, saved_views),

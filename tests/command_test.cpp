@@ -436,7 +436,7 @@ TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
       "edge.draw: nothing is seen: the only polygon or line is seen edge-on, with no line style\n";
   const std::string thin =
       ": nothing is seen: the only polygon or line is smaller or thinner than a pixel, over no "
-      "pixel's centre\n";
+      "sample of one\n";
   for (const std::string hidden : {"", " --hidden z-buffer", " --hidden map"}) {
     for (const std::string file : {"t.png", "t.svg"}) {
       EXPECT_EQ(run("draw edge.draw -o " + file + hidden), 0);
@@ -446,7 +446,7 @@ TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
     EXPECT_EQ(err_, "small.draw" + thin);
     EXPECT_EQ(run("draw small.draw -o t.svg --size 100x100" + hidden), 0);
     EXPECT_EQ(err_, "");
-    EXPECT_EQ(run("draw small.draw -o t.png --size 4000x4000" + hidden), 0);
+    EXPECT_EQ(run("draw small.draw -o t.png --samples 1 --size 4000x4000" + hidden), 0);
     EXPECT_EQ(err_, "");
   }
   EXPECT_EQ(run("draw - -o t.png --size 100x100", "small.draw"), 0);

@@ -210,7 +210,7 @@ TEST_F(Completion, ManualPagesSayWhatHelpSays) {
   }
   ASSERT_EQ(run("--manual draw"), 0);
   EXPECT_NE(out_.find("\\fB\\-\\-samples\\fR \\fIN\\fR\n"), out_.npos) << out_;
-  EXPECT_NE(out_.find("; 1 to 16; 1 if not"), out_.npos) << out_;
+  EXPECT_NE(out_.find("; 1 to 16; 4 if not"), out_.npos) << out_;
   EXPECT_NE(out_.find("\\fBroundoff\\fR[=\\fIEPS\\fR]"), out_.npos) << out_;
 }
 

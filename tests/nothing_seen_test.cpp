@@ -114,7 +114,7 @@ TEST(NothingSeen, TellsWhatIsSeenEdgeOn) {
 
 TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
   const std::string words =
-      "the only polygon or line is smaller or thinner than a pixel, over no pixel's centre";
+      "the only polygon or line is smaller or thinner than a pixel, over no sample of one";
   EXPECT_EQ(why(triangle(kSmall), pixels(100)), words);
   EXPECT_EQ(why(triangle(kSmall), pixels(4000)), "");
   EXPECT_EQ(why(triangle(kSmall)), "");  // vectors
@@ -123,7 +123,7 @@ TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
   EXPECT_EQ(
       why_by_display_file(triangle(kSmall), pixels(100)),
       "the only polygon or line in the view volume is smaller or thinner than a pixel, over no "
-      "pixel's centre");
+      "sample of one");
 }
 
 /// No side of a hollow polygon around the window is seen.
@@ -159,8 +159,8 @@ TEST(NothingSeen, TellsLessWhereNothingIsRetained) {
                                     "\nclose-segment\n",
                                 pixels(50)),
             "of 3 polygons and lines in the view volume 1 is hollow, with no line style, 1 is seen "
-            "edge-on, with no line style, 1 is smaller or thinner than a pixel, over no pixel's "
-            "centre");
+            "edge-on, with no line style, 1 is smaller or thinner than a pixel, over no sample of "
+            "one");
 }
 
 /// Every way to draw tells it, once, and only where there is nothing to be seen.
@@ -230,7 +230,7 @@ class WarnedPictures {
   RetainedScene scene_;
   GraphicsSystem system_;
   std::vector<std::string> warned_;
-  DrawOptions options_{.width = 40, .height = 40};
+  DrawOptions options_{.width = 40, .height = 40, .samples = 1};
 };
 
 TEST(NothingSeen, IsToldByWhateverDraws) {
@@ -238,7 +238,7 @@ TEST(NothingSeen, IsToldByWhateverDraws) {
   const std::string edge_on = only + "seen edge-on, with no line style";
   WarnedPictures(triangle(kEdgeOn)).expect(edge_on, edge_on);
   WarnedPictures(triangle(kSmall))
-      .expect(only + "smaller or thinner than a pixel, over no pixel's centre", "");
+      .expect(only + "smaller or thinner than a pixel, over no sample of one", "");
   const std::string right = only + "to the right of the window";
   WarnedPictures(triangle("5 0 0  6 0 0  5 1 0")).expect(right, right);
   WarnedPictures(triangle("0 0 0  0.5 0 0  0 0.5 0")).expect("", "");
@@ -278,7 +278,7 @@ TEST(NothingSeen, IsToldOfThePictureThatIsDrawn) {
   EXPECT_EQ(warned(1), 1);
   EXPECT_EQ(warned(8), 0);
   EXPECT_EQ(warned(8, PictureRows{0, 2}), 0);  // it is in others
-  const Picture unwarned = draw(system, {.width = 10, .height = 10});
+  const Picture unwarned = draw(system, {.width = 10, .height = 10, .samples = 1});
   EXPECT_EQ(unwarned.pixels, std::vector<std::uint32_t>(100, unwarned.pixels[0]));
 }
 

@@ -11,6 +11,21 @@
 
 namespace {
 
+/// Unless one sample is set; item buffers are the same.
+TEST_F(Command, PixelsAreAntialiased) {
+  write("t.draw", kTriangle);
+  EXPECT_EQ(run("draw t.draw -o usual.ppm --size 40x40 --ids usual.npy"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o four.ppm --size 40x40 --samples 4"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o one.ppm --size 40x40 --ids one.npy --samples 1"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "usual.ppm"), read(folder_ / "four.ppm"));
+  EXPECT_NE(read(folder_ / "usual.ppm"), read(folder_ / "one.ppm"));
+  EXPECT_EQ(read(folder_ / "usual.npy"), read(folder_ / "one.npy"));
+  EXPECT_EQ(run("draw t.draw -o plain.ppm --size 40x40 --hidden plain-z-buffer"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "plain.ppm"), read(folder_ / "one.ppm"));
+  EXPECT_EQ(run("draw t.draw -o t.svg"), 0) << err_;
+  EXPECT_EQ(err_, "");  // vectors leave out no samples that were set
+}
+
 /// Whatever command prints it.
 TEST_F(Command, AReportThatCannotBeWrittenIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";

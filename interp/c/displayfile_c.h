@@ -109,7 +109,7 @@ typedef struct {
   const char* device;       /* of pixels: "software" or "osmesa" */
   int background;           /* DF_BACKGROUND_... */
   double background_colour[3];
-  int samples;               /* along a pixel's side: 1 */
+  int samples;               /* along a pixel's side: 4, or as many as fit; see df_draw */
   int threads;               /* at most: 1 */
   uint64_t most_pieces;      /* that a sort may cut polygons into */
   double most_seconds;       /* that one call may take */
@@ -125,7 +125,10 @@ enum { DF_BACKGROUND_AS_SET = 0, DF_BACKGROUND_SOLID = 1, DF_BACKGROUND_NONE = 2
         0, 0, 0                                                                                  \
   }
 
-/* Options may be null here as below. Into the caller's memory, top row first: rgba has room for
+/* Colours are antialiased: the mean of 4 x 4 samples of a pixel unless `samples` says otherwise, or 1
+ * by "osmesa" and "plain-z-buffer"; ids and depth are those of the pixel's centre.
+ *
+ * Options may be null here as below. Into the caller's memory, top row first: rgba has room for
  * 4 * pixels bytes; ids (pick identifier of the fill seen, -1 for none) and depth (minus infinity
  * for none), if not null, for as many numbers. `pixels` is how many there is room for: it must be
  * width times height, or with rows that are said, width times so many. */

@@ -64,6 +64,7 @@ inline Point2 pixel_at(const Point3& device, int width, int height) {
 /// The limits of a picture's size that the devices state and keep.
 inline constexpr int kLargestSide = 65535;
 inline constexpr int kMostSamples = 16;  ///< of antialiasing, along a pixel's side
+inline constexpr int kUsualSamples = 4;  ///< where nothing is set
 
 /// Throws Error unless both sides are 1 to kLargestSide.
 void require_picture_size(long long width, long long height);

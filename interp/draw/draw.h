@@ -53,8 +53,10 @@ struct DrawOptions {
   std::size_t most_pieces = kMostPieces;  ///< that a sort may cut polygons into; Error for more
   std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
-  /// and depth are not affected.
-  int samples = 1;
+  /// and depth are not affected. If it is not set, kUsualSamples, or the most that a picture of
+  /// this size may have; 1 by a device that has no rows, such as OSMesa, and by the plain z-buffer,
+  /// which both hold all samples of a picture in memory.
+  std::optional<int> samples = std::nullopt;
   /// Pieces of lines are drawn that are shorter than they are wide, and join no other
   /// (hidden/lines/strokes_once.md).
   bool crumbs = false;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ constexpr std::array<std::string_view, 14> kWords{
     "hollow, with no line style",
     "hollow, with no side that is drawn in the view volume",
     "seen edge-on, with no line style",
-    "smaller or thinner than a pixel, over no pixel's centre",
+    "smaller or thinner than a pixel, over no sample of one",
     "moved out of the picture by image transformations",
 };
 using Counts = std::array<std::size_t, kWords.size()>;
@@ -254,9 +255,10 @@ std::string in_words(const Counts& counts, std::size_t all, std::string_view whi
 
 }  // namespace
 
-SeenIn seen_in(const DrawOptions& options, PictureKind kind) {
-  if (kind == PictureKind::vector) return {};
-  return {.pixels = PictureSize{options.width * options.samples, options.height * options.samples}};
+SeenIn seen_in(const PicturePlan& plan) {
+  if (plan.kind() == PictureKind::vector) return {};
+  const auto& [width, height] = std::tie(plan.options.width, plan.options.height);
+  return {.pixels = PictureSize{width * plan.samples, height * plan.samples}};
 }
 
 bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in) {

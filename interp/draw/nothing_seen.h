@@ -7,7 +7,7 @@
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"
-#include "interp/draw/draw.h"
+#include "interp/draw/picture_plan.h"
 
 namespace displayfile {
 
@@ -20,7 +20,7 @@ struct SeenIn {
   std::optional<View> view = std::nullopt;
 };
 
-SeenIn seen_in(const DrawOptions& options, PictureKind kind);
+SeenIn seen_in(const PicturePlan& plan);
 
 /// True if the visible segments hold nothing that shows. Looks no further than the first segment
 /// that does.

@@ -69,7 +69,7 @@ void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
   const bool by_rows = plan.device->draw_rows != nullptr;
   const auto pixels =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  const auto samples = static_cast<std::size_t>(options.samples * options.samples);
+  const auto samples = static_cast<std::size_t>(plan.samples * plan.samples);
   with_memory(
       bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
       [&] { return fmt::format("{} of {} x {}", to.name(), options.width, options.height); }, draw);

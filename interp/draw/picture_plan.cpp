@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "clip/base/error.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
@@ -17,9 +19,10 @@ void require_numbers(const DrawOptions& options) {
   if (options.threads < 1) {
     throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
   }
-  if (options.samples < 1 || options.samples > kMostSamples) {
-    throw Error(fmt::format("{} samples along a pixel's side: expected 1 to {}", options.samples,
-                            kMostSamples));
+  const int samples = options.samples.value_or(1);
+  if (samples < 1 || samples > kMostSamples) {
+    throw Error(
+        fmt::format("{} samples along a pixel's side: expected 1 to {}", samples, kMostSamples));
   }
   require_vector_options(options.vectors);
   require_picture_size(options.width, options.height);
@@ -28,11 +31,11 @@ void require_numbers(const DrawOptions& options) {
     throw Error(fmt::format("rows {} up to {}: expected some of the picture's {}", rows->first,
                             rows->end, options.height));
   }
-  const int most = kLargestSide / options.samples;
+  const int most = kLargestSide / samples;
   if (options.width <= most && options.height <= most) return;
   throw Error(
       fmt::format("picture size {}x{} with {} x {} samples a pixel: expected 1x1 to {}x{} pixels",
-                  options.width, options.height, options.samples, options.samples, most, most));
+                  options.width, options.height, samples, samples, most, most));
 }
 
 /// Paper and pens are of vectors.
@@ -91,6 +94,27 @@ void require_root(const PicturePlan& plan) {
                   name_of(method)));
 }
 
+bool is_plain_z_buffer(HiddenMethod method) {
+  const HiddenMethod surfaces = surfaces_of(method);
+  return surfaces >= HiddenMethod::plain_z_buffer &&
+         surfaces <= HiddenMethod::plain_z_buffer_double;
+}
+
+/// Whether a picture with several samples a pixel takes hardly more memory than one without: the
+/// device draws some rows at a time, and the method holds no more.
+bool holds_few_rows(const PicturePlan& plan) {
+  return plan.device->draw_rows != nullptr && !is_plain_z_buffer(plan.surfaces.method);
+}
+
+/// Those in force, once the method is known. Only samples that were set can be refused.
+int samples_in_force(const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  if (plan.kind() == PictureKind::vector) return 1;
+  if (options.samples) return *options.samples;
+  if (!holds_few_rows(plan)) return 1;
+  return std::min(kUsualSamples, kLargestSide / std::max(options.width, options.height));
+}
+
 /// All but what depends on the method.
 PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
   const PictureFormat* const format = to == nullptr ? nullptr : &format_of(*to, options);
@@ -111,6 +135,7 @@ PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
 PicturePlan resolve(const DrawOptions& options, const Destination* to) {
   PicturePlan plan = resolve_picture(options, to);
   require_root(plan);
+  plan.samples = samples_in_force(plan);
   return plan;
 }
 
@@ -153,6 +178,7 @@ PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given
   PicturePlan plan = resolve_picture(options, to);
   plan.surfaces = surfaces_of_picture(system, options);
   require_root(plan);
+  plan.samples = samples_in_force(plan);
   plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
   return plan;
 }

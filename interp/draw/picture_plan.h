@@ -17,6 +17,7 @@ struct PicturePlan {
   DrawOptions options;                    ///< with the background in force
   const RasterDevice* device;             ///< of pixels
   const PictureFormat* format = nullptr;  ///< of a file; null: a picture in memory
+  int samples = 1;                        ///< along a pixel's side, of colours: what is in force
   SurfacePlan surfaces = {};
   HiddenMethod method = HiddenMethod::automatic;  ///< that draws: of vectors never `automatic`
 

@@ -93,18 +93,17 @@ class PixelsShown {
   std::uint32_t background_;
 };
 
-void warn_if_nothing_is_seen(const PictureSource& source, const DrawOptions& options,
-                             PictureKind kind) {
+void warn_if_nothing_is_seen(const PictureSource& source, const PicturePlan& plan) {
   std::string why;
   try {
-    why = source.why_nothing_is_seen(seen_in(options, kind));
+    why = source.why_nothing_is_seen(seen_in(plan));
   } catch (const LimitReached&) {  // the picture is there
     return;
   } catch (const std::bad_alloc&) {
     return;
   }
   if (why.empty()) return;
-  options.warn({DrawWarning::Kind::nothing_seen, "nothing is seen: " + why});
+  plan.options.warn({DrawWarning::Kind::nothing_seen, "nothing is seen: " + why});
 }
 
 /// A pixel's samples in place of the pixel: colours only.
@@ -119,9 +118,8 @@ RasterRequest request_of_samples(RasterRequest request, int samples) {
 }
 
 /// The colours of a picture, antialiased.
-void draw_colours(const PictureSource& source, const RasterRequest& request,
-                  const DrawOptions& options, const TakeRows& take) {
-  const int n = options.samples;
+void draw_colours(const PictureSource& source, const RasterRequest& request, int n,
+                  const TakeRows& take) {
   source.draw(request_of_samples(request, n), SampleAverage(request.width, n, take));
 }
 
@@ -129,15 +127,24 @@ void draw_colours(const PictureSource& source, const RasterRequest& request,
 
 namespace {
 
-Picture draw_samples(const PictureSource& source, const RasterRequest& request,
-                     const DrawOptions& options) {
-  if (options.samples == 1) return source.draw(request);
+/// A picture of nothing, with memory for its pixels if the source has some.
+Picture empty_picture(const PictureSource& source) {
   Picture picture;
-  if (request.ids || request.depth) picture = source.draw(request);
+  picture.pixels = source.take_spare().pixels;
+  return picture;
+}
+
+Picture draw_samples(const PictureSource& source, const RasterRequest& request,
+                     const PicturePlan& plan) {
+  if (plan.samples == 1) return source.draw(request);
+  const bool wants_fills = request.ids || request.depth;
+  Picture picture = wants_fills ? source.draw(request) : empty_picture(source);
   picture.width = request.width;
-  picture.height = options.drawn_rows();
+  picture.height = plan.options.drawn_rows();
   picture.pixels.clear();
-  draw_colours(source, request, options, [&](const Picture& rows) {
+  picture.pixels.reserve(static_cast<std::size_t>(picture.width) *
+                         static_cast<std::size_t>(picture.height));
+  draw_colours(source, request, plan.samples, [&](const Picture& rows) {
     picture.pixels.insert(picture.pixels.end(), rows.pixels.begin(), rows.pixels.end());
   });
   return picture;
@@ -147,12 +154,11 @@ Picture draw_samples(const PictureSource& source, const RasterRequest& request,
 
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const PicturePlan& plan) {
-  const DrawOptions& options = plan.options;
   require_drawable_by(request.method, plan);
-  Picture picture = draw_samples(source, request, options);
-  PixelsShown shown(options, request);
+  Picture picture = draw_samples(source, request, plan);
+  PixelsShown shown(plan.options, request);
   shown.look_at(picture);
-  if (!shown.any()) warn_if_nothing_is_seen(source, options, PictureKind::raster);
+  if (!shown.any()) warn_if_nothing_is_seen(source, plan);
   return picture;
 }
 
@@ -182,14 +188,14 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.is_of_pixels()) {
-    (options.samples == 1 ? files : colours)
+    (plan.samples == 1 ? files : colours)
         .push_back(open(has_background(options) ? format.pixel_file : format.alpha_file, to));
   }
   RasterRequest of_files = request;
   of_files.texts = format.is_of_pixels();
   PixelsShown shown(options, request);
   if (!files.empty()) source.draw(of_files, write_rows(files, shown));
-  if (!colours.empty()) draw_colours(source, request, options, write_rows(colours, shown));
+  if (!colours.empty()) draw_colours(source, request, plan.samples, write_rows(colours, shown));
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->finish();
   }
@@ -197,7 +203,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }
-  if (options.warn && !shown.any()) warn_if_nothing_is_seen(source, options, plan.kind());
+  if (options.warn && !shown.any()) warn_if_nothing_is_seen(source, plan);
 }
 
 }  // namespace displayfile

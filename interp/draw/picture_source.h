@@ -26,6 +26,8 @@ class PictureSource {
   virtual Picture draw(const RasterRequest& request) const = 0;
   /// Rows are passed on as they are drawn, if the device can.
   virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
+  /// A picture whose memory may be used again: what is in it means nothing.
+  virtual Picture take_spare() const = 0;
   virtual void write_vectors(const PictureFormat& format, const Destination& to,
                              const RasterRequest& request) const = 0;
   /// Why nothing is seen of it in such a picture; empty if something is.
@@ -62,6 +64,7 @@ class DisplayFileSource : public PictureSource {
     if (device_.draw_rows == nullptr) return take(device_.draw(file_, request, kept_));
     device_.draw_rows(file_, request, kept_, take);
   }
+  Picture take_spare() const override { return kept_.take_picture(); }
   void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override;
   std::string why_nothing_is_seen(const SeenIn& in) const override;
@@ -108,6 +111,7 @@ class ViewSource : public PictureSource {
     const ViewedScene& seen = scene(request);
     kept_.draw(seen, request, kept_of_views(seen, request), take);
   }
+  Picture take_spare() const override { return kept_.take_picture(); }
   void write_vectors(const PictureFormat& format, const Destination& to,
                      const RasterRequest& request) const override {
     of_display_file([&](const PictureSource& s) { s.write_vectors(format, to, request); });

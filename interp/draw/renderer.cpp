@@ -44,9 +44,9 @@ InView in_view(const GraphicsSystem& system, const View& view) {
 
 namespace {
 
-constexpr WorkDone kDrawing{
-    "the drawing",
-    "for pixels a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
+constexpr WorkDone kDrawing{"the drawing",
+                            "for pixels one sample each, a smaller picture or hidden-surface "
+                            "method z-buffer, scan-line-z in little memory"};
 
 RasterRequest raster_request(const DisplayFile& file, const PicturePlan& plan) {
   RasterRequest request = raster_request(plan);

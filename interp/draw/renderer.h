@@ -39,10 +39,10 @@ InView in_view(const GraphicsSystem& system, const View& view);
 ///
 /// A retained scene: methods of image space sort nothing, view each vertex once and leave out
 /// what no pixel's centre can show (displayfile/views/scene_viewer.md); what a moving eye leaves as
-/// it was of shadows is kept, and what a moving light leaves of visible surfaces. `bsp` keeps a
-/// tree in world coordinates (hidden/sort/world_tree.md), world_ray_cast a tree of boxes
-/// (interp/visibility/ray_cast.md). All others sort each view anew. A scene that the application
-/// edited is taken up anew.
+/// it was of shadows is kept, and, where a pixel has one sample (DrawOptions::samples), what a
+/// moving light leaves of visible surfaces. `bsp` keeps a tree in world coordinates
+/// (hidden/sort/world_tree.md), world_ray_cast a tree of boxes (interp/visibility/ray_cast.md). All
+/// others sort each view anew. A scene that the application edited is taken up anew.
 ///
 /// For one thread, which shares the work among as many as the options say.
 class Renderer {

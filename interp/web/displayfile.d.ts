@@ -17,7 +17,7 @@ export interface Options {
   hiddenLines?: 'none' | 'dashed';
   /** Red, green and blue in [0,1]; else as the application set. */
   background?: [number, number, number] | 'none';
-  /** Samples along a pixel's side; 1. */
+  /** Samples along a pixel's side, 1 to 16; 4, or as many as a picture of this size may have. */
   samples?: number;
   /** That a sort may cut polygons into. */
   mostPieces?: number;

@@ -113,10 +113,11 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   size.add_to(command);
   command
       .add_option("--samples", options.samples,
-                  "antialiasing: the mean of N x N samples for each pixel")
+                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, as by "
+                  "osmesa and plain-z-buffer where nothing is set")
       ->type_name("N")
       ->transform(number_in(1, kMostSamples))
-      ->capture_default_str()
+      ->default_str(fmt::format("{}", kUsualSamples))
       ->group(kPictureOptions);
   shading.add_to(command);
   background.add_to(command);

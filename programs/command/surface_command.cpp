@@ -126,9 +126,11 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       ->type_name("N")
       ->transform(any_number<int>());
   command
-      .add_option("--samples", samples, "antialiasing: the mean of N x N samples for each pixel")
+      .add_option("--samples", samples,
+                  "antialiasing: the mean of N x N samples for each pixel; 1 for none")
       ->type_name("N")
-      ->transform(any_number<int>());
+      ->transform(any_number<int>())
+      ->default_str(fmt::format("{}", kUsualSamples));
   size.add_to(command);
   camera.add_to(command, {"the surface", "30,30", "z"});
   hidden_surfaces.add_to(command);

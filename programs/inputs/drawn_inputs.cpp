@@ -11,6 +11,7 @@
 #include "clip/base/work_budget.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/nothing_seen.h"
+#include "interp/draw/picture_plan.h"
 #include "interp/draw/renderer.h"
 #include "interp/visibility/image_space.h"
 #include "programs/inputs/inputs.h"
@@ -79,7 +80,8 @@ void DrawnInputs::enter(GraphicsSystem& system) const {
 /// What they drew is retained for that when they are read once more, as standard input cannot be.
 std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
   const DisplayFile& drawn = system_.display_file();
-  const SeenIn picture = seen_in(options_, kind);
+  const SeenIn picture =
+      kind == PictureKind::raster ? seen_in(resolve(system_, options_)) : SeenIn{};
   std::ostringstream said_before;
   const CollectedWarnings collected(said_before);
   try {

@@ -41,7 +41,7 @@ void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
   const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
   if (fills && drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
-  if (options.samples > 1) samples_ = true;
+  if (options.samples.value_or(1) > 1) samples_ = true;
   if (options.vectors.pick_ids && !by_map) pick_ids_ = true;
 }
 

@@ -18,7 +18,8 @@ namespace displayfile {
 void PictureCheck::add_to(CLI::App& command) {
   command
       .add_flag("--picture", asked_,
-                "compare pictures, NAME.png for NAME.draw, in place of instructions")
+                "compare pictures with one sample a pixel, NAME.png for NAME.draw, in place of "
+                "instructions")
       ->group(kPictureOptions);
   tolerance_.add_to(command);
 }
@@ -33,6 +34,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   tolerance_.require_number();
   has_size_ = !inputs.size.size.empty();
   if (has_size_) inputs.size.read(options_.width, options_.height);
+  options_.samples = 1;  // a golden picture has each pixel decided at its centre
   meshes_ = inputs.meshes;
   set_hidden_surfaces(options_, inputs.hidden_surfaces);
   return true;

@@ -118,6 +118,29 @@ static void test_pictures(void) {
   df_destroy(system);
 }
 
+/* Colours are the mean of 4 x 4 samples of a pixel unless others are set. The squares meet in the
+ * middle of the picture, which is that of a column of pixels. */
+static void test_samples(void) {
+  enum { kSide = 13, kMiddle = kSide / 2 };
+  static uint8_t usual[4 * kSide * kSide], set[4 * kSide * kSide];
+  static int32_t ids[2][kSide * kSide];
+  df_options options = DF_OPTIONS_INIT;
+  df_system* system = df_create();
+  DO(system, df_replay(system, kProgram, sizeof kProgram - 1, "squares.draw"));
+  options.width = options.height = kSide;
+  DO(system, df_draw(system, &options, kSide * kSide, usual, ids[0], NULL));
+  EXPECT(usual[4 * kMiddle] == 128 && usual[4 * kMiddle + 2] == 128);
+  EXPECT(usual[4 * (kMiddle - 1) + 2] == 255 && usual[4 * (kMiddle + 1)] == 255);
+  options.samples = 4;
+  DO(system, df_draw(system, &options, kSide * kSide, set, NULL, NULL));
+  EXPECT(memcmp(usual, set, sizeof set) == 0);
+  options.samples = 1;
+  DO(system, df_draw(system, &options, kSide * kSide, set, ids[1], NULL));
+  EXPECT(set[4 * kMiddle] + set[4 * kMiddle + 2] == 255 && set[4 * kMiddle] % 255 == 0);
+  EXPECT(memcmp(ids[0], ids[1], sizeof ids[0]) == 0);
+  df_destroy(system);
+}
+
 /* Rows of a picture, and what a call may use at most. */
 static void test_rows_and_limits(void) {
   enum { kSide = 12, kRows = 3 };
@@ -529,6 +552,7 @@ int main(int argc, char** argv) {
   }
   test_routines();
   test_pictures();
+  test_samples();
   test_rows_and_limits();
   test_pieces();
   test_meshes();

@@ -270,7 +270,7 @@ class System(_displayfile.System):
         precision: str | None = ...,
         background: _Colour | typing.Literal["none"] | None = ...,
         rows: tuple[int, int] | None = ...,
-        samples: int = ...,
+        samples: int | None = ...,
         threads: int = ...,
         device: str | None = ...,
     ) -> npt.NDArray[np.uint8]:
@@ -290,7 +290,7 @@ class System(_displayfile.System):
         precision: str | None = ...,
         background: _Colour | typing.Literal["none"] | None = ...,
         rows: tuple[int, int] | None = ...,
-        samples: int = ...,
+        samples: int | None = ...,
         threads: int = ...,
         device: str | None = ...,
     ) -> typing.Any:
@@ -309,7 +309,7 @@ class System(_displayfile.System):
         precision: str | None = None,
         background: _Colour | typing.Literal["none"] | None = None,
         rows: tuple[int, int] | None = None,
-        samples: int = 1,
+        samples: int | None = None,
         threads: int = 1,
         device: str | None = None,
     ) -> typing.Any:
@@ -321,8 +321,9 @@ class System(_displayfile.System):
 
         Args:
             size: (width, height) in pixels, or one number for both: 1 to 65535.
-            ids: Return the item buffer too.
-            depth: Return the depths too.
+            ids: Return the item buffer too: at the pixels' centres. Where colours are not used,
+                samples=1 is quicker.
+            depth: Return the depths too, likewise.
             hidden: The method that finds hidden surfaces or lines, one of methods(), such as "map",
                 "z-buffer" or "franklin".
             lines: Which sides of polygons are lines, as System has it. They are selected as segments
@@ -333,7 +334,8 @@ class System(_displayfile.System):
             precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
             background: A colour, or "none" for a transparent one.
             rows: (first, end), counted from the top: only these rows, as they are in the whole.
-            samples: Antialiasing: samples along a pixel's side, 1 to 16.
+            samples: Antialiasing: samples along a pixel's side, 1 to 16. If it is None, 4, or the most
+                that a picture of this size may have; 1 by "osmesa" and "plain-z-buffer".
             threads: How many may work, 1 to 1024; the picture is the same for any.
             device: "software", or "osmesa" to compare with.
 

@@ -35,4 +35,4 @@ system.cone_3(1.6, 1.4, 0, 0.8, 2, 120)
 system.close_segment()
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
-system.save(folder / "first_drawing.png", (720, 480), samples=4)
+system.save(folder / "first_drawing.png", (720, 480))

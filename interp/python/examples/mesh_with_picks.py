@@ -62,7 +62,7 @@ def seen_from(eye: Any) -> Any:
         system.mesh(vertices, cells)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # a side may show the sky alone
-            ids = system.draw(2048, hidden="z-buffer", ids=True).ids
+            ids = system.draw(2048, hidden="z-buffer", ids=True, samples=1).ids
         seen.append(ids[ids >= 0])
     return np.unique(np.concatenate(seen))
 
@@ -88,5 +88,5 @@ system.sphere_3(place + (0, 0, 0.3), 0.075, 48)
 system.close_segment()
 
 folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
-system.save(folder / "mesh_with_picks.png", SIZE, hidden="z-buffer", samples=4)
+system.save(folder / "mesh_with_picks.png", SIZE, hidden="z-buffer")
 print(f"cell {pick.id}, height {heights[pick.id]:.3f}: {len(seen)} of {len(cells)} cells are seen")

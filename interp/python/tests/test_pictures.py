@@ -47,6 +47,17 @@ def test_ids_and_depth(g):
     assert picture.ids is None and picture.depth.shape == (4, 4)
 
 
+def test_pixels_are_antialiased_unless_one_sample_is_set(g):
+    usual = g.draw(5, ids=True)  # the square ends in the middle of a column
+    assert (usual.pixels[:, 2] == (255, 128, 128, 255)).all()
+    assert (usual.pixels[:, :2] == (255, 0, 0, 255)).all()
+    assert np.array_equal(usual.pixels, g.draw(5, samples=4))
+    assert np.array_equal(usual.pixels, g.draw(5, samples=None))
+    one = g.draw(5, ids=True, samples=1)
+    assert set(one.pixels[:, 2, 1].tolist()) <= {0, 255}
+    assert np.array_equal(usual.ids, one.ids)
+
+
 def test_pictures_live_by_themselves(g):
     first = g.draw(64)
     kept = first.copy()

@@ -63,7 +63,8 @@ switch(displayfile/looks/style.h "enum class Kind { solid, dashed, none };\n  Ki
        "enum class Kind { solid, dashed, none };\n  Switch<PartLeftOut::lines, Kind, Kind::none> kind =")
 switch(displayfile/looks/world_polygon.h "std::span<const Point3> vertex_normals; "
        "Switch<PartLeftOut::shading, std::span<const Point3>> vertex_normals; ")
-switch(interp/draw/draw.h "int samples = 1;" "Switch<PartLeftOut::antialiasing, int, 1> samples = 1;")
+switch(interp/draw/picture_plan.h "int samples = 1; "
+       "Switch<PartLeftOut::antialiasing, int, 1> samples = 1; ")
 switch(interp/device/raster_request.h "bool ids = false, depth = false;"
        "Switch<PartLeftOut::item_buffer, bool> ids = false;\n  Switch<PartLeftOut::depths, bool> depth = false;")
 switch(interp/device/raster_request.h "bool texts = true;" "Switch<PartLeftOut::texts, bool> texts = true;")

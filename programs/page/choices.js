@@ -32,7 +32,10 @@ const kHiddenLines = [[undefined, [kAsProgram, ['none', 'not drawn'], ['dashed',
 
 const kShadings = [[undefined, [kAsProgram, ['flat', 'flat'], ['gouraud', 'Gouraud'], ['phong', 'Phong']]]];
 
-const kSamples = [[undefined, [1, 2, 3, 4].map((n) => [String(n), n === 1 ? 'one a pixel' : `${n} × ${n} a pixel`])]];
+/** As many along a pixel's side as a picture has where nothing is set. */
+const kUsualSamples = 4;
+const kSamples = [[undefined, [['', `${kUsualSamples} × ${kUsualSamples} a pixel, as is usual`],
+  ...[1, 2, 3].map((n) => [String(n), n === 1 ? 'one a pixel' : `${n} × ${n} a pixel`])]]];
 
 const kBackgrounds = [[undefined, [kAsProgram, ['none', 'transparent'], ['1 1 1', 'white'], ['0 0 0', 'black']]]];
 

@@ -94,7 +94,7 @@ class Sheets {
     const size = { width: kSheetsSide, height: kSheetsSide };
     const sides = [['z-buffer', 'The z-buffer, exact'], [`plain-z-buffer=${this.#format}`, 'A plain z-buffer']];
     for (const [k, [method, words]] of sides.entries()) {
-      const options = { ...size, method, precision: 'exact' };
+      const options = { ...size, method, precision: 'exact', samples: 1 };
       if (k === 1) delete options.precision;
       const { rgba, wrong } = await this.#drawer.ask('wrong', { key, view: null, options });
       const { canvas, caption } = this.#sides[k];

@@ -62,7 +62,7 @@ class SpeedTable {
     const [width, height] = [kSide, Math.round((kSide * size.height) / size.width)];
     const views = this.#viewer.views_after(kViews);
     const rows = kMeasured.map(([method, precision]) => {
-      const options = { width, height, method, ...(precision ? { precision } : {}) };
+      const options = { width, height, method, samples: 1, ...(precision ? { precision } : {}) };
       return { method, precision, options, times: [], spent: 0 };
     });
     for (let round = 0; round < kRounds; ++round) {

@@ -23,7 +23,7 @@ class Viewer {
   /** The picture that is shown, as Engine.draw gave it. */
   picture;
   #shape;
-  #settings = { samples: '1' };
+  #settings = { samples: '' };
   #first_settings;
   #selects = new Map();
   #view;
@@ -177,7 +177,7 @@ class Viewer {
     const { method, precision, hiddenLines, samples, background, scope } = this.#settings;
     const given = Object.entries({ method, precision, hiddenLines, scope }).filter(([, value]) => value);
     const options = { ...this.size, mostSeconds: kLongest, ...Object.fromEntries(given) };
-    if (samples !== '1') options.samples = Number(samples);
+    if (samples) options.samples = Number(samples);
     if (background) options.background = background === 'none' ? 'none' : background.split(' ').map(Number);
     return options;
   }
@@ -263,10 +263,12 @@ class Viewer {
     const { options } = this;
     const is_quick = this.#turning && this.#is_replaceable(options);
     if (is_quick) options.method = 'z-buffer';
-    if (this.#turning) delete options.samples;
+    if (this.#turning) options.samples = 1;
     const picture = await this.#while_busy(
       this.drawer.ask('draw', { key: this.key, view: this.view, options }));
-    if (!is_quick && picture.milliseconds > kSlow) this.#slow = true;
+    // N x N samples take at most N * N times as long as the one that is drawn while it turns.
+    const samples = options.samples ?? kUsualSamples;
+    if (!is_quick && picture.milliseconds > kSlow * samples ** 2) this.#slow = true;
     await this.#show_picture(picture);
     this.#tell(picture, is_quick);
   }

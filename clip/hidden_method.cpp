@@ -33,6 +33,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{plain_z_buffer_24, "plain-z-buffer=24"},
     HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32"},
     HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double"},
+    HiddenMethodEntry{plain_scan_line, "plain-scan-line"},
     HiddenMethodEntry{roberts, "roberts"},
     HiddenMethodEntry{appel, "appel"},
     HiddenMethodEntry{franklin, "franklin"},

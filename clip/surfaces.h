@@ -35,14 +35,15 @@ enum class HiddenMethod {
   plain_z_buffer_16,      ///< as integers of 16 bits,
   plain_z_buffer_24,      ///< of 24,
   plain_z_buffer_32,      ///< of 32;
-  plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks
-  roberts,      ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
-  appel,        ///< lines in object space, by the number of polygons before them
-                ///< (hidden/lines/appel.md)
-  franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
-  perimeter,    ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
-  colour_rule,  ///< fills in the background's colour, lines over them, by the surfaces that
-                ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
+  plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks, as no plain form is
+  plain_scan_line,  ///< `scan_line`, as textbooks give it (interp/visibility/plain_scan_line.h)
+  roberts,          ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
+  appel,            ///< lines in object space, by the number of polygons before them
+                    ///< (hidden/lines/appel.md)
+  franklin,         ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
+  perimeter,        ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
+  colour_rule,      ///< fills in the background's colour, lines over them, by the surfaces that
+                    ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
 };
 
 /// The colour rule by a method of surfaces; by `automatic` it is HiddenMethod::colour_rule.

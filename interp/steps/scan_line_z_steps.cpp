@@ -26,14 +26,16 @@ class ScanLineZSteps {
       {"done", 1, "the row is done, and its depths are not needed any more"},
   });
   static constexpr auto kPanels = std::to_array<PanelEntry>({
-      {"edges", "Active edge list", PanelEntry::Kind::table, ActiveEdges::kColumns},
+      {"edges", "Active edge list", PanelEntry::Kind::table, kEdgeColumns},
       {"depths", "The row's z-buffer, and what is held against it", PanelEntry::Kind::profile},
   });
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
   ScanLineZSteps(const StepScene& scene, StepRecord& record)
-      : scene_(scene), record_(record), edges_(scene) {}
+      : scene_(scene),
+        record_(record),
+        edges_(scene.viewed(), scene.size(), 0, scene.size().height) {}
 
   void run() {
     record_.step(at("table"),
@@ -52,11 +54,11 @@ class ScanLineZSteps {
     record_.step(at("row"), fmt::format("Row {}: {} linked in, {} struck off, {} active.", row,
                                         counted(entered, "edge"), left, edges_.edges().size()));
     record_.mark(StepRole::active, whole_row(row));
-    mark_edges(record_, edges_);
-    record_.show(panel("edges"), edges_.rows(record_));
+    mark_edges(record_, edges_.edges());
+    record_.show(panel("edges"), rows_of(scene_, record_, edges_.edges()));
     record_.show_segments(panel("depths"), {});
     std::vector<StepSegment> kept;
-    for (const StepRun& run : edges_.runs(row)) {
+    for (const StepRun& run : runs_of(scene_, edges_.edges(), row)) {
       Step& step = record_.step(at("nearer"), "");
       const int gained = record_.paint_nearer(run);
       if (gained == 0) step.line = at("hidden");
@@ -80,7 +82,7 @@ class ScanLineZSteps {
 
   const StepScene& scene_;
   StepRecord& record_;
-  ActiveEdges edges_;
+  ActiveEdgeList edges_;
 };
 
 }  // namespace

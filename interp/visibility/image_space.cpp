@@ -6,6 +6,7 @@
 
 #include "clip/base/error.h"
 #include "interp/visibility/decided_centres.h"
+#include "interp/visibility/plain_scan_line.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "interp/visibility/ray_cast.h"
 #include "interp/visibility/scan_line.h"
@@ -23,6 +24,12 @@ std::unique_ptr<ImageSpaceMethod> make() {
   return std::make_unique<Method>();
 }
 
+/// Right as entered, by a method that is right of the viewed scene.
+template <class Method>
+std::unique_ptr<ImageSpaceMethod> as_entered() {
+  return std::make_unique<MethodAsEntered>(make<Method>());
+}
+
 template <DepthFormat kFormat>
 std::unique_ptr<ImageSpaceMethod> plain() {
   return make_plain_z_buffer(kFormat);
@@ -31,24 +38,27 @@ std::unique_ptr<ImageSpaceMethod> plain() {
 /// These decide exactly, unless a ROUNDOFF is asked for.
 constexpr std::array kExactMethods{
     ImageSpaceEntry{HiddenMethod::z_buffer, make<ZBuffer>},
-    ImageSpaceEntry{HiddenMethod::warnock, make<Warnock>},
-    ImageSpaceEntry{HiddenMethod::scan_line_z, make<ScanLineZ>},
-    ImageSpaceEntry{HiddenMethod::scan_line, make<ScanLine>},
-    ImageSpaceEntry{HiddenMethod::ray_cast, make<RayCast>},
+    ImageSpaceEntry{HiddenMethod::warnock, as_entered<Warnock>},
+    ImageSpaceEntry{HiddenMethod::scan_line_z, as_entered<ScanLineZ>},
+    ImageSpaceEntry{HiddenMethod::scan_line, as_entered<ScanLine>},
+    ImageSpaceEntry{HiddenMethod::ray_cast, as_entered<RayCast>},
 };
-constexpr std::array kPlainZBuffers{
+/// To be read and to judge the others; `automatic` picks none. All but the z-buffers, which round,
+/// decide exactly too.
+constexpr std::array kPlainMethods{
     ImageSpaceEntry{HiddenMethod::plain_z_buffer, plain<DepthFormat::float_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_16, plain<DepthFormat::integer_16>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_24, plain<DepthFormat::integer_24>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_32, plain<DepthFormat::integer_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_double, plain<DepthFormat::float_64>},
+    ImageSpaceEntry{HiddenMethod::plain_scan_line, as_entered<PlainScanLine>},
 };
 
 /// Null if the method is in neither table.
 const ImageSpaceEntry* entry_of(HiddenMethod method) {
   for (const std::span<const ImageSpaceEntry> table :
        {std::span<const ImageSpaceEntry>(kExactMethods),
-        std::span<const ImageSpaceEntry>(kPlainZBuffers)}) {
+        std::span<const ImageSpaceEntry>(kPlainMethods)}) {
     const auto entry = std::ranges::find(table, method, &ImageSpaceEntry::method);
     if (entry != table.end()) return &*entry;
   }
@@ -73,10 +83,7 @@ std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
     throw Error("hidden-surface method '" + std::string(name_of(method)) +
                 "' does not work in image space");
   }
-  const bool is_exact = std::ranges::any_of(
-      kExactMethods, [&](const ImageSpaceEntry& exact) { return exact.method == method; });
-  if (!is_exact || method == HiddenMethod::z_buffer) return entry->make();
-  return std::make_unique<MethodAsEntered>(entry->make());
+  return entry->make();
 }
 
 }  // namespace displayfile

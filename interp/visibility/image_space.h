@@ -50,7 +50,7 @@ struct ImageSpaceEntry {
   HiddenMethod method;
   std::unique_ptr<ImageSpaceMethod> (*make)();
 };
-/// Those that decide exactly by the viewed scene: all but world_ray_cast and the plain z-buffer.
+/// Those that decide exactly by the viewed scene: all but world_ray_cast and the plain forms.
 std::span<const ImageSpaceEntry> image_space_methods();
 
 /// True also of `automatic`, which for a picture in pixels picks one of them, and of

@@ -34,6 +34,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{plain_z_buffer_32, "plain-z-buffer=32"},
     HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double"},
     HiddenMethodEntry{plain_scan_line, "plain-scan-line"},
+    HiddenMethodEntry{plain_warnock, "plain-warnock"},
     HiddenMethodEntry{roberts, "roberts"},
     HiddenMethodEntry{appel, "appel"},
     HiddenMethodEntry{franklin, "franklin"},

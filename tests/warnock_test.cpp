@@ -13,6 +13,7 @@
 #include "interp/scan/scan_convert.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
+#include "interp/visibility/plain_warnock.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/scenes/hard_cases.h"
 #include "tests/truth_scenes.h"
@@ -22,8 +23,7 @@ namespace displayfile {
 namespace {
 
 using Fill = ViewedScene::Fill;
-using Finish = Warnock::Finish;
-using Decision = Warnock::Decision;
+using Decision = PlainWarnock::Decision;
 using enum AreaCategory;
 using test::Vertices;
 
@@ -78,23 +78,36 @@ std::vector<Fill> seen_by(const ImageSpaceMethod& method, const PictureSize& siz
 /// A visit that lasts.
 struct Visited {
   SampleArea area;
-  std::vector<Warnock::Listed> list;
+  std::vector<PlainWarnock::Listed> list;
   Decision decision;
   bool operator==(const Visited&) const = default;
 };
-std::vector<Visited> visits_of(const Warnock& warnock, int row_begin, int row_end) {
-  std::vector<Visited> visits;
-  warnock.draw_rows(
-      row_begin, row_end, [](int, int, std::span<const Fill>) {},
-      {.visit = [&](const Warnock::Visit& visit) {
-        visits.push_back({visit.area, {visit.list.begin(), visit.list.end()}, visit.decision});
-      }});
-  return visits;
-}
-std::vector<Visited> visits_of(const ViewedScene& scene, const PictureSize& size, Finish finish) {
-  Warnock warnock(finish);
+std::vector<Visited> visits_of(const ViewedScene& scene, const PictureSize& size,
+                               int row_begin = 0) {
+  struct Observer : PlainWarnock::Unobserved {
+    std::vector<Visited> visits;
+    void visit(const PlainWarnock::Visit& visited) {
+      visits.push_back(
+          {visited.area, {visited.list.begin(), visited.list.end()}, visited.decision});
+    }
+  } observer;
+  PlainWarnock warnock;
   warnock.prepare({scene, size, {}}, 1);
-  return visits_of(warnock, 0, size.height);
+  warnock.draw_rows(
+      row_begin, size.height, [](int, int, std::span<const Fill>) {}, observer);
+  return observer.visits;
+}
+
+/// Calls check(form, its name) with the books' algorithm and with the one that finishes early.
+template <class Check>
+void for_both_forms(const ImageSpaceMethod::Request& request, Check&& check) {
+  PlainWarnock plain;
+  Warnock early;
+  for (const auto& [form, name] : {std::pair<ImageSpaceMethod*, const char*>{&plain, "plain"},
+                                   std::pair<ImageSpaceMethod*, const char*>{&early, "early"}}) {
+    form->prepare(request, 1);
+    check(static_cast<const ImageSpaceMethod&>(*form), name);
+  }
 }
 
 void PrintTo(const Visited& visit, std::ostream* out) {
@@ -179,21 +192,21 @@ TEST(WarnockSteps, EachAreasListAndDecision) {
       {{6, 8, 2, 4}, {{wall, surrounding}}, Decision::surrounded},
       {{0, 4, 4, 8}, {}, Decision::background},
       {{4, 8, 4, 8}, {{wall, surrounding}}, Decision::surrounded}};
-  EXPECT_EQ(visits_of(scene, kEight, Finish::at_pixels), expected);
+  EXPECT_EQ(visits_of(scene, kEight), expected);
 }
 
 /// Two sheets that cross in a column of centres, where both are equally near.
 TEST(WarnockSteps, APixelIsDecidedAtItsCentre) {
   const ViewedScene scene = scene_of({{{0, 0, 0.25}, {1, 0, 0.75}, {1, 1, 0.75}, {0, 1, 0.25}},
                                       {{0, 0, 0.75}, {1, 0, 0.25}, {1, 1, 0.25}, {0, 1, 0.75}}});
-  const std::vector<Warnock::Listed> both = {{1, surrounding}, {2, surrounding}};
+  const std::vector<PlainWarnock::Listed> both = {{1, surrounding}, {2, surrounding}};
   const std::vector<Visited> expected = {{{0, 3, 0, 1}, both, Decision::subdivided},
                                          {{0, 1, 0, 1}, both, Decision::pixel},
                                          {{1, 3, 0, 1}, both, Decision::subdivided},
                                          {{1, 2, 0, 1}, both, Decision::pixel},
                                          {{2, 3, 0, 1}, both, Decision::pixel}};
-  EXPECT_EQ(visits_of(scene, {3, 1}, Finish::at_pixels), expected);
-  Warnock warnock(Finish::at_pixels);
+  EXPECT_EQ(visits_of(scene, {3, 1}), expected);
+  PlainWarnock warnock;
   warnock.prepare({scene, {3, 1}, {}}, 1);
   EXPECT_EQ(seen_by(warnock, {3, 1}, 1), (std::vector<Fill>{2, 2, 1}));
 }
@@ -206,7 +219,7 @@ TEST(WarnockSteps, SheetsOverThePictureAreOneArea) {
     for (Point3& v : sheet) v.z = 0.25 + v.x / 4 + v.y / 8 + (k * 7 % 50) / 2 * 0x1p-52;
     sheets.push_back(sheet);
   }
-  const std::vector<Visited> visits = visits_of(scene_of(sheets), {64, 64}, Finish::at_pixels);
+  const std::vector<Visited> visits = visits_of(scene_of(sheets), {64, 64});
   ASSERT_EQ(visits.size(), 1U);
   EXPECT_EQ(visits[0].decision, Decision::surrounded);
 }
@@ -218,7 +231,7 @@ TEST(WarnockSteps, AreasAlongAnEdge) {
       scene_of({rectangle(0, 8, 0, 8, 0), {{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}}});
   for (const int n : {2, 8, 64, 256}) {
     const auto areas = static_cast<std::size_t>(4 * n - 3);
-    EXPECT_EQ(visits_of(scene, {n, n}, Finish::at_pixels).size(), areas) << n;
+    EXPECT_EQ(visits_of(scene, {n, n}).size(), areas) << n;
   }
 }
 
@@ -226,15 +239,13 @@ TEST(WarnockSteps, AreasAlongAnEdge) {
 TEST(WarnockSteps, Roundoff) {
   const ViewedScene scene = scene_of({rectangle(0, 8, 0, 8, 0.5), rectangle(0, 8, 0, 8, 0.5 - 1e-7),
                                       rectangle(1, 3, 1, 3, 0.5 - 2e-7)});
-  for (const Finish finish : {Finish::at_pixels, Finish::early}) {
-    for (const double roundoff : {1e-6, 1e-9}) {
-      Warnock warnock(finish);
-      warnock.prepare({scene, kEight, roundoff}, 1);
-      const std::vector<Fill> seen = seen_by(warnock, kEight, 8);
+  for (const double roundoff : {1e-6, 1e-9}) {
+    for_both_forms({scene, kEight, roundoff}, [&](const ImageSpaceMethod& form, const char* name) {
+      const std::vector<Fill> seen = seen_by(form, kEight, 8);
       const bool equal = roundoff > 1e-7;
-      EXPECT_EQ(seen[index(kEight, 0, 0)], equal ? 2U : 1U);
-      EXPECT_EQ(seen[index(kEight, 2, 2)], equal ? 3U : 1U);
-    }
+      EXPECT_EQ(seen[index(kEight, 0, 0)], equal ? 2U : 1U) << name;
+      EXPECT_EQ(seen[index(kEight, 2, 2)], equal ? 3U : 1U) << name;
+    });
   }
 }
 
@@ -290,7 +301,7 @@ TEST(WarnockAreas, CategoriesAreTrue) {
     for (Fill fill = 1; fill < scene.end(); ++fill) {
       covered.push_back(covered_by(scene, fill, size));
     }
-    for (const Visited& visit : visits_of(scene, size, Finish::at_pixels)) {
+    for (const Visited& visit : visits_of(scene, size)) {
       for (Fill fill = 1; fill < scene.end(); ++fill) {
         const AreaCategory direct = category_of(
             scene.vertices(fill), extents_of(scene.vertices(fill), size), visit.area, size);
@@ -319,7 +330,7 @@ TEST(WarnockAreas, CategoriesAreTrue) {
 
 TEST(WarnockAreas, InheritedCategoriesAreThoseFoundAnew) {
   for_known_scenes(40, [](const Known& known) {
-    for (const Visited& visit : visits_of(known.scene, known.size, Finish::at_pixels)) {
+    for (const Visited& visit : visits_of(known.scene, known.size)) {
       for (const auto& [fill, listed] : visit.list) {
         const auto vertices = known.scene.vertices(fill);
         EXPECT_EQ(category_of(vertices, extents_of(vertices, known.size), visit.area, known.size),
@@ -333,11 +344,11 @@ TEST(WarnockAreas, InheritedCategoriesAreThoseFoundAnew) {
 TEST(WarnockAreas, NothingSeenIsMissingFromTheList) {
   for_known_scenes(40, [](const Known& known) {
     const std::vector<Fill> seen = z_buffered(known.scene, known.size);
-    for (const Visited& visit : visits_of(known.scene, known.size, Finish::at_pixels)) {
+    for (const Visited& visit : visits_of(known.scene, known.size)) {
       for_pixels(visit.area, [&](int column, int row) {
         const Fill fill = seen[index(known.size, column, row)];
         EXPECT_TRUE(fill == ViewedScene::kBackground ||
-                    std::ranges::find(visit.list, fill, &Warnock::Listed::fill) !=
+                    std::ranges::find(visit.list, fill, &PlainWarnock::Listed::fill) !=
                         visit.list.end());
       });
     }
@@ -348,23 +359,18 @@ TEST(WarnockAreas, NothingSeenIsMissingFromTheList) {
 /// to an end at pixels.
 TEST(WarnockAreas, FillTheRows) {
   for_known_scenes(20, [](const Known& known) {
-    const int begin = known.size.height / 3, end = known.size.height;
-    for (const Finish finish : {Finish::at_pixels, Finish::early}) {
-      Warnock warnock(finish);
-      warnock.prepare({known.scene, known.size, {}}, 1);
-      std::vector<int> times(pixels(known.size));
-      for (const Visited& visit : visits_of(warnock, begin, end)) {
-        if (visit.decision == Decision::subdivided) {
-          EXPECT_FALSE(is_pixel(visit.area));
-          continue;
-        }
-        for_pixels(visit.area,
-                   [&](int column, int row) { ++times[index(known.size, column, row)]; });
+    const int begin = known.size.height / 3;
+    std::vector<int> times(pixels(known.size));
+    for (const Visited& visit : visits_of(known.scene, known.size, begin)) {
+      if (visit.decision == Decision::subdivided) {
+        EXPECT_FALSE(is_pixel(visit.area));
+        continue;
       }
-      for_pixels({0, known.size.width, 0, known.size.height}, [&](int column, int row) {
-        EXPECT_EQ(times[index(known.size, column, row)], row >= begin ? 1 : 0);
-      });
+      for_pixels(visit.area, [&](int column, int row) { ++times[index(known.size, column, row)]; });
     }
+    for_pixels({0, known.size.width, 0, known.size.height}, [&](int column, int row) {
+      EXPECT_EQ(times[index(known.size, column, row)], row >= begin ? 1 : 0);
+    });
   });
 }
 
@@ -374,24 +380,20 @@ TEST(WarnockAreas, FillTheRows) {
 std::string wrong(const DisplayFile& file, const PictureSize& size) {
   const ViewedScene scene(file);
   const Picture expected = truth_as_entered(file, size.width, size.height, false);
-  for (const Finish finish : {Finish::at_pixels, Finish::early}) {
-    Warnock warnock(finish);
-    warnock.prepare({scene, size, {}}, 1);
+  std::string wrong;
+  for_both_forms({scene, size, {}}, [&](const ImageSpaceMethod& form, const char* name) {
     for (const int rows : {size.height, 5}) {
-      const std::vector<Fill> seen = seen_by(warnock, size, rows);
-      for (int row = 0; row < size.height; ++row) {
-        for (int column = 0; column < size.width; ++column) {
-          const int drawn = scene.pick(seen[index(size, column, row)]);
-          const int true_id = expected.ids[index(size, column, size.height - 1 - row)];
-          if (drawn == true_id) continue;
-          return fmt::format("{}, {} rows at a time, column {}, row {}: drawn {}, truth {}",
-                             finish == Finish::early ? "early" : "at pixels", rows, column, row,
-                             drawn, true_id);
-        }
-      }
+      const std::vector<Fill> seen = seen_by(form, size, rows);
+      for_pixels({0, size.width, 0, size.height}, [&](int column, int row) {
+        const int drawn = scene.pick(seen[index(size, column, row)]);
+        const int true_id = expected.ids[index(size, column, size.height - 1 - row)];
+        if (drawn == true_id || !wrong.empty()) return;
+        wrong = fmt::format("{}, {} rows at a time, column {}, row {}: drawn {}, truth {}", name,
+                            rows, column, row, drawn, true_id);
+      });
     }
-  }
-  return {};
+  });
+  return wrong;
 }
 
 TEST(WarnockPictures, BothFormsAreTheTruth) {

@@ -1,18 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "interp/steps/algorithms.h"
 #include "interp/steps/step_record.h"
-#include "interp/visibility/warnock.h"
+#include "interp/visibility/plain_warnock.h"
 
 namespace displayfile {
 
 namespace {
 
-/// Warnock's subdivision down to pixels, as the system has it beside the form that finishes early
-/// (interp/visibility/warnock.md): its observer tells the areas, their lists and what is painted.
+/// The plain subdivision (interp/visibility/plain_warnock.h), whose observer this is.
 class WarnockSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -45,26 +47,31 @@ class WarnockSteps {
                                           counted(scene_.fills().size(), "polygon")));
     record_.mark(StepRole::active, stack_.back());
     show_stack();
-    Warnock warnock(Warnock::Finish::at_pixels);
+    PlainWarnock warnock;
     warnock.prepare({scene_.viewed(), scene_.size(), {}}, 1);
-    warnock.draw_rows(0, height, [](int, int, std::span<const Fill>) {},
-                      {.visit = [&](const Warnock::Visit& visited) { visit(visited); },
-                       .remove =
-                           [&](Fill hidden, Fill by) {
-                             removed_.push_back({hidden, by});
-                           },
-                       .part = [&](const SampleArea& area) { stack_.push_back(area); },
-                       .paint =
-                           [&](Fill fill, int row, int first, int end) {
-                             record_.paint_over({row, first, end, polygon(fill)});
-                           }});
+    warnock.draw_rows(
+        0, height, [](int, int, std::span<const Fill>) {}, *this);
     record_.step(at("end"), "No area is left: this is the picture.");
     record_.show(panel("list"), {});
     show_stack();
   }
 
- private:
   using Fill = ViewedScene::Fill;
+
+  void remove(Fill hidden, Fill by) { removed_.push_back({hidden, by}); }
+  void part(const SampleArea& area) { stack_.push_back(area); }
+  void paint(Fill fill, int row, int first, int end) {
+    record_.paint_over({row, first, end, polygon(fill)});
+  }
+  /// Each area is looked at in one step, and decided in another unless there is nothing to look at.
+  void visit(const PlainWarnock::Visit& visited) {
+    stack_.pop_back();
+    if (!visited.list.empty()) look_at(visited);
+    removed_.clear();
+    decide(visited);
+  }
+
+ private:
   struct Removed {
     Fill hidden, by;
   };
@@ -92,15 +99,7 @@ class WarnockSteps {
     return "is disjoint";
   }
 
-  /// Each area is looked at in one step, and decided in another unless there is nothing to look at.
-  void visit(const Warnock::Visit& visited) {
-    stack_.pop_back();
-    if (!visited.list.empty()) look_at(visited);
-    removed_.clear();
-    decide(visited);
-  }
-
-  void look_at(const Warnock::Visit& visited) {
+  void look_at(const PlainWarnock::Visit& visited) {
     std::string sentence = subject(visited.area) + ": ";
     bool first = true;
     for (const auto& [fill, category] :
@@ -124,31 +123,30 @@ class WarnockSteps {
     show_stack();
   }
 
-  void decide(const Warnock::Visit& visited) {
+  void decide(const PlainWarnock::Visit& visited) {
     const auto& [area, list, decision] = visited;
     StepRole role = StepRole::seen;
     switch (decision) {
-      case Warnock::Decision::background:
+      case PlainWarnock::Decision::background:
         record_.step(at("background"),
                      fmt::format("{}: nothing is in it. It is background.", subject(area)));
         role = StepRole::hidden;
         break;
-      case Warnock::Decision::surrounded:
+      case PlainWarnock::Decision::surrounded:
         record_.step(at("surrounded"),
                      fmt::format("{} alone is left, and surrounds the area: it shows {}.",
                                  name(list[0].fill), name(list[0].fill)));
         break;
-      case Warnock::Decision::one_polygon:
-      case Warnock::Decision::few_polygons:
+      case PlainWarnock::Decision::one_polygon:
         record_.step(at("one"),
                      fmt::format("{} alone is left: it is scan-converted on the background.",
                                  name(list[0].fill)));
         break;
-      case Warnock::Decision::pixel:
+      case PlainWarnock::Decision::pixel:
         record_.step(at("pixel"), fmt::format("The area is a pixel: it shows the nearest of {}.",
                                               counted(list.size(), "polygon")));
         break;
-      case Warnock::Decision::subdivided:
+      case PlainWarnock::Decision::subdivided:
         record_.step(at("divide"),
                      fmt::format("None of the tests holds with {}: the area is divided.",
                                  counted(list.size(), "polygon")));
@@ -161,8 +159,8 @@ class WarnockSteps {
     if (role == StepRole::hidden) show_stack();
   }
 
-  void mark_list(const Warnock::Visit& visited) {
-    auto rows = StepRecord::rows(visited.list, [&](const Warnock::Listed& listed) {
+  void mark_list(const PlainWarnock::Visit& visited) {
+    auto rows = StepRecord::rows(visited.list, [&](const PlainWarnock::Listed& listed) {
       record_.mark(StepRole::compared, polygon(listed.fill));
       return StepRow{{name(listed.fill), std::string(words(listed.category))},
                      polygon(listed.fill)};

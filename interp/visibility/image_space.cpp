@@ -7,6 +7,7 @@
 #include "clip/base/error.h"
 #include "interp/visibility/decided_centres.h"
 #include "interp/visibility/plain_scan_line.h"
+#include "interp/visibility/plain_warnock.h"
 #include "interp/visibility/plain_z_buffer.h"
 #include "interp/visibility/ray_cast.h"
 #include "interp/visibility/scan_line.h"
@@ -52,6 +53,7 @@ constexpr std::array kPlainMethods{
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_32, plain<DepthFormat::integer_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_double, plain<DepthFormat::float_64>},
     ImageSpaceEntry{HiddenMethod::plain_scan_line, as_entered<PlainScanLine>},
+    ImageSpaceEntry{HiddenMethod::plain_warnock, as_entered<PlainWarnock>},
 };
 
 /// Null if the method is in neither table.

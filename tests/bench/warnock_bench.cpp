@@ -1,6 +1,7 @@
 // Warnock's area subdivision: areas visited, and its time over the z-buffer's, by both its ends, on
 // one thread: again, and with prepare().
 
+#include "interp/visibility/plain_warnock.h"
 #include "interp/visibility/warnock.h"
 #include "interp/visibility/z_buffer.h"
 #include "programs/scenes/generated_scenes.h"
@@ -27,27 +28,35 @@ void measure(const std::string& name, std::size_t polygons, const Options& optio
   };
   ZBuffer z_buffer;
   prepare(z_buffer);
-  for (const auto& [finish, form] :
-       {std::pair{Warnock::Finish::at_pixels, "at pixels"}, {Warnock::Finish::early, "early"}}) {
-    Warnock warnock(finish);
-    prepare(warnock);
+  struct Areas : PlainWarnock::Unobserved {
     double areas = 0.0, listed = 0.0;
-    warnock.draw_rows(
-        0, options.size, [](int, int, std::span<const ViewedScene::Fill>) {},
-        Warnock::Observer{.visit = [&](const Warnock::Visit& visit) {
-          areas += 1.0;
-          listed += static_cast<double>(visit.list.size());
-        }});
+    void visit(const PlainWarnock::Visit& visit) {
+      areas += 1.0;
+      listed += static_cast<double>(visit.list.size());
+    }
+  } counted;
+  PlainWarnock plain;
+  prepare(plain);
+  plain.draw_rows(
+      0, options.size, [](int, int, std::span<const ViewedScene::Fill>) {}, counted);
+  print_row({{"table", "areas of the plain form"},
+             {"scene", name},
+             {"polygons", scene.end() - 1},
+             {"areas a pixel", figure(counted.areas / options.size / options.size)},
+             {"polygons an area", figure(counted.listed / counted.areas)}});
+  Warnock early;
+  prepare(early);
+  for (const auto& [warnock, name_of_form] :
+       {std::pair<ImageSpaceMethod*, const char*>{&plain, "plain"},
+        std::pair<ImageSpaceMethod*, const char*>{&early, "early"}}) {
     const Spread again = times_faster(
-        options.rounds, [&] { draw(z_buffer); }, [&] { draw(warnock); });
+        options.rounds, [&] { draw(z_buffer); }, [&, form = warnock] { draw(*form); });
     const Spread anew = times_faster(
-        options.rounds, [&] { draw_anew(z_buffer); }, [&] { draw_anew(warnock); });
+        options.rounds, [&] { draw_anew(z_buffer); }, [&, form = warnock] { draw_anew(*form); });
     print_row({{"table", "of the z-buffer's time"},
                {"scene", name},
                {"polygons", scene.end() - 1},
-               {"ends", form},
-               {"areas a pixel", figure(areas / options.size / options.size)},
-               {"polygons an area", figure(listed / areas)},
+               {"form", name_of_form},
                {"again", figures(again)},
                {"with prepare()", figures(anew)}});
   }

@@ -35,6 +35,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{plain_z_buffer_double, "plain-z-buffer=double"},
     HiddenMethodEntry{plain_scan_line, "plain-scan-line"},
     HiddenMethodEntry{plain_warnock, "plain-warnock"},
+    HiddenMethodEntry{plain_bsp, "plain-bsp"},
     HiddenMethodEntry{roberts, "roberts"},
     HiddenMethodEntry{appel, "appel"},
     HiddenMethodEntry{franklin, "franklin"},

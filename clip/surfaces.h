@@ -38,6 +38,7 @@ enum class HiddenMethod {
   plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks, as no plain form is
   plain_scan_line,  ///< `scan_line`, as textbooks give it (interp/visibility/plain_scan_line.h)
   plain_warnock,    ///< `warnock`, the same (interp/visibility/plain_warnock.h)
+  plain_bsp,        ///< `bsp`, the same (hidden/sort/plain_bsp.h)
   roberts,          ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
   appel,            ///< lines in object space, by the number of polygons before them
                     ///< (hidden/lines/appel.md)

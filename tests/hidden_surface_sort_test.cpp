@@ -65,6 +65,26 @@ TEST_P(EveryWay, TheMethodIsPutToTheTest) {  // the scenes above do ask for cuts
   EXPECT_GT(cuts, 20u);
 }
 
+/// The plain form makes the tree that the fast one makes where nothing is chosen.
+TEST(PlainBsp, SortsAsTheFastOneDoesWithTheTextbooksRoot) {
+  for_each_scene_of_families(
+      200 / kSlower, [](const ItemList& list, const std::string& family, int seed) {
+        for (const Precision& precision : {Precision{}, Precision{.exact = false}}) {
+          const SortedPieces plain = sorted(list, {"plain", HiddenMethod::plain_bsp}, precision);
+          const SortedPieces fast =
+              sorted(list, {"fast", HiddenMethod::bsp, RootChoice::last}, precision);
+          const auto same = [](const SortedPiece& a, const SortedPiece& b) {
+            return a.item == b.item && a.first == b.first && a.sides == b.sides;
+          };
+          ASSERT_TRUE(std::ranges::equal(plain.pieces, fast.pieces, same)) << family << " " << seed;
+          ASSERT_EQ(plain.points, fast.points) << family << " " << seed;
+          ASSERT_EQ(plain.visible, fast.visible) << family << " " << seed;
+          ASSERT_EQ(plain.cuts, fast.cuts) << family << " " << seed;
+          ASSERT_EQ(plain.comparisons, fast.comparisons) << family << " " << seed;
+        }
+      });
+}
+
 // ---- How many cuts ------------------------------------------------------------------------------
 
 const Way& depth_sort() { return ways().back(); }

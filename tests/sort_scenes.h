@@ -423,7 +423,7 @@ struct Way {
   /// Trees may be as deep as polygons are many.
   bool is_chain() const {
     const bool by_order = root == RootChoice::last || root == RootChoice::first;
-    return method == HiddenMethod::bsp && by_order;
+    return method == HiddenMethod::plain_bsp || (method == HiddenMethod::bsp && by_order);
   }
 };
 inline const std::vector<Way>& ways() {
@@ -432,6 +432,7 @@ inline const std::vector<Way>& ways() {
       {"bsp, first", HiddenMethod::bsp, RootChoice::first},
       {"bsp, sample", HiddenMethod::bsp, RootChoice::sample},
       {"bsp, free", HiddenMethod::bsp, RootChoice::free},
+      {"plain bsp", HiddenMethod::plain_bsp},
       {"depth sort", HiddenMethod::depth_sort},
   };
   return all;

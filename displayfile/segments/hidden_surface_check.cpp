@@ -68,7 +68,7 @@ std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, Hidde
 bool is_object_space(HiddenMethod by) {
   const HiddenMethod method = surfaces_of(by);
   return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
-         method == HiddenMethod::map || finds_lines(method);
+         method == HiddenMethod::plain_bsp || method == HiddenMethod::map || finds_lines(method);
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(

@@ -1,14 +1,19 @@
 #include "hidden/sort/bsp_sort.h"
 
+#include "hidden/sort/plain_bsp.h"
 #include "hidden/sort/sort_polygons.h"
 
 namespace displayfile {
 
-SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options) {
+namespace {
+
+/// By what make(scene) makes of the polygon table.
+template <class Make>
+SortedPieces sort_by_tree(const Primitives& items, const SortOptions& options, const Make& make) {
   const auto sort = [&](const auto& policy) {
     SortScene scene(items, policy);
     scene.table.most_entries = most_pieces_of_sort(options, items.items.size());
-    SortPolygons sorting(scene, options);
+    auto sorting = make(scene);
     sorting.sort_all();
     SortedPieces pieces = sorted_pieces(scene, sorting.order());
     pieces.depth = sorting.depth();
@@ -17,6 +22,18 @@ SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options) {
   const Definitions points{items.points, {}};
   if (options.precision.exact) return sort(Exact(points));
   return sort(Roundoff::relative(points, options.precision.roundoff));
+}
+
+}  // namespace
+
+SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options) {
+  return sort_by_tree(items, options, [&](auto& scene) { return SortPolygons(scene, options); });
+}
+
+SortedPieces sort_by_plain_bsp(const Primitives& items, const SortOptions& options) {
+  UnobservedBsp observer;
+  return sort_by_tree(items, options,
+                      [&](auto& scene) { return PlainBsp(scene, scene.comparing, observer); });
 }
 
 }  // namespace displayfile

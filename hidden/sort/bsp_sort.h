@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
@@ -9,5 +7,8 @@ namespace displayfile {
 /// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the options: a tree of
 /// polygons, each node's plane dividing what is in front from what is in back (hidden/sort/bsp.md).
 SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options);
+
+/// The same by the textbook's tree alone (hidden/sort/plain_bsp.h): no root is chosen.
+SortedPieces sort_by_plain_bsp(const Primitives& items, const SortOptions& options);
 
 }  // namespace displayfile

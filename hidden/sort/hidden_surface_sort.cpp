@@ -22,13 +22,17 @@ SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
       const NamedWork named({"the sort by bsp", kInstead});
       return sort_by_bsp(items, options);
     }
+    case HiddenMethod::plain_bsp: {
+      const NamedWork named({"the sort by plain-bsp", kInstead});
+      return sort_by_plain_bsp(items, options);
+    }
     case HiddenMethod::depth_sort: {
       const NamedWork named({"the sort by depth-sort", kInstead});
       return sort_by_depth(items, options);
     }
     default:
       throw Error("the hidden-surface method " + std::string(name_of(method)) +
-                  " does not sort: expected bsp or depth-sort");
+                  " does not sort: expected bsp, depth-sort or plain-bsp");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "interp/steps/piece_table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/pixel_centre.h"
@@ -33,6 +34,7 @@ PieceTable::PieceTable(const StepScene& scene, StepRecord& record)
       items_(items_of(scene)),
       primitives_{points_, {}, {}, items_},
       sort_(primitives_, Exact({})),
+      made_(sort_.vertices.made()),
       comparing_(sort_.table, sort_.vertices, Observer{&told_}) {
   for (const StepScene::Polygon polygon : scene.fills()) {
     pieces_.push_back(polygon);
@@ -55,18 +57,6 @@ PieceTable::Sides PieceTable::sides_of(Index test, std::uint32_t plane) const {
     points.push_back(flat(sort_.vertices.coordinates(v)));
   }
   return sides;
-}
-
-void PieceTable::keep_on(Index root, Index test) {
-  entry(test).on = entry(root).on;
-  entry(root).on = test;
-}
-
-std::vector<PieceTable::Index> PieceTable::in_plane_of(Index root) const {
-  std::vector<Index> all;
-  for (Index i = root; i != PolygonTable::kNone; i = entry(i).on) all.push_back(i);
-  std::ranges::sort(all, [&](Index a, Index b) { return sort_.entered_before(a, b); });
-  return all;
 }
 
 int PieceTable::side_of_centre(Index of, std::uint32_t plane, int column, int row) const {
@@ -93,9 +83,13 @@ std::uint32_t PieceTable::add_piece(Index i, std::uint32_t of) {
 }
 
 PieceTable::Cut PieceTable::cut(Index test, std::uint32_t plane) {
-  const std::uint32_t whole = pieces_[test];
-  told_.clear();
   comparing_.compare(test, plane);
+  return note_cut(test, plane, comparing_.split(test, plane));
+}
+
+PieceTable::Cut PieceTable::note_cut(Index test, std::uint32_t plane,
+                                     const Comparing::Halves& halves) {
+  const std::uint32_t whole = pieces_[test];
   std::vector<StepRun> front, back;
   for (const StepRun& run : runs_[test]) {
     for (int i = run.first; i < run.end; ++i) {
@@ -107,14 +101,14 @@ PieceTable::Cut PieceTable::cut(Index test, std::uint32_t plane) {
       }
     }
   }
-  const std::size_t made_before = sort_.vertices.made();
-  const auto halves = comparing_.split(test, plane);
-  Cut cut{halves.front, halves.back, {}, {}, sort_.vertices.made() - made_before};
+  const std::size_t made_before = std::exchange(made_, sort_.vertices.made());
+  Cut cut{halves.front, halves.back, {}, {}, made_ - made_before};
   for (const auto& [in_e, side] : told_) {
     const bool made = !sort_.vertices.is_entered(side.vertex) &&
                       sort_.vertices.number_made(side.vertex) >= made_before;
     (in_e ? cut.in_e : cut.in_d).emplace_back(sort_.vertices.coordinates(side.vertex), made);
   }
+  told_.clear();
   pieces_.resize(sort_.table.entries.size());
   runs_.resize(sort_.table.entries.size());
   pieces_[cut.front] = add_piece(cut.front, whole);

@@ -21,9 +21,9 @@ class PieceTable {
   PieceTable& operator=(const PieceTable&) = delete;
 
   std::vector<Index> all() const;  ///< before any is cut: in order of entry
-  PolygonTable::Entry& entry(Index i) { return sort_.table[i]; }
   const PolygonTable::Entry& entry(Index i) const { return sort_.table[i]; }
   const SortScene<Exact>& sorted() const { return sort_; }
+  SortScene<Exact>& to_sort() { return sort_; }
   std::uint32_t piece(Index i) const { return pieces_[i]; }
   StepScene::Polygon polygon(Index i) const { return scene_.fills()[entry(i).item]; }
   /// The pixels whose centres it covers. A centre right on a cut is that of the half in front.
@@ -35,11 +35,6 @@ class PieceTable {
   };
   Sides sides_of(Index test, std::uint32_t plane) const;
 
-  /// Links an entry in the root's plane to the root; and all of that plane, the root among them, in
-  /// order of entry.
-  void keep_on(Index root, Index test);
-  std::vector<Index> in_plane_of(Index root) const;
-
   /// What a cut put where: the point at which each side ends, and whether the cut made it.
   using Put = std::vector<std::pair<Point3, bool>>;
   struct Cut {
@@ -50,15 +45,21 @@ class PieceTable {
   /// Cuts an entry, which lies on both sides of the plane; each half is a new piece.
   Cut cut(Index test, std::uint32_t plane);
 
+  /// COMPARE-POLYS over the table, for callers that cut entries themselves. They call note_cut after
+  /// each cut of the entry `test`, which is one of the halves from then on.
+  struct Observer {
+    std::vector<std::pair<bool, SideBuffer::Side>>* told;
+    void put(bool in_e, const SideBuffer::Side& side) const { told->emplace_back(in_e, side); }
+  };
+  using Comparing = ComparePolys<Exact, Observer>;
+  Comparing& comparing() { return comparing_; }
+  Cut note_cut(Index test, std::uint32_t plane, const Comparing::Halves& halves);
+
   /// The plane through a side of a polygon and the viewer, its front to the right of the side; the
   /// same if it is asked for again.
   std::uint32_t upright_plane(StepScene::Polygon polygon, std::uint32_t corner);
 
  private:
-  struct Observer {
-    std::vector<std::pair<bool, SideBuffer::Side>>* told;
-    void put(bool in_e, const SideBuffer::Side& side) const { told->emplace_back(in_e, side); }
-  };
   struct Upright {
     StepScene::Polygon polygon;
     std::uint32_t corner, plane;
@@ -77,7 +78,8 @@ class PieceTable {
   Primitives primitives_;
   SortScene<Exact> sort_;
   std::vector<std::pair<bool, SideBuffer::Side>> told_;
-  ComparePolys<Exact, Observer> comparing_;
+  std::size_t made_;  // points, up to the cut noted last
+  Comparing comparing_;
   std::vector<std::uint32_t> pieces_;       // by entry
   std::vector<std::vector<StepRun>> runs_;  // by entry
   std::vector<Upright> upright_;

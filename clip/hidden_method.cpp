@@ -40,6 +40,7 @@ constexpr std::array kMethods{
     HiddenMethodEntry{appel, "appel"},
     HiddenMethodEntry{franklin, "franklin"},
     HiddenMethodEntry{perimeter, "perimeter"},
+    HiddenMethodEntry{plain_appel, "plain-appel"},
     HiddenMethodEntry{colour_rule, "colour-rule"},
 };
 constexpr std::string_view kColourRuleBy = "colour-rule=";

@@ -44,6 +44,7 @@ enum class HiddenMethod {
                     ///< (hidden/lines/appel.md)
   franklin,         ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
   perimeter,        ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
+  plain_appel,      ///< `appel`, as textbooks give it (hidden/lines/plain_appel.h)
   colour_rule,      ///< fills in the background's colour, lines over them, by the surfaces that
                     ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
 };
@@ -65,7 +66,8 @@ constexpr HiddenMethod surfaces_of(HiddenMethod method) {
 /// drawn.
 constexpr bool finds_lines(HiddenMethod method) {
   return method == HiddenMethod::roberts || method == HiddenMethod::appel ||
-         method == HiddenMethod::franklin || method == HiddenMethod::perimeter;
+         method == HiddenMethod::franklin || method == HiddenMethod::perimeter ||
+         method == HiddenMethod::plain_appel;
 }
 /// True for what draws surfaces over grids alone, and refuses other scenes.
 constexpr bool needs_surface(HiddenMethod method) { return method == HiddenMethod::perimeter; }

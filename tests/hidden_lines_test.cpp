@@ -24,7 +24,7 @@ namespace {
 using namespace test;
 
 constexpr HiddenMethod kMethods[] = {HiddenMethod::roberts, HiddenMethod::appel,
-                                     HiddenMethod::franklin};
+                                     HiddenMethod::franklin, HiddenMethod::plain_appel};
 
 /// All sides and lines, drawn or not.
 std::vector<LineName> all_lines(const ItemList& list) {

@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, PlainForm,
                          testing::Values(Pair{HiddenMethod::scan_line,
                                               HiddenMethod::plain_scan_line},
                                          Pair{HiddenMethod::warnock, HiddenMethod::plain_warnock},
-                                         Pair{HiddenMethod::bsp, HiddenMethod::plain_bsp}),
+                                         Pair{HiddenMethod::bsp, HiddenMethod::plain_bsp},
+                                         Pair{HiddenMethod::appel, HiddenMethod::plain_appel}),
                          [](const auto& pair) {
                            std::string name(name_of(pair.param.fast));
                            std::erase(name, '-');

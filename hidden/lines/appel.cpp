@@ -1,6 +1,7 @@
 #include "hidden/lines/appel.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "clip/base/parallel.h"
 #include "hidden/lines/line_follower.h"
+#include "hidden/lines/plain_appel.h"
 #include "hidden/lines/visible_pieces.h"
 
 namespace displayfile {
@@ -199,6 +201,19 @@ SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene
     const CountsOfLines found = count_along_lines(all, policy, order, options.threads, counts);
     return visible_pieces(scene, with_intersections, options,
                           [&] { return Appel(all, found, policy); });
+  };
+  const Definitions points{items.points, {}};
+  if (options.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, options.precision.roundoff));
+}
+
+SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineScene& scene,
+                                       const LineOptions& options) {
+  const AppelScene all(items, scene, options.threads);
+  const auto find = [&](const auto& policy) {
+    UnobservedAppel observer;
+    const std::array seen{PlainAppel(all, policy, observer).find(options)};
+    return by_names(scene, seen);
   };
   const Definitions points{items.points, {}};
   if (options.precision.exact) return find(ExactLines(points));

@@ -18,4 +18,9 @@ struct AppelCounts {
 SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
                                  const LineOptions& options, AppelCounts* counts = nullptr);
 
+/// The same by the plain form (hidden/lines/plain_appel.h), in one thread but for the contour
+/// edges.
+SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineScene& scene,
+                                       const LineOptions& options);
+
 }  // namespace displayfile

@@ -83,6 +83,7 @@ WorkDone work_of(HiddenMethod method) {
   switch (method) {
     case HiddenMethod::roberts: return {"the lines that are seen, by roberts", kFranklin};
     case HiddenMethod::appel: return {"the lines that are seen, by appel", kFranklin};
+    case HiddenMethod::plain_appel: return {"the lines that are seen, by plain-appel", kFranklin};
     case HiddenMethod::perimeter: return {"the lines that are seen, by perimeter", kFranklin};
     default:
       return {"the lines that are seen, by franklin",
@@ -141,7 +142,8 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
                         std::span<const IntersectionLine> intersections) {
   if (!finds_lines(method)) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
-                " does not find visible lines: expected roberts, appel, franklin or perimeter");
+                " does not find visible lines: expected roberts, appel, franklin, perimeter or "
+                "plain-appel");
   }
   const NamedWork named(work_of(method));
   std::vector<LineName> names(lines.begin(), lines.end());
@@ -157,6 +159,9 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
       return visible_lines_by_roberts(near.items(), scene, options);
     }
     if (method == HiddenMethod::appel) return visible_lines_by_appel(near.items(), scene, options);
+    if (method == HiddenMethod::plain_appel) {
+      return visible_lines_by_plain_appel(near.items(), scene, options);
+    }
     return visible_lines_by_franklin(near.items(), scene, options);
   };
   return near.by_all_items(by_method());

@@ -90,27 +90,8 @@ class Finders {
   std::vector<std::unique_ptr<Finder>> idle_;
 };
 
-/// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
-/// line of each name in the order in which they are looked at, best so that those near each other
-/// follow each other; the pieces are in order of names.
-template <class MakeFinder>
-SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
-                         const LineOptions& options, const MakeFinder& make_finder) {
-  constexpr std::size_t kPart = 512;
-  std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
-  Finders finders(make_finder);
-  CountedWork work(options.progress, order.size());
-  PieceCount pieces(order.size(), sizeof(SeenPart));
-  in_parallel(options.threads, seen.size(), [&](std::size_t part) {
-    const std::size_t begin = part * kPart, end = std::min(order.size(), begin + kPart);
-    finders.use([&](auto& finder) {
-      for (std::size_t k = begin; k < end; ++k) {
-        find_seen(scene.lines(), order[k], finder, seen[part]);
-      }
-    });
-    pieces.add(seen[part].size());
-    work.add(end - begin);
-  });
+/// What was found of all lines, in any order, in that of names; of each line its parts in a row.
+inline SeenLines by_names(const LineScene& scene, std::span<const std::vector<SeenPart>> seen) {
   const std::size_t names = scene.names(), intersections = scene.intersections().size();
   std::vector<std::size_t> place(names + intersections + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {
@@ -137,6 +118,30 @@ SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> 
     }
   }
   return all;
+}
+
+/// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
+/// line of each name in the order in which they are looked at, best so that those near each other
+/// follow each other; the pieces are in order of names.
+template <class MakeFinder>
+SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
+                         const LineOptions& options, const MakeFinder& make_finder) {
+  constexpr std::size_t kPart = 512;
+  std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
+  Finders finders(make_finder);
+  CountedWork work(options.progress, order.size());
+  PieceCount pieces(order.size(), sizeof(SeenPart));
+  in_parallel(options.threads, seen.size(), [&](std::size_t part) {
+    const std::size_t begin = part * kPart, end = std::min(order.size(), begin + kPart);
+    finders.use([&](auto& finder) {
+      for (std::size_t k = begin; k < end; ++k) {
+        find_seen(scene.lines(), order[k], finder, seen[part]);
+      }
+    });
+    pieces.add(seen[part].size());
+    work.add(end - begin);
+  });
+  return by_names(scene, seen);
 }
 
 }  // namespace displayfile

@@ -75,7 +75,7 @@ void StepLines::tell_covered(std::uint32_t polygon, const Line& line, const Cove
   for (const auto& [part, sides] : covered) mark(StepRole::hidden, line, part);
 }
 
-void StepLines::tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line) {
+void StepLines::tell_seen(const Line& line, std::span<const SeenPart> seen, int listing_line) {
   const LineName named = lines_.name(line.name);
   const std::string of = name(line);
   const bool whole = seen.size() == 1 && seen[0].part.from == 0.0 && seen[0].part.to == 1.0;

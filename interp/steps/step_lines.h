@@ -65,7 +65,7 @@ class StepLines {
       tell_seen(lines_.lines()[first], seen, listing_line);
     }
   }
-  void tell_seen(const Line& line, const std::vector<SeenPart>& seen, int listing_line);
+  void tell_seen(const Line& line, std::span<const SeenPart> seen, int listing_line);
 
  private:
   StepRecord& record_;

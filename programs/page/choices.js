@@ -12,14 +12,16 @@ const kMethods = [
     ['plain-z-buffer=double', 'plain z-buffer, double'], ['plain-z-buffer=float', 'plain z-buffer, float'],
     ['plain-z-buffer=32', 'plain z-buffer, 32 bits'], ['plain-z-buffer=24', 'plain z-buffer, 24 bits'],
     ['plain-z-buffer=16', 'plain z-buffer, 16 bits']]],
+  ['As the textbook has it', [['plain-scan-line', 'plain scan line'], ['plain-warnock', 'plain Warnock'],
+    ['plain-bsp', 'plain BSP tree'], ['plain-appel', 'plain Appel']]],
   ['Hidden lines', [['franklin', 'Franklin'], ['roberts', 'Roberts'], ['appel', 'Appel'],
     ['perimeter', 'perimeter, of one surface'], ['colour-rule', 'colour rule']]],
 ];
 
-const kLineMethods = new Set(['franklin', 'roberts', 'appel', 'perimeter', 'colour-rule']);
+const kLineMethods = new Set(['franklin', 'roberts', 'appel', 'perimeter', 'plain-appel', 'colour-rule']);
 /** They see the same at each pixel: one may draw for another while the figure turns. */
 const kExactMethods = new Set(['scan-line', 'scan-line-z', 'ray-cast', 'world-ray-cast', 'warnock', 'bsp',
-  'depth-sort', 'map']);
+  'depth-sort', 'map', 'plain-scan-line', 'plain-warnock', 'plain-bsp']);
 
 const kPrecisions = [[undefined, [kAsProgram, ['exact', 'exact'],
   ...[15, 12, 9, 6, 3].map((digits) => [`roundoff=1e-${digits}`, `roundoff 1e-${digits}`])]]];

@@ -164,7 +164,8 @@ TEST_F(Completion, OffersWhatMayStandAtThePlace) {
   EXPECT_EQ(offered("sheet part.obj --section front=0 --sec"), Words{"--section"});
   EXPECT_EQ(offered("sheet part.obj --section front=0 si"), Words{"side="});
   EXPECT_EQ(offered("draw -- --"), Words{});  // inputs alone
-  EXPECT_EQ(offered("truth --hidden ''"), (Words{"appel", "franklin", "perimeter", "plain-appel", "roberts"}));
+  EXPECT_EQ(offered("truth --hidden ''"),
+            (Words{"appel", "franklin", "perimeter", "plain-appel", "roberts"}));
   EXPECT_EQ(offered("draw --samples ''"), Words{});
 }
 

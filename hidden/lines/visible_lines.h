@@ -71,7 +71,8 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const s
 /// definition). A line named twice counts once; a line that projects to a point has no pieces. With
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
-/// finds no lines: expected are roberts, appel, franklin and, for a surface, perimeter.
+/// finds no lines: expected are roberts, appel, franklin, plain_appel and, for a surface,
+/// perimeter.
 ///
 /// Intersections are those that intersection_lines found among the same items, or some of them.
 /// Exact precision takes each as the line that both planes have in common, between its ends as

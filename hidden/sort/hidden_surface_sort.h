@@ -97,9 +97,10 @@ struct SortedPieces {
   std::uint32_t depth = 0;        ///< of the deepest tree; 0 where there is none
 };
 
-/// Sorts by `bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md). Polygons that
-/// are edge-on or of fewer than three different points hide nothing; they keep their outlines.
-/// Throws Error for another method, and where more pieces would be made than the options allow.
+/// Sorts by `bsp`, `plain_bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md).
+/// Polygons that are edge-on or of fewer than three different points hide nothing; they keep their
+/// outlines. Throws Error for another method, and where more pieces would be made than the options
+/// allow.
 SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
                                   const SortOptions& options);
 

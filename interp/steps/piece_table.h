@@ -45,8 +45,8 @@ class PieceTable {
   /// Cuts an entry, which lies on both sides of the plane; each half is a new piece.
   Cut cut(Index test, std::uint32_t plane);
 
-  /// COMPARE-POLYS over the table, for callers that cut entries themselves. They call note_cut after
-  /// each cut of the entry `test`, which is one of the halves from then on.
+  /// COMPARE-POLYS over the table, for callers that cut entries themselves. They call note_cut
+  /// after each cut of the entry `test`, which is one of the halves from then on.
   struct Observer {
     std::vector<std::pair<bool, SideBuffer::Side>>* told;
     void put(bool in_e, const SideBuffer::Side& side) const { told->emplace_back(in_e, side); }

@@ -357,5 +357,18 @@ class Git(Tree):
         self.assertTrue(done.stderr.startswith("house: "), done.stderr)
 
 
+class FunctionsEntered(unittest.TestCase):
+    def test_names(self):
+        for function, name in {
+            "displayfile::Segment::name() const": "displayfile::Segment::name",
+            "void displayfile::walk<A<int> >(A<int>&)'2": "displayfile::walk<A<int> >",
+            "displayfile::(anonymous namespace)::f(int)": "displayfile::{unnamed}::f",
+            "std::vector<displayfile::Edge>::push_back(displayfile::Edge&&)":
+                "std::vector<displayfile::Edge>::push_back",
+            "main": "main",
+        }.items():
+            self.assertEqual(house.qualified_name(function), name)
+
+
 if __name__ == "__main__":
     unittest.main()

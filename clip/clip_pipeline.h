@@ -20,7 +20,7 @@ struct ClippedPolygon {
 };
 
 /// A vertex that polygons share, as the pipeline sees it.
-struct ViewedVertex {
+struct PipelineVertex {
   Point3 device;    ///< if it is inside of all planes
   Outcode outcode;  ///< the planes that it is outside of
 };
@@ -58,7 +58,7 @@ class ClipPipeline {
   bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) const;
 
   /// A polygon all of whose vertices are inside has their device coordinates.
-  ViewedVertex view(const Point3& world) const {
+  PipelineVertex view(const Point3& world) const {
     const HomogeneousPoint p = volume_.transform(world);
     const Outcode outcode = volume_.outcode(p);
     return {outcode == 0 ? volume_.to_device(p) : Point3(0.0), outcode};

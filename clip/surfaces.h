@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "clip/base/work_budget.h"
+
 namespace displayfile {
 
 // Methods.
@@ -142,6 +144,24 @@ RootChoice root_choice(std::string_view name);
 
 /// Into how many pieces a sort may cut polygons, unless another number is set.
 inline constexpr std::size_t kMostPieces = 10'000'000;
+
+/// How one call finds hidden surfaces and lines: what has a value here is in place of what the
+/// application set.
+struct HiddenSurfaceOptions {
+  std::optional<HiddenMethod> method = std::nullopt;
+  std::optional<HiddenScope> scope = std::nullopt;
+  std::optional<Precision> precision = std::nullopt;
+  std::optional<HiddenLines> hidden_lines = std::nullopt;
+  RootChoice root = RootChoice::free;     ///< of the trees of `bsp`; Error for any other method
+  int threads = 1;                        ///< at most, 1 or more; the result is the same for any
+  std::size_t most_pieces = kMostPieces;  ///< that a sort may cut polygons into; Error for more
+  /// Called by a method that finds lines with the number of lines it has done, anew for each
+  /// segment, or group of segments, that is looked at by itself.
+  WorkProgress progress = {};
+  /// What the call may use at most, and a way to stop it, if not null: LimitReached for more, and
+  /// no file is written (clip/base/work_budget.md).
+  WorkBudget* budget = nullptr;
+};
 
 // Lines.
 

@@ -95,7 +95,7 @@ void ViewPoints(const ViewVolume& volume, std::span<const Point3> world, std::sp
     in_vectors.view(&world[i].x, &device[i].x, &outcodes[i]);
   }
   for (; i < world.size(); ++i) {
-    const ViewedVertex viewed = pipeline.view(world[i]);
+    const PipelineVertex viewed = pipeline.view(world[i]);
     device[i] = viewed.device;
     outcodes[i] = static_cast<std::uint8_t>(viewed.outcode);
   }

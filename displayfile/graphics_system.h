@@ -224,7 +224,7 @@ enum class Setting {
 };
 
 /// Those settings that an application has set explicitly.
-class SaidSettings {
+class ExplicitSettings {
  public:
   bool contains(Setting setting) const { return (bits_ & bit(setting)) != 0; }
   void insert(Setting setting) { bits_ |= bit(setting); }
@@ -501,7 +501,7 @@ class GraphicsSystem {
   /// The scene that is retained, by retain or for a setting that needs it; null if none is.
   const RetainedScene* retained() const;
 
-  const SaidSettings& said() const;
+  const ExplicitSettings& explicit_settings() const;
   SystemCounts counts() const;
 
  private:

@@ -224,8 +224,9 @@ TEST(UsualSamples, AreOneWhereAPictureIsHeldWhole) {
   for (const HiddenMethod method :
        {HiddenMethod::plain_z_buffer, HiddenMethod::plain_z_buffer_double,
         colour_rule_by(HiddenMethod::plain_z_buffer_16)}) {
-    EXPECT_EQ(resolve(DrawOptions{.hidden = method}).samples, 1) << name_of(method);
-    EXPECT_EQ(resolve(DrawOptions{.hidden = method, .samples = 3}).samples, 3) << name_of(method);
+    EXPECT_EQ(resolve(DrawOptions{.surfaces = {.method = method}}).samples, 1) << name_of(method);
+    EXPECT_EQ(resolve(DrawOptions{.surfaces = {.method = method}, .samples = 3}).samples, 3)
+        << name_of(method);
   }
 }
 

@@ -21,20 +21,20 @@ namespace {
 using namespace test;
 
 /// What Appel's method finds of all drawn lines, and how; the same pieces as Roberts's.
-AppelCounts found_as_by_roberts(const ItemList& list, const LineOptions& options = {}) {
+AppelCounts found_as_by_roberts(const ItemList& list, const SurfacePlan& options = {}) {
   const Primitives items = list.view();
   const std::vector<LineName> lines = drawn_lines(items);
-  const LineScene scene(items, lines, options.threads);
+  const LineTable scene(items, lines, options.threads);
   AppelCounts counts;
   const SeenLines seen = visible_lines_by_appel(items, scene, options, &counts);
-  EXPECT_EQ(seen.pieces, visible_lines(items, lines, HiddenMethod::roberts, options).pieces);
+  EXPECT_EQ(seen.pieces, visible_lines(items, lines, options.by(HiddenMethod::roberts)).pieces);
   EXPECT_EQ(counts.rays + counts.carried, scene.first_lines().size());
   return counts;
 }
 
 std::size_t contour_edges(const ItemList& list) {
   const Primitives items = list.view();
-  const LineScene scene(items, {}, 1);
+  const LineTable scene(items, {}, 1);
   return ContourEdges(scene, items, SideTable(items), 1).size();
 }
 
@@ -92,8 +92,8 @@ TEST(Appel, CountsAreCarriedWithRoundoffToo) {
   add_ball(list, {0.5, 0.45, 0.2}, 0.3, 3);
   const Primitives items = list.view();
   const std::vector<LineName> lines = drawn_lines(items);
-  const LineScene scene(items, lines, 1);
-  LineOptions roundoff;
+  const LineTable scene(items, lines, 1);
+  SurfacePlan roundoff;
   roundoff.precision.exact = false;
   AppelCounts counts;
   const SeenLines seen = visible_lines_by_appel(items, scene, roundoff, &counts);
@@ -197,7 +197,8 @@ TEST(Appel, LargeStarsAreLeftOut) {
 TEST(Appel, AnyNumberOfThreadsFindsTheSameInTheSameWay) {
   ItemList list;
   for (int k = 0; k < 12; ++k) add_ball(list, {0.3 + 0.03 * k, 0.5, 0.5 - 0.1 * k}, 0.2, 2);
-  const AppelCounts one = found_as_by_roberts(list), three = found_as_by_roberts(list, {{}, 3});
+  const AppelCounts one = found_as_by_roberts(list),
+                    three = found_as_by_roberts(list, {.threads = 3});
   EXPECT_EQ(one.rays, 12u);
   EXPECT_EQ(three.rays, one.rays);
 }

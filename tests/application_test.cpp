@@ -36,7 +36,7 @@ TEST(Application, DrawsAndCatches) {
   g.close_segment();
   displayfile::DrawOptions options{.samples = 1};
   options.width = options.height = 16;
-  options.hidden = displayfile::HiddenMethod::z_buffer;
+  options.surfaces.method = displayfile::HiddenMethod::z_buffer;
   const displayfile::Picture picture = displayfile::draw(g, options);
   EXPECT_EQ(picture.pixels.size(), 256u);
   EXPECT_NE(picture.pixels[8 * 16 + 8], 0xFFFFFFFFu);
@@ -108,7 +108,8 @@ TEST(Application, ViewsARetainedScene) {
   using displayfile::HiddenMethod;
   for (const auto method : {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::map,
                             HiddenMethod::world_ray_cast}) {
-    const displayfile::DrawOptions options{.width = 9, .height = 9, .hidden = method, .samples = 1};
+    const displayfile::DrawOptions options{
+        .width = 9, .height = 9, .surfaces = {.method = method}, .samples = 1};
     EXPECT_EQ(renderer.draw(in, options).pixels, displayfile::draw(g, options).pixels);
   }
 }
@@ -207,7 +208,7 @@ TEST(Application, ACameraThatCannotBeIsAnError) {
   wrong.window = {1, 0, 0, 1};
   EXPECT_NE(refused([&] { g.set_view(wrong); }), "");
   EXPECT_EQ(g.view(), before);
-  EXPECT_FALSE(g.said().contains_view());
+  EXPECT_FALSE(g.explicit_settings().contains_view());
 }
 
 /// One switch: all settings of a call are made, or none; those without a value stay.
@@ -255,11 +256,11 @@ TEST(Application, DrawsOnADeviceOfItsOwn) {
   g.polygon_abs_3({{-0.4, -0.4, 0.5}, {0.4, -0.4, 0.5}, {0, 0.4, 0.5}});
   g.close_segment();
   Counter in_order, visible;
-  displayfile::draw(g, in_order, {.hidden = displayfile::HiddenMethod::none});
+  displayfile::draw(g, in_order, {.surfaces = {.method = displayfile::HiddenMethod::none}});
   EXPECT_EQ(in_order.fills, 2u);
   EXPECT_EQ(in_order.vertices, 7u);
   EXPECT_EQ(in_order.sides, 7u);
-  const displayfile::DrawOptions map{.hidden = displayfile::HiddenMethod::map};
+  const displayfile::DrawOptions map{.surfaces = {.method = displayfile::HiddenMethod::map}};
   displayfile::draw(g, visible, map);
   const displayfile::DrawnPieces pieces = displayfile::drawn_pieces(g, map);
   using Kind = displayfile::DrawnPieces::Kind;
@@ -300,8 +301,8 @@ TEST(Application, BadOptionsAreErrors) {
     return "nothing";
   };
   const std::pair<DrawOptions, const char*> cases[] = {
-      {DrawOptions{.threads = -1}, "-1 threads: expected 1 or more"},
-      {DrawOptions{.threads = 0}, "0 threads: expected 1 or more"},
+      {DrawOptions{.surfaces = {.threads = -1}}, "-1 threads: expected 1 or more"},
+      {DrawOptions{.surfaces = {.threads = 0}}, "0 threads: expected 1 or more"},
       {DrawOptions{.format = ".gif"}, "unknown picture format '.gif': expected one of "},
       {DrawOptions{.format = "pgn"}, "unknown picture format 'pgn': did you mean '.png'"},
       {DrawOptions{.device = "x"}, "unknown device 'x': expected "},

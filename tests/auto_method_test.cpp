@@ -48,7 +48,7 @@ TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   g.close_segment();
   const auto method = [&](const DrawOptions& options = {}, PictureKind kind = PictureKind::vector) {
     DrawOptions with_auto = options;
-    with_auto.hidden = HiddenMethod::automatic;
+    with_auto.surfaces.method = HiddenMethod::automatic;
     return drawing_method(g, with_auto, kind);
   };
   EXPECT_EQ(method(), HiddenMethod::franklin);
@@ -90,8 +90,10 @@ TEST(AutoMethod, DrawsTheTruth) {
       const DisplayFile file = test::scene(family, seed, 2 + static_cast<int>(seed % 7));
       SoftwareRenderer renderer;
       for (const int side : {24, 150}) {
-        const RasterRequest request{
-            .width = side, .height = side, .method = HiddenMethod::automatic, .ids = true};
+        const RasterRequest request{.width = side,
+                                    .height = side,
+                                    .surfaces = {.method = HiddenMethod::automatic},
+                                    .ids = true};
         ASSERT_EQ(renderer.draw(file, request).ids, truth(file, side, side, false).ids)
             << family.name << ", seed " << seed << ", side " << side;
       }

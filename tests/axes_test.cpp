@@ -23,13 +23,13 @@ namespace {
 
 using namespace test;
 
-std::vector<ViewedText> drawn_texts(const GraphicsSystem& g) {
+std::vector<DeviceText> drawn_texts(const GraphicsSystem& g) {
   return ViewedScene(g.display_file()).texts();
 }
 
 std::vector<std::string> texts_of(const GraphicsSystem& g) {
   std::vector<std::string> texts;
-  for (const ViewedText& text : drawn_texts(g)) texts.push_back(text.characters);
+  for (const DeviceText& text : drawn_texts(g)) texts.push_back(text.characters);
   return texts;
 }
 
@@ -47,7 +47,7 @@ GraphicsSystem axes_of(const Point3& low, const Point3& high, const Names& names
 
 std::vector<std::string> numbers(double low, double high) {
   std::vector<std::string> found;
-  for (const ViewedText& text : drawn_texts(axes_of({low, 0, 0}, {high, high - low, 0}))) {
+  for (const DeviceText& text : drawn_texts(axes_of({low, 0, 0}, {high, high - low, 0}))) {
     if (text.style.alignment == TextStyle::Alignment::centre) found.push_back(text.characters);
   }
   return found;
@@ -71,7 +71,7 @@ TEST(Axes, OfAFlatChart) {
   const GraphicsSystem g = axes_of({0, 0, 0}, {10, 5, 0}, {"time", "speed", "none"});
   EXPECT_EQ(texts_of(g), (std::vector<std::string>{"0", "2", "4", "6", "8", "10", "0", "1", "2",
                                                    "3", "4", "5", "time", "speed"}));
-  for (const ViewedText& text : drawn_texts(g)) {
+  for (const DeviceText& text : drawn_texts(g)) {
     const bool is_below = text.anchor.y < 0.4 / 1.8;
     const bool is_left = text.anchor.x < 0.4 / 1.8;
     EXPECT_TRUE(is_below || is_left) << text.characters;
@@ -135,7 +135,7 @@ TEST(Axes, AreOutsideOfTheirBoxInEveryView) {
         ASSERT_EQ(seen, scene.texts().size()) << azimuth << ' ' << elevation << ' ' << perspective;
         if (perspective && (elevation < -70 || elevation > 70)) continue;  // "three" is left out
         for (const char* name : {"one", "two", "three"}) {
-          ASSERT_EQ(std::ranges::count(scene.texts(), name, &ViewedText::characters), 1)
+          ASSERT_EQ(std::ranges::count(scene.texts(), name, &DeviceText::characters), 1)
               << name << ' ' << azimuth << ' ' << elevation << ' ' << perspective;
         }
       }
@@ -145,7 +145,7 @@ TEST(Axes, AreOutsideOfTheirBoxInEveryView) {
 }
 
 /// About what its letters cover, in a picture that is as wide as high.
-Rectangle covered_by(const ViewedText& text) {
+Rectangle covered_by(const DeviceText& text) {
   using Alignment = TextStyle::Alignment;
   const double of_letter = 0.55 * text.style.size;
   const double width = of_letter * static_cast<double>(text.characters.size());
@@ -185,11 +185,11 @@ TEST(Axes, NoTextRunsThroughAnAxisThatRisesALittle) {
     g.open_segment(1);
     axes_3(g, low, high, {"distance from the source in metres", "", ""});
     g.close_segment();
-    const std::vector<ViewedText> texts = drawn_texts(g);
-    EXPECT_TRUE(std::ranges::any_of(texts, [](const ViewedText& text) {
+    const std::vector<DeviceText> texts = drawn_texts(g);
+    EXPECT_TRUE(std::ranges::any_of(texts, [](const DeviceText& text) {
       return text.characters.starts_with("distance");
     })) << turned;
-    for (const ViewedText& text : texts) {
+    for (const DeviceText& text : texts) {
       EXPECT_FALSE(is_over_an_edge(covered_by(text), g, low, high))
           << turned << " " << text.characters;
     }
@@ -206,9 +206,9 @@ TEST(Axes, NoLongNumberRunsThroughItsAxis) {
     g.open_segment(1);
     axes_3(g, low, high);
     g.close_segment();
-    const std::vector<ViewedText> texts = drawn_texts(g);
+    const std::vector<DeviceText> texts = drawn_texts(g);
     EXPECT_GE(texts.size(), 5u) << turned;
-    for (const ViewedText& text : texts) {
+    for (const DeviceText& text : texts) {
       EXPECT_FALSE(is_over_an_edge(covered_by(text), g, low, high))
           << turned << " " << text.characters;
     }
@@ -222,7 +222,7 @@ TEST(Axes, LongNamesAreInThePictureAndNoTextIsOverAnother) {
       for (int elevation = -63; elevation < 70; elevation += 18) {
         SCOPED_TRACE(testing::Message() << azimuth << ' ' << elevation << ' ' << perspective);
         const GraphicsSystem g = box_seen_from(azimuth, elevation, perspective, names);
-        std::vector<ViewedText> texts = drawn_texts(g);
+        std::vector<DeviceText> texts = drawn_texts(g);
         for (std::size_t i = 0; i < texts.size(); ++i) {
           if (texts[i].characters.starts_with("\u2212")) texts[i].characters.replace(0, 3, "-");
           const Rectangle box = covered_by(texts[i]);
@@ -238,7 +238,7 @@ TEST(Axes, LongNamesAreInThePictureAndNoTextIsOverAnother) {
         }
         EXPECT_GE(texts.size(), 11u);  // two numbers may be one at a corner where axes meet
         for (const std::string_view name : names) {
-          EXPECT_EQ(std::ranges::count(texts, name, &ViewedText::characters), 1) << name;
+          EXPECT_EQ(std::ranges::count(texts, name, &DeviceText::characters), 1) << name;
         }
       }
     }

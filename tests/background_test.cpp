@@ -37,7 +37,7 @@ void enter(GraphicsSystem& g) {
 DrawOptions options(HiddenMethod method, const Background& background) {
   DrawOptions o{.samples = 1};
   o.width = o.height = 24;
-  o.hidden = method;
+  o.surfaces.method = method;
   o.background = background;
   o.with_ids = true;
   return o;
@@ -72,7 +72,7 @@ TEST_F(BackgroundTest, IsThatOfOsmesaAndOfThePlainZBuffer) {
   enter(g);
   RasterRequest request;
   request.width = request.height = 24;
-  request.method = HiddenMethod::z_buffer;
+  request.surfaces.method = HiddenMethod::z_buffer;
   request.ids = true;
   std::vector<Picture (*)(const DisplayFile&, const RasterRequest&)> devices{
       [](const DisplayFile& d, const RasterRequest& r) {

@@ -242,7 +242,7 @@ TEST_F(CameraTest, RefusesWhatCannotBeSeen) {
   const auto refused = [&](const Camera& camera) {
     GraphicsSystem g;
     EXPECT_THROW(fit_view(std::span(&mesh, 1), g, camera), Error);
-    EXPECT_FALSE(g.said().contains_view());
+    EXPECT_FALSE(g.explicit_settings().contains_view());
   };
   for (const double angle : {0.0, -10.0, 180.0, std::nan(""), HUGE_VAL}) {
     Camera camera;
@@ -428,7 +428,7 @@ TEST_F(ViewBeforeAMesh, AMeshThatIsNotBeforeTheSaidEyeIsRefused) {
   GraphicsSystem g;
   EXPECT_THROW(enter("set-perspective 0.5 0.5 0.5\n", g), Error);
   EXPECT_TRUE(g.display_file().segments().empty());
-  EXPECT_FALSE(g.said().contains(Setting::window));
+  EXPECT_FALSE(g.explicit_settings().contains(Setting::window));
 }
 
 TEST_F(SettingsBeforeAMesh, StylesAreThenWhatTheyWere) {
@@ -436,9 +436,9 @@ TEST_F(SettingsBeforeAMesh, StylesAreThenWhatTheyWere) {
   enter("", g);
   EXPECT_EQ(g.attributes().fill, FillStyle{});
   EXPECT_EQ(g.attributes().line, LineStyle{});
-  EXPECT_FALSE(g.said().contains(Setting::fill_style));
-  EXPECT_FALSE(g.said().contains(Setting::light));
-  EXPECT_FALSE(g.said().contains(Setting::hidden_line_removal));
+  EXPECT_FALSE(g.explicit_settings().contains(Setting::fill_style));
+  EXPECT_FALSE(g.explicit_settings().contains(Setting::light));
+  EXPECT_FALSE(g.explicit_settings().contains(Setting::hidden_line_removal));
   GraphicsSystem red;
   enter("set-fill-style solid 1 0 0\nset-line-style dashed 0 1 0\n", red);
   EXPECT_EQ(red.attributes().fill.colour, Colour(1, 0, 0));
@@ -452,9 +452,9 @@ TEST_F(SettingsBeforeAMesh, ManyPolygonsWithStylesOfTheirOwnSayNoStyle) {
   const std::vector<FillStyle> fills{{FillStyle::Kind::solid, {1, 0, 0}}};
   g.open_segment(1);
   g.polygons_abs_3({vertices, corners, {}, fills});
-  EXPECT_FALSE(g.said().contains(Setting::fill_style));
+  EXPECT_FALSE(g.explicit_settings().contains(Setting::fill_style));
   g.set_fill_style(fills[0]);
-  EXPECT_TRUE(g.said().contains(Setting::fill_style));
+  EXPECT_TRUE(g.explicit_settings().contains(Setting::fill_style));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(ColourRule, ShowsLinesOnTheBackgroundAndHasTheFillsItemBuffer) {
       const Picture rule = draw(g, options);
       std::set<std::uint32_t> colours(rule.pixels.begin(), rule.pixels.end());
       EXPECT_EQ(colours, (std::set<std::uint32_t>{pixel_of(background), pixel_of({1, 0, 0})}));
-      options.hidden = surfaces;
+      options.surfaces.method = surfaces;
       const Picture filled = draw(g, options);
       EXPECT_EQ(rule.ids, filled.ids);
       EXPECT_EQ(rule.depth, filled.depth);
@@ -112,9 +112,9 @@ TEST(ColourRule, IsTheSameOnAnyThreads) {
   enter(generated_scene("soup").make(40, 3), g);
   for (const HiddenMethod surfaces : {z_buffer, bsp, none}) {
     DrawOptions options{.samples = 1};
-    options.hidden = colour_rule_by(surfaces);
+    options.surfaces.method = colour_rule_by(surfaces);
     const Picture one = draw(g, options);
-    options.threads = 3;
+    options.surfaces.threads = 3;
     EXPECT_EQ(draw(g, options).pixels, one.pixels);
   }
 }
@@ -136,7 +136,7 @@ TEST(ColourRule, SortsWhenASegmentIsClosed) {
   enter_cube(g);
   const auto sorted = g.display_file().segment(1).sorted();
   ASSERT_NE(sorted, nullptr);
-  EXPECT_EQ(sorted->method, bsp);
+  EXPECT_EQ(sorted->plan.method, bsp);
   SortedDisplayFile kept;  // which leaves it as it is
   EXPECT_EQ(kept.update(g, colour_rule_by(bsp)).segment(1).sorted(), sorted);
 }
@@ -152,7 +152,7 @@ TEST_F(ColourRuleFiles, InVectorsFillsHaveTheBackgroundsColour) {
   };
   for (const HiddenMethod surfaces : {automatic, bsp, depth_sort, z_buffer}) {
     DrawOptions options{.samples = 1};
-    options.hidden = colour_rule_by(surfaces);
+    options.surfaces.method = colour_rule_by(surfaces);
     options.background = Background{Background::Kind::solid, {0, 0, 1}};
     const std::string text = svg(options);
     EXPECT_NE(text.find(".f1"), std::string::npos);
@@ -174,7 +174,7 @@ TEST(ColourRule, IsNotDrawnByOpenGl) {
   GraphicsSystem g;
   enter_cube(g);
   DrawOptions options{.samples = 1};
-  options.hidden = colour_rule;
+  options.surfaces.method = colour_rule;
   options.device = "osmesa";
   EXPECT_NE(error_of([&] { draw(g, options); }).find("expected the software device"),
             std::string::npos);
@@ -299,10 +299,10 @@ struct Differences {
 std::vector<bool> line_pixels(const DisplayFile& file, HiddenMethod method, int size) {
   RasterRequest request;
   request.width = request.height = size;
-  request.method = method;
+  request.surfaces.method = method;
   DisplayFile drawn = file;
   if (is_object_space(method)) {
-    drawn.set_sorted(hidden_surface_check(file.visible_segments(), method, {}));
+    drawn.set_sorted(hidden_surface_check(file.visible_segments(), {.method = method}));
     request.sorted = true;
   }
   std::vector<bool> lines;
@@ -319,7 +319,7 @@ Differences differences(const DisplayFile& entered, HiddenMethod surfaces, int s
   const ViewedScene scene(file);
   Reasons reasons(scene, size, size);
   if (is_object_space(surfaces)) {
-    reasons.take_order(*hidden_surface_check(file.visible_segments(), surfaces, {}));
+    reasons.take_order(*hidden_surface_check(file.visible_segments(), {.method = surfaces}));
   }
   Differences found;
   for (int i = 0; i < size * size; ++i) {

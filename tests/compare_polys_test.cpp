@@ -84,7 +84,7 @@ class AgainstPlane {
 
   ItemList list_;
   Primitives items_;
-  std::optional<SortScene<Policy>> scene_;
+  std::optional<SortTables<Policy>> scene_;
 };
 
 template <class Policy>

@@ -23,7 +23,7 @@ using Sets = std::vector<std::vector<std::uint32_t>>;
 /// The objects of more than one polygon.
 Sets objects_with_outline(const ItemList& list) {
   const Primitives items = list.view();
-  const LineScene scene(items, {}, 1);
+  const LineTable scene(items, {}, 1);
   const ConvexObjects objects(items, scene);
   Sets sets;
   std::size_t polygons = 0;
@@ -107,8 +107,9 @@ TEST(ConvexObjects, WhatIsSeenIsWhatEachPolygonLeaves) {
   const Sets sets = objects_with_outline(list);
   EXPECT_EQ(sets.size(), 50u);
   const auto lines = drawn_lines(list.view());
-  const SeenLines seen = visible_lines(list.view(), lines, HiddenMethod::roberts, {});
-  EXPECT_EQ(seen.pieces, visible_lines(list.view(), lines, HiddenMethod::franklin, {}).pieces);
+  const SeenLines seen = visible_lines(list.view(), lines, {.method = HiddenMethod::roberts});
+  EXPECT_EQ(seen.pieces,
+            visible_lines(list.view(), lines, {.method = HiddenMethod::franklin}).pieces);
   EXPECT_LT(seen.pieces.size(), 4 * lines.size());
 }
 
@@ -141,8 +142,8 @@ TEST(ConvexObjects, NothingChangesAmongSolidsThatTouch) {
     }
     found += objects_with_outline(list).size();
     const auto lines = drawn_lines(list.view());
-    ASSERT_EQ(visible_lines(list.view(), lines, HiddenMethod::roberts, {}).pieces,
-              visible_lines(list.view(), lines, HiddenMethod::franklin, {}).pieces)
+    ASSERT_EQ(visible_lines(list.view(), lines, {.method = HiddenMethod::roberts}).pieces,
+              visible_lines(list.view(), lines, {.method = HiddenMethod::franklin}).pieces)
         << list.text();
   }
   EXPECT_GT(found, 800u);

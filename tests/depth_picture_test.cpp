@@ -34,7 +34,7 @@ void expect_depths_of_the_truth(const GraphicsSystem& system) {
   for (const HiddenMethod method : kMethods) {
     const DrawOptions options{.width = kSize,
                               .height = kSize,
-                              .hidden = method,
+                              .surfaces = {.method = method},
                               .samples = 1,
                               .with_ids = true,
                               .with_depth = true};

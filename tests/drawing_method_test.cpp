@@ -29,7 +29,7 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   g.set_hidden_surfaces({.removal = true});
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::map);
   EXPECT_EQ(drawing_method(g, {}, PictureKind::raster), HiddenMethod::z_buffer);
-  EXPECT_EQ(drawing_method(g, {.hidden = HiddenMethod::bsp}, PictureKind::raster),
+  EXPECT_EQ(drawing_method(g, {.surfaces = {.method = HiddenMethod::bsp}}, PictureKind::raster),
             HiddenMethod::bsp);
   g.set_hidden_surfaces({.z_buffer = true});
   EXPECT_EQ(drawing_method(g, {}, PictureKind::vector), HiddenMethod::z_buffer);
@@ -51,10 +51,10 @@ TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
     g.close_segment();
   }
   const std::string all = draw_as(g, "svg", {});
-  EXPECT_EQ(draw_as(g, "svg", {.scope = HiddenScope::segment}), all);
+  EXPECT_EQ(draw_as(g, "svg", {.surfaces = {.scope = HiddenScope::segment}}), all);
   g.set_hidden_surfaces({.scope = HiddenScope::segment});
   EXPECT_EQ(draw_as(g, "svg", {}), all);
-  EXPECT_NE(draw_as(g, "svg", {.hidden = HiddenMethod::map}), all);
+  EXPECT_NE(draw_as(g, "svg", {.surfaces = {.method = HiddenMethod::map}}), all);
 }
 
 /// Where nothing is set pictures are right; dumps are what was entered.
@@ -74,11 +74,14 @@ TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
   GraphicsSystem deep, flat, off, method;
   draw_two(deep, 0.5, 0.0);
   EXPECT_EQ(middle(deep), red);
-  EXPECT_EQ(draw_as(deep, "svg"), draw_as(deep, "svg", {.hidden = HiddenMethod::map}));
+  EXPECT_EQ(draw_as(deep, "svg"),
+            draw_as(deep, "svg", {.surfaces = {.method = HiddenMethod::map}}));
   EXPECT_EQ(deep.display_file().segment(1).sorted(), nullptr);
-  EXPECT_EQ(draw(deep, {.width = 9, .height = 9, .hidden = HiddenMethod::none, .samples = 1})
-                .pixels[4 * 9 + 4],
-            blue);
+  EXPECT_EQ(
+      draw(deep,
+           {.width = 9, .height = 9, .surfaces = {.method = HiddenMethod::none}, .samples = 1})
+          .pixels[4 * 9 + 4],
+      blue);
   draw_two(flat, 0.25, 0.25);
   EXPECT_EQ(middle(flat), blue);
   EXPECT_EQ(drawing_method(flat, {}, PictureKind::vector), HiddenMethod::none);
@@ -109,7 +112,7 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
                               "when they were closed"
                             : "hidden-line removal is off");
   }
-  const DrawOptions none{.hidden = HiddenMethod::none};
+  const DrawOptions none{.surfaces = {.method = HiddenMethod::none}};
   EXPECT_EQ(drawing_choice(g, none, PictureKind::raster).reason, "as set");
 }
 
@@ -142,24 +145,22 @@ TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
   EXPECT_TRUE(plan.is_on_first_device());
   EXPECT_EQ(plan.options.background->colour, Colour(0.25, 0.5, 0.75));
   EXPECT_EQ(plan.method, HiddenMethod::bsp);
-  EXPECT_TRUE(plan.surfaces.is_applications());
   EXPECT_EQ(plan.surfaces.hidden_lines, HiddenLines::dashed);
-  EXPECT_EQ(plan.surfaces.scope_of_application, HiddenScope::all);
+  EXPECT_EQ(plan.surfaces.scope, HiddenScope::all);
   const DrawOptions settled = plan.without_system();
-  EXPECT_EQ(settled.hidden, HiddenMethod::bsp);
-  EXPECT_EQ(settled.hidden_lines, HiddenLines::dashed);
-  EXPECT_EQ(settled.scope, std::nullopt);
+  EXPECT_EQ(settled.surfaces.method, HiddenMethod::bsp);
+  EXPECT_EQ(settled.surfaces.hidden_lines, HiddenLines::dashed);
+  EXPECT_EQ(settled.surfaces.scope, std::nullopt);
 
   const Destination file("a.svg");
-  const PicturePlan other = resolve(g,
-                                    {.hidden = HiddenMethod::automatic,
-                                     .hidden_lines = HiddenLines::none,
-                                     .background = Background{.colour = {1, 1, 1}}},
-                                    &file);
+  const PicturePlan other =
+      resolve(g,
+              {.surfaces = {.method = HiddenMethod::automatic, .hidden_lines = HiddenLines::none},
+               .background = Background{.colour = {1, 1, 1}}},
+              &file);
   EXPECT_EQ(other.kind(), PictureKind::vector);
   EXPECT_EQ(other.surfaces.method, HiddenMethod::automatic);
   EXPECT_NE(other.method, HiddenMethod::automatic);
-  EXPECT_FALSE(other.surfaces.is_applications());
   EXPECT_EQ(other.surfaces.hidden_lines, HiddenLines::none);
   EXPECT_EQ(other.options.background->colour, Colour(1, 1, 1));
 }
@@ -171,7 +172,7 @@ TEST(PicturePlan, RefusesWhatCannotBe) {
   EXPECT_THROW(resolve(DrawOptions{.rows = PictureRows{0, 2}}, &vectors), Error);
   EXPECT_NO_THROW(resolve(DrawOptions{.rows = PictureRows{0, 2}}));
   EXPECT_THROW(resolve(DrawOptions{.width = 0}), Error);
-  EXPECT_THROW(resolve(DrawOptions{.threads = 0}), Error);
+  EXPECT_THROW(resolve(DrawOptions{.surfaces = {.threads = 0}}), Error);
   EXPECT_THROW(resolve(DrawOptions{.device = "plotter"}), Error);
   EXPECT_THROW(resolve(DrawOptions{.format = "gif"}), Error);
   EXPECT_THROW(resolve(DrawOptions{.pens = Pens{}}, &pixels), Error);

@@ -124,7 +124,7 @@ TEST(DrawnLines, NothingIsSeenThroughASeam) {
         HiddenMethod::bsp, HiddenMethod::map}) {
     DrawOptions options{.samples = 1};
     options.width = options.height = 300;
-    options.hidden = method;
+    options.surfaces.method = method;
     EXPECT_EQ(dark_pixels(draw(g, options), 0, 300, 0, 300), 0u) << name_of(method);
   }
 }
@@ -174,7 +174,7 @@ TEST(DrawnLines, CrumbsAreLeftOut) {
     for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::z_buffer}) {
       DrawOptions options{.samples = 1};
       options.width = options.height = 100;
-      options.hidden = method;
+      options.surfaces.method = method;
       options.crumbs = crumbs;
       most = std::max(most, dark_pixels(draw(g, options), 0, 100, 0, 100));
     }

@@ -193,10 +193,10 @@ TEST(DrawnPieces, DrawnAnewMakeThePicture) {
       DrawOptions options{.samples = 1};
       options.width = options.height = 128;
       options.background = Background{Background::Kind::solid, Colour(1.0)};
-      options.hidden = method;
+      options.surfaces.method = method;
       options.crumbs = true;  // pieces are all that is seen
       const Picture picture = draw(retained.system, options);
-      options.hidden = HiddenMethod::none;
+      options.surfaces.method = HiddenMethod::none;
       const Picture anew = draw(drawn_anew(pieces_by(retained.system, method)), options);
       std::size_t differ = 0;
       for (std::size_t p = 0; p < picture.pixels.size(); ++p) {

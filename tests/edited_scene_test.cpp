@@ -35,7 +35,7 @@ using test::Retained;
 
 DrawOptions options_of(std::optional<HiddenMethod> method) {
   DrawOptions options{.width = 60, .height = 50, .samples = 1};
-  options.hidden = method;
+  options.surfaces.method = method;
   options.with_ids = !method || !finds_lines(*method);
   return options;
 }
@@ -74,7 +74,7 @@ Drawer in_view(const GraphicsSystem& system, const RetainedScene& scene) {
 template <HiddenScope scope>
 Drawer trees(const GraphicsSystem& system, const RetainedScene& retained) {
   return drawer(
-      std::make_shared<RetainedViews>(retained, system.display_file(), SortOptions{}, scope),
+      std::make_shared<RetainedViews>(retained, system.display_file(), SurfacePlan{.scope = scope}),
       [](RetainedViews& views, const View& view) {
         return draw(views.view(view), options_of(std::nullopt));
       });

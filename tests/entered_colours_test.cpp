@@ -92,13 +92,13 @@ TEST_F(EnteredColours, GiveWayToTheProgramsFillStyleAndToTheOption) {
 TEST_F(EnteredColours, OfASecondMeshHoldToo) {
   GraphicsSystem system;
   import_mesh(path_, system);
-  EXPECT_FALSE(system.said().contains(Setting::fill_style));
+  EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
   import_mesh(path_, system);
-  EXPECT_FALSE(system.said().contains(Setting::fill_style));
+  EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
   const std::string twice = fills_of(system.display_file());
   EXPECT_EQ(twice.substr(0, twice.size() / 2), twice.substr(twice.size() / 2)) << twice;
   system.set_fill_style({FillStyle::Kind::hollow});
-  EXPECT_TRUE(system.said().contains(Setting::fill_style));
+  EXPECT_TRUE(system.explicit_settings().contains(Setting::fill_style));
 }
 
 TEST_F(EnteredColours, AreRecordedWithTheNamesOfObjects) {
@@ -125,7 +125,7 @@ TEST_F(EnteredColours, ThatAreBadChangeNothing) {
   for (const Colour& colour : {Colour(1.5, 0, 0), Colour(0, -1, 0), Colour(0, 0, std::nan(""))}) {
     GraphicsSystem system;
     EXPECT_THROW(import_mesh(path_, system, {.camera = {}, .colour = colour}), Error);
-    EXPECT_FALSE(system.said().contains_view());
+    EXPECT_FALSE(system.explicit_settings().contains_view());
     EXPECT_TRUE(system.display_file().segments().empty());
     system.set_window(-9, 9, -9, 9);
     EXPECT_THROW(enter_mesh(read_mesh(path_), system, 1, {.camera = {}, .colour = colour}), Error);

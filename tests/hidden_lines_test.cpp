@@ -34,8 +34,8 @@ std::vector<LineName> all_lines(const ItemList& list) {
 }
 
 std::vector<VisiblePiece> pieces(const ItemList& list, HiddenMethod method,
-                                 const LineOptions& options = {}) {
-  return visible_lines(list.view(), all_lines(list), method, options).pieces;
+                                 const SurfacePlan& options = {}) {
+  return visible_lines(list.view(), all_lines(list), options.by(method)).pieces;
 }
 
 std::string text(std::span<const VisiblePiece> pieces) {
@@ -56,7 +56,7 @@ std::vector<std::pair<double, double>> seen(const ItemList& list, std::uint32_t 
   for (const HiddenMethod method : kMethods) {
     std::vector<std::pair<double, double>> found;
     const LineName line{item, corner};
-    for (const auto& piece : visible_lines(list.view(), {&line, 1}, method, {}).pieces) {
+    for (const auto& piece : visible_lines(list.view(), {&line, 1}, {.method = method}).pieces) {
       found.emplace_back(piece.from, piece.to);
     }
     if (method == kMethods[0]) parts = found;
@@ -176,7 +176,7 @@ TEST(HiddenLines, PolygonsThatShareASideShowItWhereOneDoes) {
   const LineItems items(entered(list));
   for (const HiddenMethod method : kMethods) {
     for (const LineName& line : all_lines(list)) {
-      const SeenLines found = visible_lines(list.view(), {&line, 1}, method, {});
+      const SeenLines found = visible_lines(list.view(), {&line, 1}, {.method = method});
       const LineId id{line.item, line.corner};
       const LineErrors errors =
           compare_lines(items, true_lines(items, {&id, 1}), claimed_pieces(found));
@@ -246,10 +246,10 @@ TEST(HiddenLines, SheetsNearlyCoplanarAreToldApart) {
   list.line(a, b);
   const LineName line{1, 1};
   for (const HiddenMethod method : kMethods) {
-    LineOptions options;
-    EXPECT_TRUE(visible_lines(list.view(), {&line, 1}, method, options).pieces.empty());
+    SurfacePlan options;
+    EXPECT_TRUE(visible_lines(list.view(), {&line, 1}, options.by(method)).pieces.empty());
     options.precision.exact = false;
-    EXPECT_EQ(visible_lines(list.view(), {&line, 1}, method, options).pieces.size(), 1u);
+    EXPECT_EQ(visible_lines(list.view(), {&line, 1}, options.by(method)).pieces.size(), 1u);
   }
 }
 
@@ -268,13 +268,13 @@ TEST(HiddenLines, NamesOfLinesThatThereAreNotAreRefused) {
   list.solid(kSquare);
   list.line({0.0, 0.0, 0.0}, {1.0, 1.0, 0.0});
   const auto find = [&](LineName line, HiddenMethod method = HiddenMethod::roberts) {
-    return visible_lines(list.view(), {&line, 1}, method, {});
+    return visible_lines(list.view(), {&line, 1}, {.method = method});
   };
   EXPECT_THROW(find({2, 0}), Error);
   EXPECT_THROW(find({0, 4}), Error);
   EXPECT_THROW(find({1, 0}), Error);
   EXPECT_THROW(find({0, 0}, HiddenMethod::bsp), Error);
-  EXPECT_EQ(visible_lines(list.view(), {}, HiddenMethod::roberts, {}).pieces.size(), 0u);
+  EXPECT_EQ(visible_lines(list.view(), {}, {.method = HiddenMethod::roberts}).pieces.size(), 0u);
 }
 
 TEST(DrawnLines, SidesAreListedOnceAndByTheFirstThatIsDrawn) {
@@ -307,7 +307,7 @@ TEST(HiddenLines, TellOfProgressUpToTheEndAndFindTheSame) {
   for (const HiddenMethod method : kMethods) {
     for (const int threads : {1, 3}) {
       std::size_t calls = 0, last = 0, all = 0;
-      LineOptions options;
+      SurfacePlan options;
       options.threads = threads;
       options.progress = [&](std::size_t done, std::size_t of) {
         EXPECT_GE(done, last);
@@ -330,7 +330,7 @@ TEST(HiddenLines, AreStoppedByWhoIsTold) {
   for (const HiddenMethod method : kMethods) {
     for (const int threads : {1, 3}) {
       bool stopped = false;
-      LineOptions options;
+      SurfacePlan options;
       options.threads = threads;
       options.progress = [&](std::size_t done, std::size_t all) {
         EXPECT_FALSE(stopped) << "told again after it stopped the work";
@@ -404,10 +404,11 @@ std::string difference_of_few(const ItemList& list, const std::vector<LineName>&
                               const std::vector<IntersectionLine>& intersections) {
   std::string differ;
   for (const HiddenMethod method : kMethods) {
-    const SeenLines all = visible_lines(list.view(), all_lines(list), method, {}, intersections);
+    const SeenLines all =
+        visible_lines(list.view(), all_lines(list), {.method = method}, intersections);
     const std::size_t one = intersections.empty() ? 0 : 1;
     const SeenLines alone =
-        visible_lines(list.view(), few, method, {}, std::span(intersections).first(one));
+        visible_lines(list.view(), few, {.method = method}, std::span(intersections).first(one));
     std::vector<VisiblePiece> of_few;
     for (const VisiblePiece& piece : all.pieces) {
       if (std::ranges::binary_search(few, LineName{piece.item, piece.corner})) {
@@ -456,7 +457,7 @@ TEST(HiddenLines, OfAFewLinesAsMuchIsSeenAsOfTheseAmongAll) {
 }
 
 /// What is seen of all lines, in units of the picture.
-double seen_length(const ItemList& list, HiddenMethod method, const LineOptions& options) {
+double seen_length(const ItemList& list, HiddenMethod method, const SurfacePlan& options) {
   double length = 0.0;
   for (const auto& [item, corner, from, to] : pieces(list, method, options)) {
     const auto points = list.points_of(item);
@@ -469,7 +470,7 @@ double seen_length(const ItemList& list, HiddenMethod method, const LineOptions&
 TEST(HiddenLines, WithRoundoffMuchTheSameIsSeenOfASceneThatIsNotHard) {
   Source s(11);
   const ItemList list = families::triangles(s);
-  LineOptions exact, roundoff;
+  SurfacePlan exact, roundoff;
   roundoff.precision.exact = false;
   for (const HiddenMethod method : kMethods) {
     EXPECT_NEAR(seen_length(list, method, roundoff), seen_length(list, method, exact), 1e-6);
@@ -515,7 +516,7 @@ ItemList crowd() {
 TEST(HiddenLines, AnyNumberOfThreadsFindsTheSame) {
   const ItemList list = crowd();
   for (const HiddenMethod method : kMethods) {
-    LineOptions three;
+    SurfacePlan three;
     three.threads = 3;
     EXPECT_EQ(text(pieces(list, method)), text(pieces(list, method, three))) << name_of(method);
   }

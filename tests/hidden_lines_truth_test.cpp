@@ -73,11 +73,10 @@ TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
   int wrong = 0, wrong_at_points = 0;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const DisplayFile file = degenerate(seed);
-    LineJudging judging{.method = HiddenMethod::franklin,
-                        .precision = {.exact = false, .roundoff = 0.3}};
-    const JudgedLines whole = judged_lines(file, judging);
-    judging.samples = 1000;
-    const JudgedLines at_points = judged_lines(file, judging);
+    const SurfacePlan judged{.method = HiddenMethod::franklin,
+                             .precision = {.exact = false, .roundoff = 0.3}};
+    const JudgedLines whole = judged_lines(file, judged);
+    const JudgedLines at_points = judged_lines(file, judged, 1000);
     EXPECT_EQ(at_points.lines, whole.lines);
     EXPECT_TRUE(at_points.lines == 0 || at_points.samples > 500);
     EXPECT_NEAR(at_points.errors.missing, whole.errors.missing, 0.1);

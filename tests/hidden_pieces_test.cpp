@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -35,7 +36,7 @@ struct Found {
 Found found(const ItemList& list, HiddenMethod method = HiddenMethod::franklin) {
   Found all;
   all.lines = drawn_lines(list.view());
-  all.seen = visible_lines(list.view(), all.lines, method, {});
+  all.seen = visible_lines(list.view(), all.lines, {.method = method});
   all.hidden = hidden_pieces(all.lines, all.seen);
   all.left = uncovered_pieces(list.view(), all.seen, all.hidden);
   return all;

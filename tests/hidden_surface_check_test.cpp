@@ -219,7 +219,8 @@ TEST_P(HiddenSurfaceCheck, LinesAreInTheOrder) {
   EXPECT_EQ(g.display_file().segment(1).sorted()->lines(), 3u);
   const DisplayFile& file = g.display_file();
   const auto pixels = [&](HiddenMethod method) {
-    return draw(g, {.width = kSize, .height = kSize, .hidden = method, .samples = 1}).pixels;
+    return draw(g, {.width = kSize, .height = kSize, .surfaces = {.method = method}, .samples = 1})
+        .pixels;
   };
   ASSERT_EQ(file.segment(1).sorted()->counts.cuts, 0u);
   EXPECT_EQ(pixels(GetParam()), pixels(HiddenMethod::z_buffer));
@@ -265,7 +266,8 @@ TEST_P(HiddenSurfaceCheck, FlatSegment) {
 TEST(HiddenSurfaceCheckErrors, OnlyMethodsThatWorkInObjectSpace) {
   for (const auto method : {HiddenMethod::none, HiddenMethod::z_buffer, HiddenMethod::automatic}) {
     EXPECT_FALSE(is_object_space(method));
-    EXPECT_THROW(hidden_surface_check(std::make_shared<Instructions>(), {}, method, {}), Error);
+    EXPECT_THROW(hidden_surface_check(std::make_shared<Instructions>(), {}, {.method = method}),
+                 Error);
   }
 }
 
@@ -294,7 +296,7 @@ TEST_P(HiddenSurfaceCheck, OnlyWhereAskedFor) {
   g.set_hidden_surfaces({.scope = HiddenScope::segment});
   g.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 1e-3}});
   EXPECT_TRUE(segment_with(6));
-  EXPECT_EQ(g.display_file().segment(6).sorted()->precision.roundoff, 1e-3);
+  EXPECT_EQ(g.display_file().segment(6).sorted()->plan.precision.roundoff, 1e-3);
 }
 
 TEST_P(HiddenSurfaceCheck, TruthAndZBufferReadWhatWasEntered) {
@@ -307,10 +309,11 @@ TEST_P(HiddenSurfaceCheck, TruthAndZBufferReadWhatWasEntered) {
   }
   ASSERT_GT(sorted.display_file().segment(1).sorted()->counts.cuts, 0u);
   EXPECT_EQ(true_ids(sorted), true_ids(entered));
-  EXPECT_EQ(drawn_ids(sorted, {.hidden = HiddenMethod::z_buffer}), drawn_ids(entered));
-  EXPECT_EQ(drawn_ids(sorted, {.hidden = HiddenMethod::none}),
-            drawn_ids(entered, {.hidden = HiddenMethod::none}));
-  EXPECT_NE(drawn_ids(sorted, {.hidden = HiddenMethod::none}), true_ids(sorted));
+  EXPECT_EQ(drawn_ids(sorted, {.surfaces = {.method = HiddenMethod::z_buffer}}),
+            drawn_ids(entered));
+  EXPECT_EQ(drawn_ids(sorted, {.surfaces = {.method = HiddenMethod::none}}),
+            drawn_ids(entered, {.surfaces = {.method = HiddenMethod::none}}));
+  EXPECT_NE(drawn_ids(sorted, {.surfaces = {.method = HiddenMethod::none}}), true_ids(sorted));
   EXPECT_EQ(drawn_ids(sorted), true_ids(sorted));
 }
 
@@ -361,11 +364,14 @@ TEST_P(HiddenSurfaceCheck, ScopeOfAllSegments) {
   g.set_image_translation(2, 0.1, -0.05);
   g.set_visibility(3, false);
   EXPECT_NE(drawn_ids(g), true_ids(g));
-  EXPECT_EQ(drawn_ids(g, {.scope = HiddenScope::all}), true_ids(g));
-  EXPECT_EQ(drawn_ids(g, {.hidden = GetParam()}), true_ids(g));  // asked for from outside
-  EXPECT_EQ(drawn_ids(g, {.hidden = GetParam(), .scope = HiddenScope::segment}), drawn_ids(g));
+  EXPECT_EQ(drawn_ids(g, {.surfaces = {.scope = HiddenScope::all}}), true_ids(g));
+  EXPECT_EQ(drawn_ids(g, {.surfaces = {.method = GetParam()}}),
+            true_ids(g));  // asked for from outside
+  EXPECT_EQ(drawn_ids(g, {.surfaces = {.method = GetParam(), .scope = HiddenScope::segment}}),
+            drawn_ids(g));
   g.set_hidden_surfaces({.scope = HiddenScope::segment});
-  EXPECT_NE(drawn_ids(g, {.hidden = GetParam()}), true_ids(g));  // as the application wants it
+  EXPECT_NE(drawn_ids(g, {.surfaces = {.method = GetParam()}}),
+            true_ids(g));  // as the application wants it
   g.set_hidden_surfaces({.scope = HiddenScope::all});
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
@@ -386,7 +392,7 @@ TEST_P(HiddenSurfaceCheck, WhatWasClosedUnderScopeAllIsSortedByItselfUnderScopeS
   const auto sorted = kept.update(g, GetParam()).segment(1).sorted();
   EXPECT_NE(sorted, nullptr);
   EXPECT_EQ(kept.update(g, GetParam()).segment(1).sorted(), sorted);
-  EXPECT_EQ(drawn_ids(g, {.scope = HiddenScope::segment}), drawn_ids(always_each));
+  EXPECT_EQ(drawn_ids(g, {.surfaces = {.scope = HiddenScope::segment}}), drawn_ids(always_each));
 }
 
 TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
@@ -497,7 +503,7 @@ TEST_P(HiddenSurfaceCheck, OnlyWhatChangedIsSortedAgain) {
   rounded.precision = Precision{.exact = false};
   const auto exact = kept.update(g, GetParam(), all).sorted();
   EXPECT_NE(kept.update(g, GetParam(), rounded).sorted(), exact);
-  EXPECT_EQ(kept.update(g, GetParam(), rounded).sorted()->precision.exact, false);
+  EXPECT_EQ(kept.update(g, GetParam(), rounded).sorted()->plan.precision.exact, false);
 }
 
 /// Sorted together, only the segments that overlap what changed are sorted again.
@@ -515,7 +521,7 @@ TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
   const HiddenSurfaceOptions all{.method = GetParam(), .scope = HiddenScope::all};
   SortedDisplayFile kept;
   DrawOptions draw_all{.samples = 1};
-  draw_all.hidden = GetParam();
+  draw_all.surfaces.method = GetParam();
   const auto expect_work = [&](std::size_t groups, std::size_t sorted) {
     kept.update(g, GetParam(), all);
     EXPECT_EQ(kept.work().groups, groups);

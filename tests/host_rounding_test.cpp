@@ -80,9 +80,9 @@ std::string result_of(const Call& call) {
 DrawOptions options_with(HiddenMethod method, int samples = 1) {
   DrawOptions options{.samples = 1};
   options.width = options.height = 96;
-  options.hidden = method;
+  options.surfaces.method = method;
   options.samples = samples;
-  options.threads = 3;
+  options.surfaces.threads = 3;
   return options;
 }
 

@@ -21,7 +21,7 @@ inline constexpr HiddenMethod kSurfaceMethods[] = {
 inline DrawOptions options_for_ids(int size, HiddenMethod method) {
   DrawOptions options{.samples = 1};
   options.width = options.height = size;
-  options.hidden = method;
+  options.surfaces.method = method;
   options.with_ids = true;
   return options;
 }

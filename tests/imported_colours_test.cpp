@@ -167,7 +167,7 @@ TEST_F(MeshColours, ASurveyIsDrawnAsTheSameMeshAtTheOrigin) {
     GraphicsSystem system;
     import_mesh(file("a.obj", text), system);
     const RasterRequest request{
-        .width = 400, .height = 400, .method = HiddenMethod::z_buffer, .ids = true};
+        .width = 400, .height = 400, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
     return draw_with_software(system.display_file(), request).ids;
   };
   const auto at_origin = ids(terrain(0, 0)), survey = ids(terrain(500000.25, 4000000.5));

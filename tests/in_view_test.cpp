@@ -41,8 +41,8 @@ DrawOptions options_of(HiddenMethod method, int threads = 1) {
   DrawOptions options{.samples = 1};
   options.width = kWidth;
   options.height = kHeight;
-  options.hidden = method;
-  options.threads = threads;
+  options.surfaces.method = method;
+  options.surfaces.threads = threads;
   options.with_ids = options.with_depth = true;
   return options;
 }
@@ -51,7 +51,7 @@ Picture entered_anew(const DisplayFile& file, HiddenMethod method) {
   RasterRequest request;
   request.width = kWidth;
   request.height = kHeight;
-  request.method = method;
+  request.surfaces.method = method;
   request.ids = request.depth = true;
   return draw_with_software(file, request);
 }
@@ -278,7 +278,7 @@ TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
   for (const auto& [method, name] : hidden_methods()) {
     SCOPED_TRACE(name);
     DrawOptions options{.width = 60, .height = 50, .samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     for (const char* const format : {"ppm", "svg"}) {
       options.format = format;
       std::string drawn, expected;

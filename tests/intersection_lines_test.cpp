@@ -263,7 +263,8 @@ Parts seen(const ItemList& list) {
   for (const HiddenMethod method :
        {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     Parts found;
-    for (const auto& piece : visible_lines(list.view(), {}, method, {}, lines).intersections) {
+    for (const auto& piece :
+         visible_lines(list.view(), {}, {.method = method}, lines).intersections) {
       found.emplace_back(piece.from, piece.to);
     }
     if (method == HiddenMethod::roberts) parts = found;
@@ -302,7 +303,7 @@ TEST(IntersectionLines, TheExactLineIsLookedAtAndNotTheRoundedOne) {
   for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
     const std::vector<VisibleIntersection> right{{0, 0.0, 0.25}, {0, 0.75, 1.0}};
     const std::span first(lines.data(), 1);
-    EXPECT_EQ(visible_lines(list.view(), {}, method, {}, first).intersections, right);
+    EXPECT_EQ(visible_lines(list.view(), {}, {.method = method}, first).intersections, right);
   }
 }
 
@@ -314,7 +315,8 @@ TEST(IntersectionLines, NothingThroughThemHidesThem) {
   EXPECT_EQ(seen(coplanar), (Parts{{0.0, 1.0}}));
   const auto lines = [](const ItemList& all) {
     const auto found = intersection_lines(all.view());
-    return visible_lines(all.view(), {}, HiddenMethod::franklin, {}, found).intersections.size();
+    return visible_lines(all.view(), {}, {.method = HiddenMethod::franklin}, found)
+        .intersections.size();
   };
   coplanar.solid(square(0.0, 0.0, 1.0, 1.0, 0.5));
   EXPECT_EQ(lines(coplanar), 2u);  // with each level one
@@ -328,9 +330,9 @@ TEST(IntersectionLines, InOrderTheyArePiecesOfTheLaterPolygonBesideThoseOfSides)
   ItemList list = solids({kLevel, rising(0.375, 0.625)});
   list.solid(square(0.5, 0.0, 1.0, 1.0, 0.9));  // hides half
   const auto pieces = [&](HiddenMethod method, bool intersections) {
-    SortOptions options;
+    SurfacePlan options;
     options.intersections = intersections;
-    return lines_in_order(list.view(), {}, find_lines(list.view(), {}, method, options),
+    return lines_in_order(list.view(), {}, find_lines(list.view(), {}, options.by(method)),
                           HiddenLines::none);
   };
   for (const HiddenMethod method :
@@ -368,7 +370,7 @@ TEST(IntersectionLines, AreDrawnInTheStyleAndUnderTheIdentifierOfTheLaterPolygon
     void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
   } visitor;
   const Segment* const segments[] = {&segment};
-  hidden_surface_check(segments, HiddenMethod::franklin, {.precision = {}, .intersections = true})
+  hidden_surface_check(segments, {.method = HiddenMethod::franklin, .intersections = true})
       ->walk(visitor);
   const std::string text = visitor.text.str(), last = "width 2; pick 4; ";
   const std::string line = "move 0.375 0.5 0.5; line 0.625 0.5 0.5; ";
@@ -405,7 +407,8 @@ TEST(IntersectionLines, ScaledByTwoAndMirroredTheyAreTheSame) {
       ASSERT_EQ(changed(mirrored, {-1.0, 1.0, 1.0}), right) << family.name << " " << seed;
       const auto pieces = [](const ItemList& all) {
         const auto lines = intersection_lines(all.view());
-        return visible_lines(all.view(), {}, HiddenMethod::franklin, {}, lines).intersections;
+        return visible_lines(all.view(), {}, {.method = HiddenMethod::franklin}, lines)
+            .intersections;
       };
       ASSERT_EQ(pieces(twice), pieces(list)) << family.name << " " << seed;
     }

@@ -51,15 +51,15 @@ inline std::string wrong_intersections(const DisplayFile& file, int more_threads
     const std::vector<IntersectionLine> lines = intersection_lines(scene.primitives(), threads);
     for (const HiddenMethod method :
          {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
-      const LineOptions options{.precision = {}, .threads = threads};
-      const SeenLines seen = visible_lines(scene.primitives(), names, method, options, lines);
+      const SurfacePlan options{.threads = threads};
+      const SeenLines seen = visible_lines(scene.primitives(), names, options.by(method), lines);
       const std::string found = text(claimed(lines, seen));
       if (found != right) {
         wrong << name_of(method) << " on " << threads << " threads:\n"
               << found << "and not\n"
               << right;
       }
-      if (seen.pieces != visible_lines(scene.primitives(), names, method, options).pieces) {
+      if (seen.pieces != visible_lines(scene.primitives(), names, options.by(method)).pieces) {
         wrong << name_of(method) << ": other lines change\n";
       }
     }

@@ -250,8 +250,10 @@ class OpenPixel {
 
 /// Compares our picture of a display file with OpenGL's of one that should look the same.
 Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int width, int height) {
-  const RasterRequest request{
-      .width = width, .height = height, .method = HiddenMethod::z_buffer, .ids = true};
+  const RasterRequest request{.width = width,
+                              .height = height,
+                              .surfaces = {.method = HiddenMethod::z_buffer},
+                              .ids = true};
   const Picture ours = draw_with_software(file, request);
   const Picture theirs = draw_with_osmesa(drawn_by_opengl, request);
   Collector scene(width, height);
@@ -457,7 +459,7 @@ TEST_F(ItemBuffer, OpenGlsDepthErrorIsWithinTheStatedBound) {
       const Picture picture =
           draw_with_osmesa(system.display_file(), {.width = size,
                                                    .height = size,
-                                                   .method = HiddenMethod::z_buffer,
+                                                   .surfaces = {.method = HiddenMethod::z_buffer},
                                                    .ids = true,
                                                    .depth = true});
       Collector scene(size, size);

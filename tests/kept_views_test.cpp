@@ -44,8 +44,8 @@ const Picture& draw(FromEyes& renderer, const Step& step) {
   DrawOptions options{.samples = 1};
   options.width = step.width;
   options.height = step.height;
-  options.hidden = step.method;
-  options.threads = step.threads;
+  options.surfaces.method = step.method;
+  options.surfaces.threads = step.threads;
   options.with_ids = options.with_depth = true;
   return renderer.draw(step.view, options, step.lights);
 }
@@ -54,7 +54,7 @@ Picture entered_anew(FromEyes& renderer, const Step& step) {
   RasterRequest request;
   request.width = step.width;
   request.height = step.height;
-  request.method = step.method;
+  request.surfaces.method = step.method;
   request.ids = request.depth = true;
   return draw_with_software(renderer.display_file(step.view, step.lights), request);
 }

@@ -203,9 +203,9 @@ TEST(LineDrawing, NewViewsOfARetainedSceneAreThoseOfEnteringIt) {
   options.width = options.height = 90;
   options.with_ids = false;
   for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
-    options.hidden = method;
+    options.surfaces.method = method;
     for (const auto scope : {std::optional<HiddenScope>(), std::optional(HiddenScope::segment)}) {
-      options.scope = scope;
+      options.surfaces.scope = scope;
       for (const double degrees : {0.0, 40.0, 190.0}) {
         const View view = turntable.at(degrees).view;
         GraphicsSystem anew;
@@ -241,12 +241,12 @@ TEST(LineDrawing, IsTheSameByAllMethodsOverTheGallery) {
     const std::string by_roberts_drawn = drawn(g, HiddenMethod::roberts);
     DrawOptions options{.samples = 1};
     options.width = options.height = 90;
-    options.hidden = HiddenMethod::roberts;
+    options.surfaces.method = HiddenMethod::roberts;
     const Picture by_roberts = draw(g, options);
-    options.threads = 3;
+    options.surfaces.threads = 3;
     for (const HiddenMethod method : {HiddenMethod::appel, HiddenMethod::franklin}) {
       EXPECT_EQ(drawn(g, method), by_roberts_drawn) << name_of(method);
-      options.hidden = method;
+      options.surfaces.method = method;
       EXPECT_EQ(draw(g, options).pixels, by_roberts.pixels) << name_of(method);
     }
   });
@@ -429,8 +429,8 @@ TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
     Primitives items = scene.primitives();
     const std::vector<std::uint8_t> sides = scene.drawn_sides();
     items.visible = sides;
-    const SortedPieces sorted =
-        lines_in_order(items, {}, find_lines(scene, HiddenMethod::franklin, {}), HiddenLines::none);
+    const SortedPieces sorted = lines_in_order(
+        items, {}, find_lines(scene, {.method = HiddenMethod::franklin}), HiddenLines::none);
     using Piece = std::tuple<std::uint32_t, double, double, double, double>;
     const auto piece = [](std::uint32_t item, Point3 a, Point3 b) {
       if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) std::swap(a, b);
@@ -441,7 +441,7 @@ TEST(LineDrawing, ChainsAreOfThePiecesThatAreSeen) {
       found.push_back(piece(p.item, sorted.points[p.first], sorted.points[p.first + 1]));
     }
     for (const auto& [item, corner, from, to] :
-         visible_lines(items, drawn_lines(items), HiddenMethod::franklin, {}).pieces) {
+         visible_lines(items, drawn_lines(items), {.method = HiddenMethod::franklin}).pieces) {
       const LineEnds ends(items, {item, corner});
       if (Point2(ends.at(from)) == Point2(ends.at(to))) continue;  // no dot is drawn
       expected.push_back(piece(item, ends.at(from), ends.at(to)));
@@ -513,7 +513,7 @@ TEST(LineDrawing, HasNeitherItemBufferNorDepths) {
   GraphicsSystem g;
   enter_cubes(g);
   DrawOptions options{.samples = 1};
-  options.hidden = HiddenMethod::franklin;
+  options.surfaces.method = HiddenMethod::franklin;
   options.with_ids = true;
   EXPECT_THROW(draw(g, options), Error);
   options.with_ids = false;

@@ -239,7 +239,7 @@ class LineEnds : public TemporaryFolder, public testing::WithParamInterface<cons
   Picture draw(const GraphicsSystem& g, HiddenMethod method) const {
     const auto path = file(std::string("a.") + GetParam());
     DrawOptions options{.width = 100, .height = 100, .samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     displayfile::draw(g, path, options);
     return rasterised(path);
   }
@@ -338,8 +338,8 @@ TEST_F(TemporaryFolder, BytesOfLinesDependOnNeitherThreadsNorMethods) {
        {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     for (const int threads : {1, 4}) {
       DrawOptions options{.width = 100, .height = 100, .samples = 1};
-      options.hidden = method;
-      options.threads = threads;
+      options.surfaces.method = method;
+      options.surfaces.threads = threads;
       displayfile::draw(g, file("a.svg"), options);
       drawn.push_back(content(file("a.svg")));
     }

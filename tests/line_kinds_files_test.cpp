@@ -23,7 +23,7 @@ class LineKindsFiles : public test::TemporaryFolder {
   std::string box_in(const std::string& name, const std::string& words, HiddenMethod method) {
     const GraphicsSystem g =
         drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });
-    draw(g, file(name), {.hidden = method});
+    draw(g, file(name), {.surfaces = {.method = method}});
     return test::without_keys(test::content(file(name)));
   }
 };

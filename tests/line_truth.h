@@ -33,7 +33,7 @@ inline std::string wrong_lines(const DisplayFile& file, int more_threads = 3) {
        {HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::franklin}) {
     for (int threads = 1; threads <= more_threads; threads += 2) {
       const std::vector<LinePiece> pieces = claimed_pieces(
-          visible_lines(scene.primitives(), names, method, {.precision = {}, .threads = threads}));
+          visible_lines(scene.primitives(), names, {.method = method, .threads = threads}));
       const LineErrors errors = compare_lines(items, truth, pieces);
       if (pieces == right && errors.missing == 0.0 && errors.extra == 0.0) continue;
       wrong << name_of(method) << " on " << threads << " threads: missing " << errors.missing

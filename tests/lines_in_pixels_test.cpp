@@ -118,15 +118,12 @@ Picture drawn(const DisplayFile& file, HiddenMethod method, const Size& size, in
   RasterRequest request;
   request.width = size.width;
   request.height = size.height;
-  request.method = method;
-  request.threads = threads;
+  request.surfaces = {.method = method, .precision = precision, .threads = threads};
   request.crumbs = true;  // all that is seen
-  if (!precision.exact) request.roundoff = precision.roundoff;
   if (!is_object_space(method)) return draw_with_software(file, request);
-  SortOptions options;
-  options.precision = precision;
   DisplayFile sorted = file;
-  sorted.set_sorted(hidden_surface_check(file.visible_segments(), method, options));
+  sorted.set_sorted(hidden_surface_check(file.visible_segments(),
+                                         {.method = method, .precision = precision}));
   request.sorted = precision.exact;
   return draw_with_software(sorted, request);
 }
@@ -207,8 +204,8 @@ TEST(LinesInPixels, HaveTheRoundoffThatSurfacesHave) {
   const ViewedScene scene(lines);
   Pieces pieces;
   for (const VisiblePiece& piece :
-       visible_lines(scene.primitives(), drawn_lines(scene.primitives()), HiddenMethod::roberts,
-                     {.precision = roundoff})
+       visible_lines(scene.primitives(), drawn_lines(scene.primitives()),
+                     {.method = HiddenMethod::roberts, .precision = roundoff})
            .pieces) {
     pieces.push_back({{piece.item, piece.corner}, piece.from, piece.to});
   }
@@ -315,12 +312,12 @@ TEST(LinesInPixels, AreTheSameInStrips) {
     const Picture whole = drawn(file, method, {request.width, request.height}, 1);
     DisplayFile sorted = file;
     if (is_object_space(method)) {
-      sorted.set_sorted(hidden_surface_check(file.visible_segments(), method, {}));
+      sorted.set_sorted(hidden_surface_check(file.visible_segments(), {.method = method}));
     }
-    request.method = method;
+    request.surfaces.method = method;
     request.sorted = is_object_space(method);
     for (const int threads : {1, 2, 2}) {
-      request.threads = threads;
+      request.surfaces.threads = threads;
       std::vector<std::uint32_t> pixels;
       int strips = 0;
       renderer.draw(sorted, request, [&](const Picture& rows) {
@@ -340,8 +337,8 @@ TEST(LinesInPixels, AreTheSameByEveryExactMethodOverTheGallery) {
     DrawOptions options{.samples = 1};
     options.width = 130;
     options.height = 90;
-    options.scope = HiddenScope::all;
-    options.hidden = HiddenMethod::z_buffer;
+    options.surfaces.scope = HiddenScope::all;
+    options.surfaces.method = HiddenMethod::z_buffer;
     const Picture right = draw(retained.system, options);
     for (const HiddenMethod method :
          {HiddenMethod::bsp, HiddenMethod::depth_sort, HiddenMethod::scan_line,
@@ -352,7 +349,7 @@ TEST(LinesInPixels, AreTheSameByEveryExactMethodOverTheGallery) {
       // Minutes under sanitizers: signs of the faces that a section cuts, in long exact numbers.
       const bool long_signs = method == HiddenMethod::depth_sort && program == "section-view";
       if (long_signs && test::kSlower > 1) continue;
-      options.hidden = method;
+      options.surfaces.method = method;
       EXPECT_EQ(draw(retained.system, options).pixels, right.pixels) << name_of(method);
     }
   });

@@ -67,11 +67,9 @@ GraphicsSystem drawn(const std::vector<Polygons>& segments, const Point3& light,
 }
 
 DisplayFile with_map(const GraphicsSystem& g, int threads = 1) {
-  HiddenSurfaceOptions options;
-  options.shadows = true;
-  options.threads = threads;
   SortedDisplayFile sorted;
-  return sorted.update(g.display_file(), HiddenMethod::map, options);
+  return sorted.update(g.display_file(),
+                       {.method = HiddenMethod::map, .shadows = true, .threads = threads});
 }
 
 Picture by_map(const GraphicsSystem& g, int threads = 1) {
@@ -85,7 +83,7 @@ Picture by_map(const GraphicsSystem& g, int threads = 1) {
 
 Picture by_rays(const GraphicsSystem& g) {
   DrawOptions options{.width = kSize, .height = kSize, .samples = 1};
-  options.hidden = HiddenMethod::z_buffer;
+  options.surfaces.method = HiddenMethod::z_buffer;
   options.ids = "asked for";
   return draw(g, options);
 }
@@ -321,10 +319,8 @@ TEST(LitParts, AreFoundAgainWhereSomethingChanged) {
   GraphicsSystem g = drawn({tiled_floor(1, -0.5), box({-0.3, -0.2, -0.3}, {0.2, 0.1, 0.2})},
                            {0.2, 1, 0.1}, Eye::above);
   SortedDisplayFile sorted;
-  HiddenSurfaceOptions options;
-  const auto pieces = [&] {
-    return sorted.update(g.display_file(), HiddenMethod::map, options).sorted();
-  };
+  SurfacePlan options{.method = HiddenMethod::map};
+  const auto pieces = [&] { return sorted.update(g.display_file(), options).sorted(); };
   const auto without = pieces();
   options.shadows = true;
   const auto with = pieces();
@@ -333,7 +329,7 @@ TEST(LitParts, AreFoundAgainWhereSomethingChanged) {
   g.set_visibility(2, false);
   EXPECT_LT(pieces()->counts.pieces, with->counts.pieces);
   options.shadows = false;
-  EXPECT_FALSE(pieces()->shadows);
+  EXPECT_FALSE(pieces()->plan.shadows);
 }
 
 }  // namespace

@@ -260,7 +260,7 @@ TEST_F(MeshTest, FittedViewRefusesWhatItCannotFit) {
   EXPECT_THROW(import_mesh("missing.obj", system, 2.0), Error);
   EXPECT_EQ(system.aspect_ratio(), 1.0);
   EXPECT_THROW(fit_view(std::span<const Mesh>(), system), Error);
-  EXPECT_FALSE(system.said().contains_view());
+  EXPECT_FALSE(system.explicit_settings().contains_view());
 }
 
 TEST_F(MeshTest, BackFacesGoOnlyFromClosedMeshes) {

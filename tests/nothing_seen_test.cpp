@@ -182,7 +182,7 @@ class WarnedPictures {
     DrawOptions samples = options_;
     samples.samples = 2;
     DrawOptions anew = options_;
-    anew.hidden = HiddenMethod::z_buffer;
+    anew.surfaces.method = HiddenMethod::z_buffer;
     TurntableRenderer turntable(system_, scene_, file, {3}, anew);
     told(in_pixels, [&] { draw(system_, options_); });
     told(in_pixels, [&] { draw(system_, samples); });

@@ -51,13 +51,14 @@ class OsmesaTest : public testing::Test {
     return static_cast<std::size_t>(std::ranges::count(picture.pixels, colour));
   }
   Picture draw(bool z_buffer = true, int depth_bits = 24) const {
-    return draw_with_osmesa(file,
-                            {.width = 16,
-                             .height = 16,
-                             .method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none,
-                             .ids = true,
-                             .depth = true},
-                            depth_bits);
+    return draw_with_osmesa(
+        file,
+        {.width = 16,
+         .height = 16,
+         .surfaces = {.method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none},
+         .ids = true,
+         .depth = true},
+        depth_bits);
   }
 
   DisplayFile file;
@@ -101,8 +102,8 @@ TEST_F(OsmesaTest, ATriangleCoversThePixelsWhoseCentresAreInside) {
 TEST_F(OsmesaTest, TheUnitSquareIsTheWholePictureAndTheTopRowComesFirst) {
   square(0, 0, 1, 0.5, red);
   polygon({{0, 0.5, 0.6}, {0.25, 0.5, 0.6}, {0.25, 1, 0.6}, {0, 1, 0.6}}, green);
-  const Picture picture =
-      draw_with_osmesa(file, {.width = 8, .height = 4, .method = HiddenMethod::z_buffer});
+  const Picture picture = draw_with_osmesa(
+      file, {.width = 8, .height = 4, .surfaces = {.method = HiddenMethod::z_buffer}});
   const std::vector<std::uint32_t> upper = {kGreen, kGreen, kRed, kRed, kRed, kRed, kRed, kRed};
   const std::vector<std::uint32_t> lower(8, kRed);
   for (std::size_t row = 0; row < 4; ++row) {
@@ -182,7 +183,8 @@ TEST_F(OsmesaTest, SelfCrossingPolygonsAreFilledEvenOdd) {
     segment().enter_polygon(star, all);
   }
   const Picture picture = draw_with_osmesa(
-      file, {.width = 64, .height = 64, .method = HiddenMethod::z_buffer, .ids = true});
+      file,
+      {.width = 64, .height = 64, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true});
   EXPECT_EQ(picture.pixels[at(picture, 32, 32)], kWhite);  // the pentagon in the middle
   EXPECT_EQ(picture.pixels[at(picture, 32, 55)], kRed);    // the upper ray
   EXPECT_EQ(count(picture, kGreen), 0u);
@@ -243,14 +245,15 @@ TEST_F(OsmesaTest, DepthMayLeaveTheUnitRange) {
 
 TEST_F(OsmesaTest, DepthBitsAreReportedAsGranted) {
   square(0, 0, 1, 0.5, red);
-  const RasterRequest request{.width = 16, .height = 16, .method = HiddenMethod::z_buffer};
-  EXPECT_EQ(OsmesaScene(file, request, 16).depth_bits(), 16);
-  EXPECT_EQ(OsmesaScene(file, request, 24).depth_bits(), 24);
-  EXPECT_EQ(OsmesaScene(file, request, 32).depth_bits(), 32);
-  EXPECT_THROW(OsmesaScene(file, request, 8), Error);
+  const RasterRequest request{
+      .width = 16, .height = 16, .surfaces = {.method = HiddenMethod::z_buffer}};
+  EXPECT_EQ(OsmesaBuffers(file, request, 16).depth_bits(), 16);
+  EXPECT_EQ(OsmesaBuffers(file, request, 24).depth_bits(), 24);
+  EXPECT_EQ(OsmesaBuffers(file, request, 32).depth_bits(), 32);
+  EXPECT_THROW(OsmesaBuffers(file, request, 8), Error);
   EXPECT_NE(osmesa_description(16).find("16 depth bits"), std::string::npos);
   polygon({{0, 0, 0}, {0.5, 0.3, 0}, {1, 0, 0}, {0.5, 1, 0}}, red);  // needs the stencil
-  EXPECT_EQ(OsmesaScene(file, request, 16).depth_bits(), 24);
+  EXPECT_EQ(OsmesaBuffers(file, request, 16).depth_bits(), 24);
 }
 
 TEST_F(OsmesaTest, EveryPickIdentifierComesBackAsItWas) {
@@ -397,11 +400,12 @@ TEST_F(OsmesaTest, InvisibleSegmentsAndImageTransformations) {
 
 TEST_F(OsmesaTest, AResidentSceneDrawsAgainAndAgainBesideOthers) {
   square(0, 0, 0.5, 0.5, red, 1);
-  OsmesaScene first(file,
-                    {.width = 16, .height = 16, .method = HiddenMethod::z_buffer, .ids = true});
+  OsmesaBuffers first(
+      file,
+      {.width = 16, .height = 16, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true});
   square(0.5, 0.5, 0.5, 0.5, green, 2);
-  OsmesaScene second(file,
-                     {.width = 8, .height = 8, .method = HiddenMethod::z_buffer, .ids = true});
+  OsmesaBuffers second(
+      file, {.width = 8, .height = 8, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true});
   EXPECT_EQ(first.triangles(), 2u);
   EXPECT_EQ(second.triangles(), 4u);
   for (int n = 0; n < 3; ++n) {
@@ -422,9 +426,11 @@ TEST_F(OsmesaTest, ManyTrianglesGoInOneRunWithTheRightDepths) {
       polygon({{x, y, z}, {x + s, y + s, z}, {x, y + s, z}}, red, 2 * (j * n + i) + 1);
     }
   }
-  const Picture picture = draw_with_osmesa(
-      file,
-      {.width = n, .height = n, .method = HiddenMethod::z_buffer, .ids = true, .depth = true});
+  const Picture picture = draw_with_osmesa(file, {.width = n,
+                                                  .height = n,
+                                                  .surfaces = {.method = HiddenMethod::z_buffer},
+                                                  .ids = true,
+                                                  .depth = true});
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       ASSERT_EQ(picture.ids[at(picture, i, j)] / 2, j * n + i);

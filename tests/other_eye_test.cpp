@@ -28,7 +28,7 @@ DrawOptions options_of(HiddenMethod method) {
   DrawOptions options{.samples = 1};
   options.width = 72;
   options.height = 56;
-  options.hidden = method;
+  options.surfaces.method = method;
   options.with_ids = options.with_depth = true;
   return options;
 }
@@ -114,7 +114,7 @@ TEST(OtherEye, DrawsWhatTheProgramInThatViewDraws) {
             SCOPED_TRACE(entry.name);
             const Picture expected = draw(replayed, options);
             DrawOptions of_segments = options;  // which has no meaning in image space
-            of_segments.scope = HiddenScope::segment;
+            of_segments.surfaces.scope = HiddenScope::segment;
             const Picture& picture = eye.draw(drawn % 2 == 0 ? options : of_segments);
             EXPECT_EQ(picture.ids, expected.ids);
             EXPECT_EQ(picture.depth, expected.depth);

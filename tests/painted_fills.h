@@ -57,8 +57,11 @@ inline DisplayFile file_of(const Fills& entered, const Fills& back_to_front) {
 
 inline Picture paint(const DisplayFile& file, int width, int height, bool sorted = true,
                      int threads = 1) {
-  const RasterRequest request{
-      .width = width, .height = height, .sorted = sorted, .ids = true, .threads = threads};
+  const RasterRequest request{.width = width,
+                              .height = height,
+                              .surfaces = {.method = HiddenMethod::none, .threads = threads},
+                              .sorted = sorted,
+                              .ids = true};
   return draw_with_software(file, request);
 }
 

@@ -160,7 +160,7 @@ TEST_F(PenFiles, HatchingIsALayer) {
   g.polygon_abs_2({{0.5, 0}, {1, 0}, {1, 1}, {0.5, 1}});
   g.close_segment();
   DrawOptions options = for_pens(sheet(110, 110, 5));
-  options.hidden = HiddenMethod::none;
+  options.surfaces.method = HiddenMethod::none;
   options.pens->hatching = Hatching{1.0, 0.0, false, {}, 0.25};
   const PenDrawing drawing =
       pen_drawing(g.display_file(), 100, 100, *options.vectors.paper, *options.pens);
@@ -211,16 +211,16 @@ TEST_F(PenFiles, AreRefusedWhereTheyMeanNothing) {
   expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort,
                                     HiddenMethod::z_buffer, HiddenMethod::colour_rule}) {
-    options.hidden = method;
+    options.surfaces.method = method;
     expect_error([&] { draw(g, file("a.svg"), options); }, "by painting over");
   }
-  options.hidden = HiddenMethod::franklin;
+  options.surfaces.method = HiddenMethod::franklin;
   options.pens->hatching.emplace();
   expect_error([&] { draw(g, file("a.svg"), options); }, "draws no fills to be hatched");
   options.pens->hatching->spacing = 0.0;
   expect_error([&] { draw(g, file("a.svg"), options); }, "hatching 0 mm apart");
   options.pens.reset();
-  options.hidden.reset();
+  options.surfaces.method.reset();
   expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
   options.vectors.paper->margin = 200.0;
   expect_error([&] { draw(g, file("a.svg"), options); }, "margins of 200 mm");

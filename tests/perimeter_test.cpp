@@ -114,10 +114,10 @@ struct Compared {
   std::size_t pieces = 0, equal = 0, lines = 0;
 };
 
-Compared compared(const DisplayFile& file, const SortOptions& options = {}) {
+Compared compared(const DisplayFile& file, const SurfacePlan& options = {}) {
   const ViewedScene scene(file);
-  const FoundLines general = find_lines(scene, HiddenMethod::franklin, {});
-  const FoundLines found = find_lines(scene, HiddenMethod::perimeter, options);
+  const FoundLines general = find_lines(scene, {.method = HiddenMethod::franklin});
+  const FoundLines found = find_lines(scene, options.by(HiddenMethod::perimeter));
   Pieces expected = pieces_of(general), seen = pieces_of(found);
   Compared result{
       .differs = 0.0, .pieces = found.seen.pieces.size(), .equal = 0, .lines = found.lines.size()};
@@ -246,7 +246,7 @@ TEST(Perimeter, DiagonalsThatAreAskedFor) {
     }
     Pieces of_both[2];
     for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::perimeter}) {
-      const SeenLines seen = visible_lines(scene.primitives(), names, method, {});
+      const SeenLines seen = visible_lines(scene.primitives(), names, {.method = method});
       Pieces& pieces = of_both[method == HiddenMethod::perimeter];
       for (const auto& [item, corner, from, to] : seen.pieces) {
         pieces[{item, corner}].emplace_back(from, to);
@@ -339,11 +339,11 @@ TEST(Perimeter, IsTheSameOnAnyNumberOfThreads) {
     const Camera camera{dice.from(0, 3599) / 10.0, dice.from(-600, 600) / 10.0,
                         dice.one_in(2) ? 0.0 : dice.from(25, 80) / 10.0};
     const ViewedScene scene(surface_seen(camera, nx, ny, heights));
-    const FoundLines alone = find_lines(scene, HiddenMethod::perimeter, {});
+    const FoundLines alone = find_lines(scene, {.method = HiddenMethod::perimeter});
     for (const int threads : {2, 3, 16}) {
-      SortOptions options;
+      SurfacePlan options;
       options.threads = threads;
-      const FoundLines found = find_lines(scene, HiddenMethod::perimeter, options);
+      const FoundLines found = find_lines(scene, options.by(HiddenMethod::perimeter));
       EXPECT_EQ(found.seen.pieces, alone.seen.pieces) << threads;
     }
   }
@@ -365,7 +365,7 @@ TEST(Perimeter, OtherLinesAreHiddenByTheSurface) {
 TEST(Perimeter, WithRoundoffItIsTheProblemBooksArray) {
   const std::vector<double> heights = heights_of(40, 40, wave);
   const DisplayFile file = surface_seen({33.0, 25.0, 4.0}, 40, 40, heights);
-  SortOptions options;
+  SurfacePlan options;
   options.precision = {.exact = false, .roundoff = 1e-9};
   const Compared result = compared(file, options);
   EXPECT_GT(result.differs, kRounding);
@@ -379,7 +379,7 @@ std::string error_of(const std::function<void(GraphicsSystem&)>& enter) {
   g.open_segment(1);
   enter(g);
   return test::error_of(
-      [&] { find_lines(ViewedScene(g.display_file()), HiddenMethod::perimeter, {}); });
+      [&] { find_lines(ViewedScene(g.display_file()), {.method = HiddenMethod::perimeter}); });
 }
 
 TEST(Perimeter, WhatIsNotOneWholeSurfaceIsRefused) {

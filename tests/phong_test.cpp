@@ -331,7 +331,7 @@ TEST(PhongShading, IsTheDefinitionAtEveryPixelFromEveryEye) {
       }
       segment.close();
       const RasterRequest request{
-          .width = 97, .height = 83, .method = HiddenMethod::z_buffer, .ids = true};
+          .width = 97, .height = 83, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
       EXPECT_GT(expect_defined(draw_with_software(file, request), held), 1000);
     }
   }
@@ -381,7 +381,7 @@ TEST(PhongShading, IsNotChangedByClipping) {
       g.set_window(-half, half, -half, half);
       enter(triangles(5, 60), Shading::phong, g);
       DrawOptions options{.width = size, .height = size, .samples = 1};
-      options.hidden = HiddenMethod::z_buffer;
+      options.surfaces.method = HiddenMethod::z_buffer;
       options.ids = "asked for";
       return draw(g, options);
     };
@@ -438,7 +438,7 @@ TEST(PhongShading, ARetainedSceneHasItInEveryView) {
   g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(triangles(5, 60), Shading::phong, g);
-  RetainedViews views(scene, g.display_file(), {}, HiddenScope::segment);
+  RetainedViews views(scene, g.display_file(), {.scope = HiddenScope::segment});
   const DisplayFile again = views.view(g.view());
   DisplayFile unsorted = again;
   unsorted.segment(1).set_sorted(nullptr);
@@ -465,7 +465,7 @@ TEST(PhongShading, MayStandBesideOthers) {
   const Instructions& entered = *g.display_file().segment(1).entered();
   EXPECT_EQ(entered.stored_normals().size(), 6u);
   EXPECT_EQ(entered.stored_intensities().size(), 3u);
-  RetainedViews views(retained, g.display_file(), {}, HiddenScope::segment);
+  RetainedViews views(retained, g.display_file(), {.scope = HiddenScope::segment});
   DisplayFile again = views.view(g.view());
   again.segment(1).set_sorted(nullptr);
   EXPECT_EQ(dump(again), dump(g.display_file()));
@@ -476,7 +476,7 @@ TEST(PhongShading, MayStandBesideOthers) {
 TEST(PhongShading, IsGouraudShadingToOsmesa) {
   if (!osmesa_available()) GTEST_SKIP() << osmesa_description();
   const RasterRequest request{
-      .width = 97, .height = 83, .method = HiddenMethod::z_buffer, .ids = true};
+      .width = 97, .height = 83, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
   const auto by_osmesa = [&](Shading shading) {
     return draw_with_osmesa(drawn(ball(14, 9), shading, true).display_file(), request);
   };

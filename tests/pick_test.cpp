@@ -438,9 +438,13 @@ TEST_F(KeptRenderer, DrawsWhatIsDrawnFromNothing) {
   const auto check_all = [&] {
     for (const HiddenMethod method : {HiddenMethod::automatic, HiddenMethod::bsp,
                                       HiddenMethod::none, HiddenMethod::scan_line}) {
-      check({.width = 40, .height = 30, .hidden = method});
-      check({.width = 33, .height = 30, .hidden = method, .with_ids = true});
-      check({.width = 40, .height = 30, .hidden = method, .samples = 2, .with_depth = true});
+      check({.width = 40, .height = 30, .surfaces = {.method = method}});
+      check({.width = 33, .height = 30, .surfaces = {.method = method}, .with_ids = true});
+      check({.width = 40,
+             .height = 30,
+             .surfaces = {.method = method},
+             .samples = 2,
+             .with_depth = true});
     }
     renderer.draw(g, file("kept.png"), {.width = 40, .height = 30, .samples = 3});
     draw(g, file("anew.png"), {.width = 40, .height = 30, .samples = 3});

@@ -55,9 +55,9 @@ TEST_F(PictureRowsTest, AreThoseOfTheWholePicture) {
       DrawOptions options{.samples = 1};
       options.width = 70;
       options.height = 90;
-      options.hidden = method;
+      options.surfaces.method = method;
       options.with_ids = options.with_depth = method != HiddenMethod::franklin;
-      options.threads = 1 + static_cast<int>(name.size() % 2);
+      options.surfaces.threads = 1 + static_cast<int>(name.size() % 2);
       options.samples = name.size() % 5 == 0 ? 2 : 1;
       const Picture whole = draw(retained.system, options);
       const Picture parts = in_parts(retained.system, options);

@@ -28,15 +28,11 @@ void PrintTo(const Pair& pair, std::ostream* out) { *out << name_of(pair.plain);
 
 std::vector<std::int32_t> ids_by(DisplayFile& file, HiddenMethod method, const PictureSize& size,
                                  int threads) {
-  RasterRequest request{
-      .width = size.width, .height = size.height, .ids = true, .threads = threads};
-  if (is_image_space(method)) {
-    request.method = method;
-  } else {
-    SortOptions options;
-    options.threads = threads;
-    file.set_sorted(hidden_surface_check(file.visible_segments(), method, options));
-    request.method = HiddenMethod::none;
+  const SurfacePlan plan{.method = method, .threads = threads};
+  RasterRequest request{.width = size.width, .height = size.height, .surfaces = plan, .ids = true};
+  if (!is_image_space(method)) {
+    file.set_sorted(hidden_surface_check(file.visible_segments(), plan));
+    request.surfaces.method = HiddenMethod::none;
     request.sorted = true;
   }
   return draw_with_software(file, request).ids;
@@ -48,9 +44,7 @@ std::vector<VisiblePiece> lines_by(const DisplayFile& file, HiddenMethod method,
   const std::vector<std::uint8_t> sides(scene.drawn_sides().size(), kDrawn);
   Primitives items = scene.primitives();
   items.visible = sides;
-  LineOptions options;
-  options.threads = threads;
-  return visible_lines(items, drawn_lines(items), method, options).pieces;
+  return visible_lines(items, drawn_lines(items), {.method = method, .threads = threads}).pieces;
 }
 
 class PlainForm : public testing::TestWithParam<Pair> {

@@ -39,7 +39,7 @@ class Rasterised : public TemporaryFolder, public testing::WithParamInterface<co
     DrawOptions options{.samples = 1};
     options.width = width;
     options.height = height;
-    if (by_map) options.hidden = HiddenMethod::map;
+    if (by_map) options.surfaces.method = HiddenMethod::map;
     displayfile::draw(g, path, options);
     const Picture picture = rasterised(path);
     EXPECT_EQ(picture.width, width);
@@ -66,7 +66,7 @@ int expect_the_z_buffers_colours(const GraphicsSystem& g, const Picture& picture
   RasterRequest request;
   request.width = picture.width;
   request.height = picture.height;
-  request.method = HiddenMethod::z_buffer;
+  request.surfaces.method = HiddenMethod::z_buffer;
   const Picture expected = draw_with_software(g.display_file(), request);
   int compared = 0, wrong = 0;
   for (int y = 2; y < picture.height - 2; ++y) {
@@ -153,7 +153,7 @@ TEST_P(Rasterised, GouraudShading) {
   g.set_view_depth(-2, 2);
   enter(triangles(2, 30), Shading::gouraud, g);
   RasterRequest request{.width = 300, .height = 300, .ids = true};
-  request.method = HiddenMethod::z_buffer;
+  request.surfaces.method = HiddenMethod::z_buffer;
   const Picture expected = draw_with_software(g.display_file(), request);
   const Picture p = draw(g, 300, 300, true);
   int compared = 0, wrong = 0;

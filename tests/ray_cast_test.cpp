@@ -70,7 +70,7 @@ TEST(RayCast, NoWrongPixelsOfPolygonsOfManySides) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     const DisplayFile file = test::scene(family, seed, 5);
     const RasterRequest request{
-        .width = 40, .height = 31, .method = HiddenMethod::ray_cast, .ids = true};
+        .width = 40, .height = 31, .surfaces = {.method = HiddenMethod::ray_cast}, .ids = true};
     EXPECT_EQ(draw_with_software(file, request).ids, truth(file, 40, 31, false).ids) << seed;
   }
 }

@@ -36,7 +36,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.attributes().shadows, b.attributes().shadows);
   EXPECT_EQ(a.counts().polygons, b.counts().polygons);
   EXPECT_EQ(a.counts().triangulated, b.counts().triangulated);
-  EXPECT_EQ(a.said().contains_view(), b.said().contains_view());
+  EXPECT_EQ(a.explicit_settings().contains_view(), b.explicit_settings().contains_view());
   EXPECT_EQ(a.background(), b.background());
   EXPECT_EQ(a.cut_faces().kind, b.cut_faces().kind);
   EXPECT_EQ(a.cut_faces().spacing, b.cut_faces().spacing);
@@ -229,8 +229,8 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
                Error);
   EXPECT_EQ(system.counts().solids_open, 0u);
   EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
-  EXPECT_FALSE(system.said().contains(Setting::fill_style));
-  EXPECT_FALSE(system.said().contains(Setting::light));
+  EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
+  EXPECT_FALSE(system.explicit_settings().contains(Setting::light));
   EXPECT_EQ(system.cut_faces().kind, CutFaces::Kind::open);
   EXPECT_EQ(system.counts().transformations_saved, 1u);
   EXPECT_EQ(system.background(), Background());

@@ -46,7 +46,7 @@ void expect_refused(const std::string& path, const std::string& expected) {
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << path;
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.said().contains_view());
+  EXPECT_FALSE(system.explicit_settings().contains_view());
   EXPECT_EQ(record.str(), "");
 }
 
@@ -178,7 +178,7 @@ TEST_F(MeshTest, NothingIsEnteredWhenAnotherFileIsBad) {
   const std::vector<std::string> paths = {file("a.obj", cube()), file("b.obj", "f 1 2 3\n")};
   EXPECT_THROW(import_meshes(paths, system), Error);
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.said().contains_view());
+  EXPECT_FALSE(system.explicit_settings().contains_view());
 }
 
 /// What is refused only as a segment is closed has set the view and the styles by then.
@@ -196,7 +196,7 @@ TEST_F(MeshTest, AStoppedImportChangesNothing) {
     EXPECT_THROW(import_mesh(path, system), LimitReached);
   }
   EXPECT_TRUE(system.display_file().segments().empty());
-  EXPECT_FALSE(system.said().contains_view());
+  EXPECT_FALSE(system.explicit_settings().contains_view());
   EXPECT_FALSE(system.attributes().light);
   import_mesh(path, system);
   import_mesh(path, other);

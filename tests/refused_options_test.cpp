@@ -34,7 +34,7 @@ class RefusedOptions : public testing::Test {
   const DisplayFile& file() const { return retained_.system.display_file(); }
   static DrawOptions options(std::optional<HiddenMethod> method = std::nullopt) {
     DrawOptions options{.width = 40, .height = 30, .samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     return options;
   }
   /// What drawing into a file of that format says, or in memory if it is empty; nothing if it is
@@ -56,7 +56,7 @@ constexpr const char* kFormats[] = {"", "ppm", "svg"};
 
 TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
   for (const HiddenScope scope : {HiddenScope::all, HiddenScope::segment}) {
-    RetainedViews views(retained_.scene, file(), {}, scope);
+    RetainedViews views(retained_.scene, file(), {.scope = scope});
     const DisplayFile view = views.view(retained_.system.view());
     for (const std::string format : kFormats) {
       SCOPED_TRACE(format);
@@ -73,29 +73,28 @@ TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
       EXPECT_EQ(refusal(view, options(colour_rule_by(HiddenMethod::bsp)), format), "");
       EXPECT_NE(refusal(view, options(colour_rule_by(HiddenMethod::map)), format), "");
       DrawOptions with = options();
-      with.precision = Precision{};
-      with.scope = scope;
-      with.hidden_lines = HiddenLines::none;
+      with.surfaces.precision = Precision{};
+      with.surfaces.scope = scope;
+      with.surfaces.hidden_lines = HiddenLines::none;
       EXPECT_EQ(refusal(view, with, format), "");
       DrawOptions other = options();
-      other.precision = Precision{false, 0.25};
+      other.surfaces.precision = Precision{false, 0.25};
       EXPECT_EQ(refusal(view, other, format),
                 "precision 'roundoff=0.25' for a display file that is drawn in the order that it "
                 "has, of precision 'exact': expected exact, or no precision");
       other = options();
-      other.scope = scope == HiddenScope::all ? HiddenScope::segment : HiddenScope::all;
+      other.surfaces.scope = scope == HiddenScope::all ? HiddenScope::segment : HiddenScope::all;
       EXPECT_TRUE(refusal(view, other, format).starts_with("scope '")) << format;
       other = options();
-      other.hidden_lines = HiddenLines::dashed;
+      other.surfaces.hidden_lines = HiddenLines::dashed;
       EXPECT_TRUE(refusal(view, other, format).starts_with("hidden lines 'dashed' for ")) << format;
     }
   }
-  RetainedViews dashed(retained_.scene, file(),
-                       {.precision = {}, .hidden_lines = HiddenLines::dashed});
+  RetainedViews dashed(retained_.scene, file(), {.hidden_lines = HiddenLines::dashed});
   DrawOptions hidden = options();
-  hidden.hidden_lines = HiddenLines::dashed;
+  hidden.surfaces.hidden_lines = HiddenLines::dashed;
   EXPECT_EQ(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
-  hidden.hidden_lines = HiddenLines::none;
+  hidden.surfaces.hidden_lines = HiddenLines::none;
   EXPECT_NE(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
 }
 
@@ -103,11 +102,11 @@ TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
 TEST_F(RefusedOptions, TheScopeOfOneVisibleSegmentIsEither) {
   retained_.system.set_visibility(2, false);
   for (const HiddenScope made : {HiddenScope::all, HiddenScope::segment}) {
-    RetainedViews views(retained_.scene, file(), {}, made);
+    RetainedViews views(retained_.scene, file(), {.scope = made});
     const DisplayFile view = views.view(retained_.system.view());
     for (const HiddenScope scope : {HiddenScope::all, HiddenScope::segment}) {
       DrawOptions with = options();
-      with.scope = scope;
+      with.surfaces.scope = scope;
       for (const std::string format : kFormats) EXPECT_EQ(refusal(view, with, format), "");
     }
   }
@@ -154,9 +153,9 @@ TEST_F(RefusedOptions, RaysDrawWhatRaysFind) {
   }
   for (const std::string format : kFormats) {
     DrawOptions each = options();
-    each.scope = HiddenScope::segment;
+    each.surfaces.scope = HiddenScope::segment;
     EXPECT_TRUE(refusal(world, each, format).starts_with("scope 'segment' for a view")) << format;
-    each.scope = HiddenScope::all;
+    each.surfaces.scope = HiddenScope::all;
     EXPECT_EQ(refusal(world, each, format), "");
   }
   if (osmesa_available()) {  // which finds what is seen by depths of its own
@@ -166,7 +165,7 @@ TEST_F(RefusedOptions, RaysDrawWhatRaysFind) {
   }
   // A system, whose methods of image space have no use for a scope, draws by rays all the same.
   DrawOptions of_system = options(HiddenMethod::world_ray_cast);
-  of_system.scope = HiddenScope::segment;
+  of_system.surfaces.scope = HiddenScope::segment;
   EXPECT_EQ(refusal(retained_.system, of_system, "ppm"), "");
 }
 
@@ -174,7 +173,7 @@ TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
   FromEyes renderer(retained_.scene, file());
   const View& view = retained_.system.view();
   DrawOptions each = options(HiddenMethod::z_buffer);
-  each.scope = HiddenScope::segment;
+  each.surfaces.scope = HiddenScope::segment;
   const std::string words =
       "scope 'segment' for a view of a retained scene, whose visible segments are drawn together: "
       "expected all, or no scope";
@@ -186,9 +185,9 @@ TEST_F(RefusedOptions, ViewsInImageSpaceAreOfAllSegments) {
   EXPECT_EQ(
       error_of([&] { TurntableRenderer(retained_.system, retained_.scene, file(), {3}, each); }),
       words);
-  each.hidden = HiddenMethod::franklin;  // each segment's own polygons hide its lines
+  each.surfaces.method = HiddenMethod::franklin;  // each segment's own polygons hide its lines
   EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), "");
-  each.hidden = HiddenMethod::map;
+  each.surfaces.method = HiddenMethod::map;
   EXPECT_EQ(error_of([&] { renderer.draw(view, each); }), "");
 }
 
@@ -197,7 +196,7 @@ TEST_F(RefusedOptions, ARootIsOfATreeOfBsp) {
       "a root of a BSP tree is set, and the hidden-surface method is z-buffer: expected bsp, or no "
       "root";
   DrawOptions rooted = options(HiddenMethod::z_buffer);
-  rooted.root = RootChoice::last;
+  rooted.surfaces.root = RootChoice::last;
   FromEyes renderer(retained_.scene, file());
   EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), words);
   EXPECT_EQ(error_of([&] { renderer.draw(retained_.system.view(), rooted); }), words);
@@ -205,11 +204,11 @@ TEST_F(RefusedOptions, ARootIsOfATreeOfBsp) {
       error_of([&] { TurntableRenderer(retained_.system, retained_.scene, file(), {3}, rooted); }),
       words);
   for (const HiddenMethod method : {HiddenMethod::bsp, colour_rule_by(HiddenMethod::bsp)}) {
-    rooted.hidden = method;
+    rooted.surfaces.method = method;
     EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), "");
     EXPECT_EQ(error_of([&] { renderer.draw(retained_.system.view(), rooted); }), "");
   }
-  rooted.hidden.reset();  // the application's
+  rooted.surfaces.method.reset();  // the application's
   retained_.system.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
   EXPECT_EQ(error_of([&] { draw(retained_.system, rooted); }), "");
 }
@@ -237,7 +236,7 @@ TEST_F(RefusedOptions, WhatDrawingRefusesIsRefusedBefore) {
            {std::optional<HiddenLines>(), std::optional(HiddenLines::none),
             std::optional(HiddenLines::dashed)}) {
         DrawOptions with = options(method);
-        with.hidden_lines = lines;
+        with.surfaces.hidden_lines = lines;
         const std::string error = error_of([&] { draw(system, with); });
         EXPECT_EQ(error_of([&] { require_drawable(system, with); }), error)
             << program << (method ? name_of(*method) : "");
@@ -256,9 +255,9 @@ TEST_F(RefusedOptions, ATurntableDrawsWhatItWasMadeFor) {
         std::optional(HiddenMethod::z_buffer), std::optional(HiddenMethod::franklin)}) {
     for (const HiddenLines hidden : {HiddenLines::none, HiddenLines::dashed}) {
       DrawOptions with = options(method);
-      with.hidden_lines = hidden;
-      with.precision = Precision{};
-      with.scope = HiddenScope::all;
+      with.surfaces.hidden_lines = hidden;
+      with.surfaces.precision = Precision{};
+      with.surfaces.scope = HiddenScope::all;
       if (method != HiddenMethod::colour_rule || hidden == HiddenLines::none) {
         TurntableRenderer views(retained_.system, retained_.scene, file(), {3}, with);
         EXPECT_EQ(error_of([&] { views.draw(1); }), "");

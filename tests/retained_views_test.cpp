@@ -217,7 +217,7 @@ TEST(RetainedViews, TheSameInstructionsAsDrawnInThatView) {
   enter_two_segments(retained.system);
   const View drawn_in = retained.system.view();
   for (const HiddenScope scope : {HiddenScope::segment, HiddenScope::all}) {
-    RetainedViews views(retained.scene, retained.system.display_file(), {}, scope);
+    RetainedViews views(retained.scene, retained.system.display_file(), {.scope = scope});
     EXPECT_EQ(views.trees(), scope == HiddenScope::all ? 1u : 2u);
     EXPECT_EQ(entered_text(views.view(drawn_in)), entered_text(retained.system.display_file()));
     GraphicsSystem other;
@@ -293,7 +293,7 @@ TEST(RetainedViews, HiddenLinesAndIntersectionsAreThoseOfTheSceneDrawnInThatView
   for (const HiddenScope scope : {HiddenScope::segment, HiddenScope::all}) {
     for (const HiddenLines hidden : {HiddenLines::none, HiddenLines::dashed}) {
       RetainedViews views(*first.retained(), first.display_file(),
-                          {.precision = {}, .hidden_lines = hidden}, scope);
+                          {.hidden_lines = hidden, .scope = scope});
       for (const Point3& normal : {Point3(0.0, 0.0, -1.0), Point3(0.3, -0.2, -1.0)}) {
         const GraphicsSystem there = draw_along(normal);
         SortedDisplayFile sorted;
@@ -350,7 +350,7 @@ TEST(RetainedViews, ImageTransformationsActAfterViewing) {
   g.set_image_rotation(name, 30.0);
   g.set_image_translation(name, 0.3, 0.1);
   for (const HiddenScope scope : {HiddenScope::segment, HiddenScope::all}) {
-    RetainedViews views(retained.scene, g.display_file(), {}, scope);
+    RetainedViews views(retained.scene, g.display_file(), {.scope = scope});
     Source s(1);
     for (int i = 0; i < 10; ++i) {
       const View view = test::any_view(s);
@@ -366,7 +366,7 @@ TEST(RetainedViews, RefusesSegmentsMovedApartToBeSortedTogether) {
   retained.system.set_image_translation(2, 0.1, 0.0);
   const DisplayFile& file = retained.system.display_file();
   EXPECT_THROW(RetainedViews(retained.scene, file, {}), Error);
-  EXPECT_NO_THROW(RetainedViews(retained.scene, file, {}, HiddenScope::segment));
+  EXPECT_NO_THROW(RetainedViews(retained.scene, file, {.scope = HiddenScope::segment}));
 }
 
 TEST(RetainedViews, RetainingBeginsWithTheFirstSegment) {

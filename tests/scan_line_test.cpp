@@ -175,7 +175,8 @@ TEST(ScanLine, Problem10_8) {
   EXPECT_EQ(counts.sweep.comparisons, 0u);
 
   const Picture picture = draw_with_software(
-      system.display_file(), {.width = 2, .height = 2, .method = HiddenMethod::scan_line});
+      system.display_file(),
+      {.width = 2, .height = 2, .surfaces = {.method = HiddenMethod::scan_line}});
   // Top row first.
   const std::uint32_t b = picture.pixels[0], a = picture.pixels[1];
   EXPECT_NE(a, b);
@@ -275,8 +276,11 @@ TEST(ScanLine, PolygonsThatRestLeaveNoWrongPixels) {
     for (std::uint32_t seed = 0; seed < 10; ++seed) {
       const DisplayFile file = test::scene(family, seed, 40);
       rests += Lines(file, {96, 80}).draw_all().rests;
-      const Picture drawn = draw_with_software(
-          file, {.width = 96, .height = 80, .method = HiddenMethod::scan_line, .ids = true});
+      const Picture drawn =
+          draw_with_software(file, {.width = 96,
+                                    .height = 80,
+                                    .surfaces = {.method = HiddenMethod::scan_line},
+                                    .ids = true});
       ASSERT_EQ(drawn.ids, truth(file, 96, 80, false).ids) << family.name << ", seed " << seed;
     }
   }

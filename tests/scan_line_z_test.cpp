@@ -224,10 +224,10 @@ INSTANTIATE_TEST_SUITE_P(Pictures, RowsWrittenOf,
 TEST_P(RowsWrittenOf, AreThePictureInMemory) {
   const GraphicsSystem g = crossing_fills_and_lines();
   DrawOptions options{.samples = 1};
-  options.hidden = GetParam().method;
+  options.surfaces.method = GetParam().method;
   options.width = GetParam().width;
   options.height = GetParam().height;
-  options.threads = GetParam().threads;
+  options.surfaces.threads = GetParam().threads;
   options.ids = file("ids.npy");
   options.depth = file("depth.npy");
   draw(g, file("a.png"), options);
@@ -246,7 +246,10 @@ TEST_F(RowsWritten, MemoryDoesNotGrowWithThePicturesHeight) {
   const auto memory = [&](int height) {
     return bench::most_bytes_held([&] {
       draw(g, file("a.png"),
-           {.width = 600, .height = height, .hidden = HiddenMethod::scan_line_z, .samples = 1});
+           {.width = 600,
+            .height = height,
+            .surfaces = {.method = HiddenMethod::scan_line_z},
+            .samples = 1});
     });
   };
   const std::int64_t of_one_strip = memory(1700);

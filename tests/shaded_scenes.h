@@ -100,8 +100,8 @@ inline GraphicsSystem drawn(const ShadedScene& scene, Shading shading, bool pers
 
 inline Picture picture(const GraphicsSystem& g, HiddenMethod method, int threads = 1) {
   DrawOptions options{.width = 97, .height = 83, .samples = 1};
-  options.hidden = method;
-  options.threads = threads;
+  options.surfaces.method = method;
+  options.surfaces.threads = threads;
   options.ids = "asked for";
   return draw(g, options);
 }

@@ -300,7 +300,7 @@ TEST(GouraudShading, TurnsWithThePicture) {
     g.set_view_depth(-2, 2);
     enter(scene, Shading::gouraud, g);
     DrawOptions options{.width = 80, .height = 80, .samples = 1};
-    options.hidden = HiddenMethod::z_buffer;
+    options.surfaces.method = HiddenMethod::z_buffer;
     return draw(g, options);
   };
   const Picture upright = turned({0, 1, 0}), sideways = turned({1, 0, 0});
@@ -332,7 +332,7 @@ TEST(GouraudShading, IsWhatOsmesaShows) {
     const GraphicsSystem g = seed == 3 ? drawn(ball(14, 9), Shading::gouraud, true)
                                        : drawn(triangles(seed, 40), Shading::gouraud, seed == 2);
     const RasterRequest request{
-        .width = 97, .height = 83, .method = HiddenMethod::z_buffer, .ids = true};
+        .width = 97, .height = 83, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
     const Picture ours = draw_with_software(g.display_file(), request);
     Picture theirs = draw_with_osmesa(g.display_file(), request);
     std::size_t others = 0;  // pixels where it sees another polygon
@@ -353,7 +353,7 @@ TEST(GouraudShading, ARetainedSceneHasItInEveryView) {
   g.set_perspective({0.3, 0.4, 3.0});
   g.set_view_depth(-2, 2);
   enter(triangles(5, 60), Shading::gouraud, g);
-  RetainedViews views(scene, g.display_file(), {}, HiddenScope::segment);
+  RetainedViews views(scene, g.display_file(), {.scope = HiddenScope::segment});
   const DisplayFile again = views.view(g.view());
   DisplayFile unsorted = again;
   unsorted.segment(1).set_sorted(nullptr);

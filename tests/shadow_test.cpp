@@ -72,8 +72,8 @@ GraphicsSystem drawn(const Polygons& polygons, const Point3& light, const Viewer
 Picture picture(const GraphicsSystem& g, HiddenMethod method = HiddenMethod::z_buffer,
                 int threads = 1, int size = kSize) {
   DrawOptions options{.width = size, .height = size, .samples = 1};
-  options.hidden = method;
-  options.threads = threads;
+  options.surfaces.method = method;
+  options.surfaces.threads = threads;
   options.ids = "asked for";
   return draw(g, options);
 }
@@ -484,7 +484,7 @@ TEST(Shadows, OfRowsDrawnOneAfterTheOtherAreThose) {
   SoftwareRenderer renderer;
   for (const HiddenMethod method : {HiddenMethod::z_buffer, HiddenMethod::none}) {
     // So wide that the rows come in several parts.
-    const RasterRequest request{.width = 1 << 14, .height = 200, .method = method};
+    const RasterRequest request{.width = 1 << 14, .height = 200, .surfaces = {.method = method}};
     const std::vector<std::uint32_t> whole = renderer.draw(g.display_file(), request).pixels;
     std::vector<std::uint32_t> rows;
     int parts = 0;
@@ -505,7 +505,7 @@ TEST(Shadows, AreThoseOfTheDisplayFileThatIsDrawn) {
   const GraphicsSystem b = drawn(crossing(5, 20), {-0.5, 0.7, 1});
   const GraphicsSystem off = drawn(crossing(4, 20), {0.5, 0.7, 1}, {}, false);
   const auto request = [](HiddenMethod method) {
-    return RasterRequest{.width = kSize, .height = kSize, .method = method};
+    return RasterRequest{.width = kSize, .height = kSize, .surfaces = {.method = method}};
   };
   const auto expected = [&](const GraphicsSystem& g, HiddenMethod method) {
     return draw_with_software(g.display_file(), request(method)).pixels;
@@ -551,7 +551,7 @@ TEST(Shadows, ARetainedSceneHasThemInEveryView) {
     set_style({0.5, 0.7, 1}, true, g);
     enter(crossing(5, 20), g);
     g.set_image_translation(1, 0.0625, 0.125);
-    RetainedViews views(scene, g.display_file(), {}, scope);
+    RetainedViews views(scene, g.display_file(), {.scope = scope});
     const DisplayFile again = views.view(g.view());
     DisplayFile unsorted = again;
     unsorted.set_sorted(nullptr);

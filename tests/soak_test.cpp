@@ -99,7 +99,7 @@ class Application {
 
   void draw() {
     const RasterRequest request{
-        .width = 24, .height = 24, .method = HiddenMethod::z_buffer, .ids = true};
+        .width = 24, .height = 24, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
     const Picture& picture =
         renderer_.draw(sorted_.update(system_, HiddenMethod::z_buffer, {}), request);
     drawn_pixels_ += static_cast<std::uint64_t>(

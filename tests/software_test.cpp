@@ -25,7 +25,7 @@ RasterRequest request(int width, int height, bool z_buffer) {
   RasterRequest r;
   r.width = width;
   r.height = height;
-  r.method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none;
+  r.surfaces.method = z_buffer ? HiddenMethod::z_buffer : HiddenMethod::none;
   r.ids = r.depth = true;
   return r;
 }
@@ -305,7 +305,7 @@ TEST(Threads, ThePictureIsTheSameForAnyNumber) {
     RasterRequest r = request(97, 61, z_buffer);
     const Picture one = draw_with_software(g.display_file(), r);
     for (int threads : {2, 3, 8, 100}) {
-      r.threads = threads;
+      r.surfaces.threads = threads;
       const Picture many = draw_with_software(g.display_file(), r);
       EXPECT_EQ(many.pixels, one.pixels);
       EXPECT_EQ(many.ids, one.ids);

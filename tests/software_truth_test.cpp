@@ -23,8 +23,10 @@ namespace {
 /// Where the two differ first; empty if nowhere.
 std::string wrong_pixels(const DisplayFile& file, int width, int height, int threads,
                          HiddenMethod method = HiddenMethod::z_buffer) {
-  const RasterRequest request{
-      .width = width, .height = height, .method = method, .ids = true, .threads = threads};
+  const RasterRequest request{.width = width,
+                              .height = height,
+                              .surfaces = {.method = method, .threads = threads},
+                              .ids = true};
   const Picture drawn = draw_with_software(file, request);
   const Picture expected = truth(file, width, height, false);
   std::size_t wrong = 0;

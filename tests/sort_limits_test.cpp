@@ -41,18 +41,19 @@ TEST(SortLimits, MorePiecesThanAllowedNameTheMap) {
     list.solid({{0, 1, 1 - u}, {1, 0.1 * u, u}, {0.5 * u, 0, 1 - u}});
   }
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
-    SortOptions options;
-    const std::size_t pieces = sort_hidden_surfaces(list.view(), method, options).pieces.size();
+    SurfacePlan options;
+    const std::size_t pieces = sort_hidden_surfaces(list.view(), options.by(method)).pieces.size();
     ASSERT_GT(pieces, list.items.size() + 4);
     options.most_pieces = list.items.size() + 2;
-    const std::string error = error_of([&] { sort_hidden_surfaces(list.view(), method, options); });
+    const std::string error =
+        error_of([&] { sort_hidden_surfaces(list.view(), options.by(method)); });
     EXPECT_NE(error.find("more than 18 pieces: expected hidden-surface method map"), error.npos)
         << error;
     options.most_pieces = 1;  // what is not cut is allowed
     ItemList apart;
     apart.solid({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     apart.solid({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
-    EXPECT_EQ(sort_hidden_surfaces(apart.view(), method, options).pieces.size(), 2u);
+    EXPECT_EQ(sort_hidden_surfaces(apart.view(), options.by(method)).pieces.size(), 2u);
   }
 }
 
@@ -196,8 +197,8 @@ TEST_P(EveryWay, CoordinatesOfAnySize) {
 }
 
 TEST(HiddenSurfaceSort, OtherMethodsAreAnError) {
-  EXPECT_THROW(sort_hidden_surfaces({}, HiddenMethod::z_buffer, {}), Error);
-  EXPECT_THROW(sort_hidden_surfaces({}, HiddenMethod::none, {}), Error);
+  EXPECT_THROW(sort_hidden_surfaces({}, {.method = HiddenMethod::z_buffer}), Error);
+  EXPECT_THROW(sort_hidden_surfaces({}, {.method = HiddenMethod::none}), Error);
 }
 
 // ---- Threads ------------------------------------------------------------------------------------

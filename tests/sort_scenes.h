@@ -439,8 +439,9 @@ inline const std::vector<Way>& ways() {
 }
 inline SortedPieces sorted(const ItemList& list, const Way& way, const Precision& precision = {},
                            int threads = 1) {
-  return sort_hidden_surfaces(list.view(), way.method,
-                              {.precision = precision, .root = way.root, .threads = threads});
+  return sort_hidden_surfaces(
+      list.view(),
+      {.method = way.method, .precision = precision, .root = way.root, .threads = threads});
 }
 
 /// Polygons of all sizes, so many that cells of several levels have blocking faces: some on a grid,

@@ -36,7 +36,7 @@ class ExactPieces {
  public:
   ExactPieces(const ItemList& list, RootChoice root)
       : items_(list.view()), scene_(items_, Recorded({items_.points, {}}, made_)) {
-    const SortOptions options{.precision = {}, .root = root};
+    const SurfacePlan options{.root = root};
     SortPolygons<Recorded> sorting(scene_, options);
     sorting.sort_all();
     order_.assign(sorting.order().begin(), sorting.order().end());
@@ -91,7 +91,7 @@ class ExactPieces {
 
   Primitives items_;
   std::vector<DefinedPoint> made_;
-  SortScene<Recorded> scene_;
+  SortTables<Recorded> scene_;
   std::vector<PolygonTable::Index> order_;
 };
 

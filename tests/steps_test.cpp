@@ -137,7 +137,7 @@ void expect_lines(const DisplayFile& file, HiddenMethod method) {
   Primitives items = scene.primitives();
   items.visible = sides;
   const std::vector<LineName> names = drawn_lines(items);
-  const SeenLines right = visible_lines(items, names, method, {});
+  const SeenLines right = visible_lines(items, names, {.method = method});
   EXPECT_EQ(drawn, right.pieces);
   EXPECT_EQ(lengths.size(), names.size());
   for (const auto& [name, length] : lengths) EXPECT_NEAR(length, 1.0, 1e-12);

@@ -74,15 +74,15 @@ std::string outlined(const char* fill, const char* style) {
 /// the same styles, and differ in places alone.
 std::vector<File> files() {
   DrawOptions map;
-  map.hidden = HiddenMethod::map;
+  map.surfaces.method = HiddenMethod::map;
   DrawOptions lines;
-  lines.hidden = HiddenMethod::franklin;
+  lines.surfaces.method = HiddenMethod::franklin;
   DrawOptions on_paper = map;
   on_paper.vectors.paper = paper_of("60x60");
   DrawOptions pens;
   pens.pens.emplace();
   pens.vectors.paper = paper_of("60x60");
-  pens.hidden = HiddenMethod::none;
+  pens.surfaces.method = HiddenMethod::none;
   return {
       drawn("red and yellow", neighbours("1 0 0", "1 1 0", 0.3), map),
       drawn("blue and green", neighbours("0 0 1", "0 0.5 0", 0.7), map),

@@ -59,7 +59,7 @@ TEST_F(TextFile, SvgHasTextElementsAfterAllElse) {
 TEST_F(TextFile, SvgByEveryMethodHidesTheSame) {
   for (const HiddenMethod method : methods_that_remove()) {
     DrawOptions options;
-    options.hidden = method;
+    options.surfaces.method = method;
     const std::string svg = drawn(scene_with("move-abs-3 .5 .25 -1\ntext \"behind\"\n"
                                              "move-abs-3 .125 .25 0\ntext \"side\"\n"),
                                   "a.svg", options);
@@ -74,7 +74,7 @@ TEST_F(TextFile, SvgByEveryMethodHidesTheSame) {
                 .find("behind"),
             std::string::npos);
   DrawOptions none;
-  none.hidden = HiddenMethod::none;
+  none.surfaces.method = HiddenMethod::none;
   EXPECT_NE(
       drawn(scene_with("move-abs-3 .5 .25 -1\ntext \"behind\"\n"), "a.svg", none).find("behind"),
       std::string::npos);

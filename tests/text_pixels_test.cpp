@@ -142,7 +142,7 @@ TEST(Text, IsSeenWhereItsAnchorIs) {
   for (const HiddenMethod method : methods_that_remove()) {
     SCOPED_TRACE(name_of(method));
     DrawOptions options{.samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     const auto drawn = [&](std::string_view at, std::string_view style = "") {
       return ink(fmt::format("move-abs-3 {}\n{}\ntext \"HH\"\n", at, style), options).has_value();
     };
@@ -158,7 +158,7 @@ TEST(Text, IsSeenWhereItsAnchorIs) {
     EXPECT_TRUE(drawn(".3 .7 -1", "set-text-style .03 always"));
   }
   DrawOptions not_removed{.samples = 1};
-  not_removed.hidden = HiddenMethod::none;
+  not_removed.surfaces.method = HiddenMethod::none;
   EXPECT_TRUE(ink("move-abs-3 .3 .7 -1\ntext \"HH\"\n", not_removed));
   EXPECT_TRUE(ink("move-abs-3 .3 .7 -1\ntext \"HH\"\n", {}, "").has_value() == false);
 }
@@ -175,7 +175,7 @@ TEST(Text, IsHiddenByWhatItIsSortedWith) {
   };
   const auto drawn = [&](std::string_view scope, std::optional<HiddenMethod> method) {
     DrawOptions options{.samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     return difference(picture_of(program(scope, true), options),
                       picture_of(program(scope, false), options))
         .has_value();
@@ -235,11 +235,11 @@ TEST(Text, SamePixelsHoweverTheyAreDrawnAndOnAnyThreads) {
     RasterRequest request;
     request.width = 1301;
     request.height = 2003;
-    request.method = method;
+    request.surfaces.method = method;
     request.ids = request.depth = true;
     const Picture whole = draw_with_software(g.display_file(), request);
     EXPECT_TRUE(joined_rows(g.display_file(), request).pixels == whole.pixels);
-    request.threads = 3;
+    request.surfaces.threads = 3;
     EXPECT_TRUE(draw_with_software(g.display_file(), request).pixels == whole.pixels);
     const Picture without = draw_with_software(plain.display_file(), request);
     EXPECT_TRUE(whole.ids == without.ids);
@@ -265,7 +265,7 @@ TEST(Text, RendererUsedAgain) {
   SoftwareRenderer renderer;
   RasterRequest request;
   request.width = request.height = 200;
-  request.method = HiddenMethod::z_buffer;
+  request.surfaces.method = HiddenMethod::z_buffer;
   GraphicsSystem g = replayed(scene_with(""));
   const auto before = renderer.draw(g.display_file(), request).pixels;
   g.open_segment(2);
@@ -287,7 +287,7 @@ TEST(Text, ByOsmesa) {
   options.device = "osmesa";
   for (const HiddenMethod method :
        {HiddenMethod::none, HiddenMethod::z_buffer, HiddenMethod::bsp}) {
-    options.hidden = method;
+    options.surfaces.method = method;
     const auto box = ink("move-abs-3 .5 .5 0\nset-text-style .25\ntext \"HH\"\n", options);
     ASSERT_TRUE(box);
     EXPECT_NEAR(box->left, 160, 13);

@@ -189,9 +189,9 @@ constexpr std::string_view kRetained =
     "text \"alone\"\n"
     "close-segment\n";
 
-std::vector<std::string> characters(const std::vector<ViewedText>& texts) {
+std::vector<std::string> characters(const std::vector<DeviceText>& texts) {
   std::vector<std::string> all;
-  for (const ViewedText& text : texts) all.push_back(text.characters);
+  for (const DeviceText& text : texts) all.push_back(text.characters);
   return all;
 }
 

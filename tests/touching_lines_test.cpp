@@ -37,7 +37,7 @@ using test::Source;
 std::vector<std::int32_t> ids_of(const GraphicsSystem& g) {
   DrawOptions options{.samples = 1};
   options.width = options.height = 48;
-  options.hidden = HiddenMethod::z_buffer;
+  options.surfaces.method = HiddenMethod::z_buffer;
   options.with_ids = true;
   return draw(g, options).ids;
 }

@@ -102,8 +102,8 @@ std::uint64_t cuts_of_boxes(HiddenMethod method, const Precision& precision, int
   Source s(static_cast<std::uint64_t>(seed));
   GraphicsSystem g;
   enter_in_view(s, g, test::enter_boxes_on_floor, seed % 2 == 1);
-  return hidden_surface_check(g.display_file().segment(1).entered(), {}, method,
-                              {.precision = precision})
+  return hidden_surface_check(g.display_file().segment(1).entered(), {},
+                              {.method = method, .precision = precision})
       ->counts.cuts;
 }
 
@@ -511,7 +511,7 @@ void expect_program_right(const std::string& name, std::size_t touching) {
   }
   const DisplayFile as_viewed = test::without_entered(retained.system.display_file());
   SortedDisplayFile sorted;
-  const DisplayFile& in_order = sorted.update(as_viewed, HiddenMethod::bsp, {});
+  const DisplayFile& in_order = sorted.update(as_viewed, {.method = HiddenMethod::bsp});
   const Picture drawn = draw(
       in_order, {.width = kProgramSize, .height = kProgramSize, .samples = 1, .with_ids = true});
   EXPECT_GT(wrong_pixels(drawn.ids, truth.picture), truth.picture.ids.size() / 50);

@@ -52,7 +52,7 @@ TEST(ViewPoints, AreThoseViewedOneByOne) {
     std::vector<std::uint8_t> outcodes(world.size(), 255);
     view_points(volume, world, device, outcodes);
     for (std::size_t i = 0; i < world.size(); ++i) {
-      const ViewedVertex one = pipeline.view(world[i]);
+      const PipelineVertex one = pipeline.view(world[i]);
       ASSERT_EQ(outcodes[i], one.outcode) << seed;
       ASSERT_EQ(device[i], one.device) << seed;
     }

@@ -36,7 +36,7 @@ class TurntableRendererTest : public TemporaryFolder {
   }
   static DrawOptions options_of(std::optional<HiddenMethod> method) {
     DrawOptions options{.width = 60, .height = 50, .samples = 1};
-    options.hidden = method;
+    options.surfaces.method = method;
     options.with_ids = options.with_depth = !method || !finds_lines(*method);
     return options;
   }
@@ -163,7 +163,7 @@ TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
     g.polygon_abs_3({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}});
     g.close_segment();
     for (const auto method : {HiddenMethod::z_buffer, HiddenMethod::scan_line}) {
-      expect_same_first(near, {.hidden = method});
+      expect_same_first(near, {.surfaces = {.method = method}});
     }
   }
   {

@@ -62,7 +62,7 @@ TEST(Turntable, TurnsTheSceneCounterclockwiseSeenFromAbove) {
     const Picture seen = drawn(views.view(view, lights), 64);
     DrawOptions options{.samples = 1};
     options.width = options.height = 64;
-    options.hidden = HiddenMethod::z_buffer;
+    options.surfaces.method = HiddenMethod::z_buffer;
     options.with_ids = true;
     const Picture right = draw(turned, options);
     EXPECT_LE(different(seen.ids, right.ids), 2u) << degrees;  // at most on edges

@@ -89,10 +89,10 @@ TEST(UndecidedCentres, WhatAMapLeavesOutIsSeenWhereItTouchesAndWasEnteredLater) 
       segment.close();
       if (together) {
         file.set_sorted(
-            hidden_surface_check(file.visible_segments(), HiddenMethod::map, SortOptions{}));
+            hidden_surface_check(file.visible_segments(), {.method = HiddenMethod::map}));
       } else {
         segment.set_sorted(
-            hidden_surface_check(segment.entered(), {}, HiddenMethod::map, SortOptions{}));
+            hidden_surface_check(segment.entered(), {}, {.method = HiddenMethod::map}));
       }
       EXPECT_EQ(wrong(file, kSize, kSize), "") << name;
       if (rise > 0.0) continue;
@@ -221,11 +221,11 @@ TEST(UndecidedCentres, DepthIsThatOfThePolygonsAsEntered) {
   const DisplayFile file = file_of({b, a}, {a, b});
   RasterRequest request{.width = kSize,
                         .height = kSize,
-                        .method = HiddenMethod::z_buffer,
+                        .surfaces = {.method = HiddenMethod::z_buffer},
                         .ids = true,
                         .depth = true};
   const Picture expected = draw_with_software(file, request);
-  request.method = HiddenMethod::none;
+  request.surfaces.method = HiddenMethod::none;
   request.sorted = true;
   const Picture painted = draw_with_software(file, request);
   EXPECT_EQ(painted.depth, expected.depth);

@@ -40,7 +40,7 @@ class VectorFile : public TemporaryFolder {
     DrawOptions options;
     options.width = width;
     options.height = height;
-    if (by_map) options.hidden = HiddenMethod::map;
+    if (by_map) options.surfaces.method = HiddenMethod::map;
     draw(g, file("a.svg"), options);
     return without_keys(content(file("a.svg")));
   }

@@ -196,7 +196,7 @@ class Evaluated : public VectorDevice {
     }
   }
   void paint_lines(const Path&, const LineStyle&, LineKinds, LineCap) override {}
-  void paint_text(const ViewedText&, const Point2&, double) override {}
+  void paint_text(const DeviceText&, const Point2&, double) override {}
 
   std::vector<Painted> painted_;
 };

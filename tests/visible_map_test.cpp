@@ -72,10 +72,13 @@ TEST(VisibleMap, LinesOverItHeedTheRoundoff) {
   system.polygon_abs_3({{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}});
   system.polygon_abs_3({{-2, -1, -1e-12}, {1, -1, -1e-12}, {1, -1, 1.7}, {-2, -1, 1.7}});
   system.close_segment();
-  DrawOptions options{
-      .width = 128, .height = 128, .hidden = HiddenMethod::map, .samples = 1, .with_ids = true};
+  DrawOptions options{.width = 128,
+                      .height = 128,
+                      .surfaces = {.method = HiddenMethod::map},
+                      .samples = 1,
+                      .with_ids = true};
   const Picture exact = draw(system, options);
-  options.precision = {false, 1e-9};
+  options.surfaces.precision = {false, 1e-9};
   const Picture rounded = draw(system, options);
   EXPECT_EQ(rounded.ids, exact.ids) << "no face is lost";
   EXPECT_NE(rounded.pixels, exact.pixels) << "the side was hidden";

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "displayfile/files.h"
@@ -127,6 +129,40 @@ TEST(WindowFit, ASquareIsAsHighAsWide) {
     EXPECT_NEAR(seen.x, seen.y, 1.0) << width << " x " << height;
     EXPECT_NEAR(seen.x, 0.5 * std::min(width, height), 1.0);
   }
+}
+
+/// The warnings of a picture in memory, and of one in a file, of a square in a system of that
+/// aspect.
+int warnings_of(const std::string& settings, double aspect, int width, int height) {
+  GraphicsSystem g;
+  g.set_aspect_ratio(aspect);
+  replay(settings +
+             "open-segment 1\npolygon-abs-2 0.2 0.2  0.8 0.2  0.8 0.8  0.2 0.8\nclose-segment\n",
+         "program", g);
+  std::vector<std::string> warned;
+  DrawOptions options{.width = width, .height = height};
+  options.warn = [&](const DrawWarning& warning) {
+    EXPECT_EQ(warning.kind, DrawWarning::Kind::stretched);
+    warned.push_back(warning.text);
+  };
+  draw(g, options);
+  draw_as(g, "svg", options);
+  EXPECT_TRUE(warned.empty() || (warned.size() == 2 && warned[0] == warned[1]));
+  const std::string shape = "set_aspect_ratio(" + std::to_string(width / height) + ")";
+  if (!warned.empty()) {
+    EXPECT_NE(warned[0].find(shape), std::string::npos) << warned[0];
+  }
+  return static_cast<int>(warned.size());
+}
+
+TEST(WindowFit, APictureOfAnotherShapeThanItsSystemsIsWarnedOf) {
+  EXPECT_EQ(warnings_of("", 1.0, 40, 40), 0);
+  EXPECT_EQ(warnings_of("", 1.0, 80, 40), 2);
+  EXPECT_EQ(warnings_of("", 2.0, 80, 40), 0);
+  EXPECT_EQ(warnings_of("", 2.0, 40, 40), 2);
+  EXPECT_EQ(warnings_of("set-window 0 2 0 1\n", 1.0, 80, 40), 0) << "it is as wide as its window";
+  EXPECT_EQ(warnings_of("set-window-fit stretch\n", 1.0, 80, 40), 0) << "it is meant";
+  EXPECT_EQ(warnings_of("", 1.0, 101, 100), 0) << "whole pixels have no other shape";
 }
 
 }  // namespace

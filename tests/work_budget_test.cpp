@@ -70,9 +70,9 @@ std::vector<Operation> operations(const GraphicsSystem& g, const fs::path& folde
   const auto draws = [&](const std::string& name, HiddenMethod method, const std::string& file) {
     all.push_back({name, [&g, method, threads, file = folder / file](WorkBudget& budget) {
                      DrawOptions options{.samples = 1};
-                     options.hidden = method;
-                     options.threads = threads;
-                     options.budget = &budget;
+                     options.surfaces.method = method;
+                     options.surfaces.threads = threads;
+                     options.surfaces.budget = &budget;
                      draw(g, file, options);
                    }});
   };
@@ -175,11 +175,12 @@ TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
     EXPECT_TRUE(empty_folder());
   }
   WorkBudget budget({.bytes = 30000});
-  EXPECT_NE(
-      reached([&] { draw(g, {.width = 100, .height = 100, .samples = 1, .budget = &budget}); })
-          .find("a picture of 100 x 100 pixels needs at least 40000 bytes, and the limit is "
-                "30000"),
-      std::string::npos);
+  EXPECT_NE(reached([&] {
+              draw(g, {.width = 100, .height = 100, .surfaces = {.budget = &budget}, .samples = 1});
+            })
+                .find("a picture of 100 x 100 pixels needs at least 40000 bytes, and the limit is "
+                      "30000"),
+            std::string::npos);
 }
 
 /// The textbook's routine: the segment is open still, and closes when there is a method that
@@ -215,8 +216,8 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
     Renderer renderer;
     WorkBudget budget;
     DrawOptions options{
-        .width = 1500, .height = 1500, .hidden = method, .threads = 2, .samples = 1};
-    options.budget = &budget;
+        .width = 1500, .height = 1500, .surfaces = {.method = method, .threads = 2}, .samples = 1};
+    options.surfaces.budget = &budget;
     std::atomic<bool> begun = false;
     std::thread stopper([&] {
       while (!begun) std::this_thread::yield();
@@ -235,10 +236,12 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
   const GraphicsSystem few = crossing(20);
   Renderer renderer;
   WorkBudget none({.seconds = 1e-9});
-  DrawOptions options{
-      .width = 300, .height = 200, .hidden = HiddenMethod::bsp, .samples = 1, .budget = &none};
+  DrawOptions options{.width = 300,
+                      .height = 200,
+                      .surfaces = {.method = HiddenMethod::bsp, .budget = &none},
+                      .samples = 1};
   EXPECT_NE(reached([&] { renderer.draw(few, options); }), "done");
-  options.budget = nullptr;
+  options.surfaces.budget = nullptr;
   EXPECT_EQ(renderer.draw(few, options).pixels, draw(few, options).pixels);
 }
 
@@ -254,8 +257,10 @@ TEST_F(Budgets, PaintingStops) {
   g.close_segment();
   for (const HiddenMethod method : {HiddenMethod::none, HiddenMethod::bsp}) {
     WorkBudget budget({.seconds = 0.2});
-    const DrawOptions options{
-        .width = 3000, .height = 3000, .hidden = method, .samples = 1, .budget = &budget};
+    const DrawOptions options{.width = 3000,
+                              .height = 3000,
+                              .surfaces = {.method = method, .budget = &budget},
+                              .samples = 1};
     EXPECT_NE(reached([&] { draw(g, options); }).find("0.2 seconds are not enough"),
               std::string::npos)
         << name_of(method);
@@ -270,7 +275,7 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
   g.close_segment();
   WorkBudget stopped;
   stopped.stop();
-  DrawOptions options{.width = 50, .height = 50, .samples = 1, .budget = &stopped};
+  DrawOptions options{.width = 50, .height = 50, .surfaces = {.budget = &stopped}, .samples = 1};
   Renderer renderer;
   EXPECT_NE(reached([&] { renderer.pick(g, 25, 25, options); }).find("stopped"), std::string::npos);
   const auto turntable = [&] {
@@ -278,12 +283,12 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
   };
   EXPECT_NE(reached(turntable).find("stopped"), std::string::npos);
   WorkBudget pieces({.pieces = 100});
-  options.budget = &pieces;
+  options.surfaces.budget = &pieces;
   EXPECT_NE(reached(turntable).find("more than 100 pieces"), std::string::npos);
-  options.budget = nullptr;
-  options.most_pieces = 90;
+  options.surfaces.budget = nullptr;
+  options.surfaces.most_pieces = 90;
   EXPECT_NE(test::error_of(turntable).find("more than 90 pieces"), std::string::npos);
-  options.most_pieces = kMostPieces;
+  options.surfaces.most_pieces = kMostPieces;
   EXPECT_EQ(reached(turntable), "done");
 }
 
@@ -291,9 +296,10 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
 TEST_F(Budgets, WorkThatFailedIsNotToldOfOtherWork) {
   const GraphicsSystem g = crossing(60);
   WorkBudget budget({.pieces = 100});
-  EXPECT_NE(
-      reached([&] { draw(g, {.hidden = HiddenMethod::bsp, .samples = 1, .budget = &budget}); }),
-      "done");
+  EXPECT_NE(reached([&] {
+              draw(g, {.surfaces = {.method = HiddenMethod::bsp, .budget = &budget}, .samples = 1});
+            }),
+            "done");
   const std::string said = reached([] {
     with_memory(
         1000, [] { return "entering polygons"; }, [] { throw std::bad_alloc(); });

@@ -348,7 +348,7 @@ TEST(WorldTree, CoplanarPiecesAreInOrderOfEntryFromBothSides) {
 TEST(WorldTree, RoundoffBuildsTheSameCode) {
   Source s(7);
   const ItemList list = test::families::triangles(s);
-  SortOptions options;
+  SurfacePlan options;
   options.precision = {.exact = false, .roundoff = 1e-9};
   const WorldTree tree(list.view(), options);
   Judge judge(list, tree);
@@ -428,7 +428,7 @@ TEST(WorldTree, DeepTreesDoNotRecur) {
     constexpr int kTriangles = 5000 / test::kSlower;
     const ItemList list = cone(kTriangles, light_face_out);
     std::optional<WorldTree> tree;
-    on_a_small_stack([&] { tree.emplace(list.view(), SortOptions{}); });
+    on_a_small_stack([&] { tree.emplace(list.view(), SurfacePlan{}); });
     ASSERT_EQ(tree->pieces().depth, kTriangles) << "the scene no longer makes a chain";
     const Eye inside = Eye::at(Point3(0.5)), outside = Eye::at({5, 4, 3});
     Order near_inside, near_outside;

@@ -35,7 +35,7 @@ DrawOptions options_of(HiddenMethod method) {
   DrawOptions options{.samples = 1};
   options.width = kWidth;
   options.height = kHeight;
-  options.hidden = method;
+  options.surfaces.method = method;
   options.with_ids = options.with_depth = true;
   return options;
 }
@@ -46,9 +46,9 @@ void expect_right_painting(const Picture& picture, const DisplayFile& file,
   RasterRequest request;
   request.width = kWidth;
   request.height = kHeight;
-  request.method = HiddenMethod::z_buffer;
+  request.surfaces.method = HiddenMethod::z_buffer;
   request.ids = request.depth = true;
-  request.hidden_lines = hidden_lines;
+  request.surfaces.hidden_lines = hidden_lines;
   const Picture by_z_buffer = draw_with_software(file, request);
   EXPECT_EQ(picture.pixels, by_z_buffer.pixels);
   EXPECT_EQ(picture.depth, by_z_buffer.depth);
@@ -105,7 +105,7 @@ TEST(WorldViews, DrawAllViewsFromOneTreeOnSeveralThreads) {
     const Picture picture = draw(world, options);
     expect_right(picture, world.display_file);
     EXPECT_GT(std::ranges::count_if(picture.ids, [](int id) { return id >= 0; }), 500);
-    options.threads = 3;
+    options.surfaces.threads = 3;
     EXPECT_EQ(draw(world, options).ids, picture.ids);
     options.samples = 2;
     EXPECT_EQ(draw(world, options).ids, picture.ids);
@@ -172,7 +172,7 @@ TEST(WorldViews, SettingTheMethodRetains) {
   ASSERT_NE(g.retained(), nullptr);
   EXPECT_EQ(g.retained()->segments().size(), 2u);
   DrawOptions options = options_of(HiddenMethod::world_ray_cast);
-  options.hidden.reset();
+  options.surfaces.method.reset();
   expect_right(draw(g, options), g.display_file());
 
   GraphicsSystem copy = g;  // has its own
@@ -199,9 +199,9 @@ TEST(WorldViews, RefuseWhatTheyCannotDraw) {
   test::enter_two_segments(retained.system);
   DrawOptions options = options_of(HiddenMethod::world_ray_cast);
   EXPECT_NO_THROW(draw(retained.system, options));
-  options.precision = Precision{.exact = false, .roundoff = 1e-6};
+  options.surfaces.precision = Precision{.exact = false, .roundoff = 1e-6};
   EXPECT_THROW(draw(retained.system, options), Error);
-  options.precision.reset();
+  options.surfaces.precision.reset();
   retained.system.set_hidden_surfaces({.precision = Precision{.exact = false, .roundoff = 1e-6}});
   EXPECT_THROW(draw(retained.system, options), Error);
   retained.system.set_hidden_surfaces({.precision = Precision{}});

@@ -92,8 +92,10 @@ DisplayFile sheets(std::uint32_t seed, int count) {
 }
 
 void expect_truth(const DisplayFile& file, const PictureSize& size) {
-  const RasterRequest request{
-      .width = size.width, .height = size.height, .method = HiddenMethod::z_buffer, .ids = true};
+  const RasterRequest request{.width = size.width,
+                              .height = size.height,
+                              .surfaces = {.method = HiddenMethod::z_buffer},
+                              .ids = true};
   ASSERT_EQ(draw_with_software(file, request).ids, truth(file, size.width, size.height, false).ids);
 }
 

@@ -94,12 +94,12 @@ std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
 }
 
 /// What of the points is needed to fit a view to them, in the view plane's coordinates.
-class FittedView {
+class FittedCamera {
  public:
   /// By the camera.
-  FittedView(std::span<const Point3> world, double aspect, const Camera& camera);
-  /// Only the window and the depth of a view whose camera was said.
-  FittedView(std::span<const Point3> world, double aspect, const View& said);
+  FittedCamera(std::span<const Point3> world, double aspect, const Camera& camera);
+  /// Only the window and the depth of a view whose camera was set.
+  FittedCamera(std::span<const Point3> world, double aspect, const View& set_before);
   const View& view() const { return view_; }
 
  private:
@@ -123,9 +123,9 @@ class FittedView {
   View view_;
 };
 
-FittedView::FittedView(std::span<const Point3> world, double aspect, const Camera& camera)
+FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const Camera& camera)
     : camera_(camera), aspect_(aspect) {
-  if (const auto* said = std::get_if<Upright>(&camera.upright)) upright_ = *said;
+  if (const auto* axis = std::get_if<Upright>(&camera.upright)) upright_ = *axis;
   take(world);
   const double seen_radius = camera.fit ? radius_ : 1.0;
   const Point3 at = camera.look_at.value_or(camera.fit ? scene_.middle() : Point3(0.0));
@@ -166,20 +166,20 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const Camer
   enclose_depth();
 }
 
-FittedView::FittedView(std::span<const Point3> world, double aspect, const View& said)
-    : aspect_(aspect), view_(said) {
+FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const View& set_before)
+    : aspect_(aspect), view_(set_before) {
   take(world);
-  camera_.parallel = said.projection == View::Projection::parallel;
-  View along_normal = said;  // any direction will do for the axes of the view plane
-  along_normal.set_parallel(said.plane_normal);
+  camera_.parallel = set_before.projection == View::Projection::parallel;
+  View along_normal = set_before;  // any direction will do for the axes of the view plane
+  along_normal.set_parallel(set_before.plane_normal);
   view_plane_ = ViewVolume(along_normal).view_plane();
   points_.reserve(world.size());
   for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
   if (camera_.parallel) {
-    const Point3 along(view_plane_ * HomogeneousPoint(said.direction_of_projection, 0.0));
+    const Point3 along(view_plane_ * HomogeneousPoint(set_before.direction_of_projection, 0.0));
     slant_ = Point2(along) / along.z;
   } else {
-    const Point3 eye(view_plane_ * HomogeneousPoint(said.centre_of_projection, 1.0));
+    const Point3 eye(view_plane_ * HomogeneousPoint(set_before.centre_of_projection, 1.0));
     eye_ = Point2(eye);
     distance_ = eye.z;
   }
@@ -187,14 +187,14 @@ FittedView::FittedView(std::span<const Point3> world, double aspect, const View&
   enclose_depth();
 }
 
-void FittedView::take(std::span<const Point3> world) {
+void FittedCamera::take(std::span<const Point3> world) {
   for (const Point3& p : world) scene_.include(p);
   if (scene_.empty()) throw Error("no points to fit the view to");
   const double diagonal = glm::length(scene_.high - scene_.low);
   if (diagonal > 0.0) radius_ = 0.5 * diagonal;
 }
 
-void FittedView::place_eye(double distance) {
+void FittedCamera::place_eye(double distance) {
   distance_ = distance;
   if (camera_.parallel) {
     view_.set_parallel(toward_eye_);
@@ -205,7 +205,7 @@ void FittedView::place_eye(double distance) {
 
 /// Moves the eye, and what it looks at unless that is given, to where the points just fill the
 /// angle of view: a point is seen as long as the eye is so far in front of it.
-void FittedView::stand_back(double slope) {
+void FittedCamera::stand_back(double slope) {
   const double free = 1.0 - 2.0 * kFreeAtEachSide;
   const Point2 slopes(slope * aspect_ * free, slope * free);
   Point2 low(-HUGE_VAL), high(-HUGE_VAL);
@@ -230,7 +230,7 @@ void FittedView::stand_back(double slope) {
   place_eye(distance);
 }
 
-void FittedView::fit_window() {
+void FittedCamera::fit_window() {
   Bounds seen;
   for (const Point3& p : points_) {
     const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
@@ -251,7 +251,7 @@ void FittedView::fit_window() {
 }
 
 /// The front plane stays before the eye.
-void FittedView::enclose_depth() {
+void FittedCamera::enclose_depth() {
   double front = -HUGE_VAL, back = HUGE_VAL;
   for (const Point3& p : points_) {
     front = std::max(front, p.z);
@@ -270,7 +270,7 @@ View fit(const View& view, std::span<const Point3> points, double aspect) {
   if (!(aspect > 0.0 && aspect <= kCoordinateLimit)) {
     throw Error(fmt::format("aspect ratio {}: expected a positive number", aspect));
   }
-  return FittedView(points, aspect, view).view();
+  return FittedCamera(points, aspect, view).view();
 }
 
 View fit(const View& view, const Point3& low, const Point3& high, double aspect) {
@@ -305,26 +305,26 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
 }
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
-              const SaidView& said) {
+              const CameraAsSet& set_before) {
   const RoundToNearest nearest;
-  const auto is_said = [&](Setting setting) { return said.settings.contains(setting); };
-  const bool has_camera = is_said(Setting::camera);
-  if (is_said(Setting::window) || (has_camera && !camera.fit)) return;
-  const double aspect = shape_in_picture(said.view.viewport, system.aspect_ratio());
-  const View view = has_camera ? FittedView(world, aspect, said.view).view()
-                               : FittedView(world, aspect, camera).view();
+  const auto is_set = [&](Setting setting) { return set_before.settings.contains(setting); };
+  const bool has_camera = is_set(Setting::camera);
+  if (is_set(Setting::window) || (has_camera && !camera.fit)) return;
+  const double aspect = shape_in_picture(set_before.view.viewport, system.aspect_ratio());
+  const View view = has_camera ? FittedCamera(world, aspect, set_before.view).view()
+                               : FittedCamera(world, aspect, camera).view();
   if (!has_camera) set_camera(view, system);
-  if (!is_said(Setting::view_depth)) system.set_view_depth(view.front, view.back);
-  if (!is_said(Setting::front_plane_clipping)) system.set_front_plane_clipping(false);
-  if (!is_said(Setting::back_plane_clipping)) system.set_back_plane_clipping(false);
+  if (!is_set(Setting::view_depth)) system.set_view_depth(view.front, view.back);
+  if (!is_set(Setting::front_plane_clipping)) system.set_front_plane_clipping(false);
+  if (!is_set(Setting::back_plane_clipping)) system.set_back_plane_clipping(false);
   const Rectangle& window = view.window;
   system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
-  if (!is_said(Setting::viewport)) system.set_viewport(0.0, 1.0, 0.0, 1.0);
+  if (!is_set(Setting::viewport)) system.set_viewport(0.0, 1.0, 0.0, 1.0);
 }
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {
   const RoundToNearest nearest;
-  fit_view(world, system, camera, {system.view(), system.said()});
+  fit_view(world, system, camera, {system.view(), system.explicit_settings()});
 }
 
 CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, const Camera& camera) {

@@ -112,11 +112,10 @@ Scene import_scene(const ImportLibrary& library, const std::string& path,
 // ---- Its scene -------------------------------------------------------------------------
 
 /// The nodes in the order of the file, parents first.
-std::vector<SceneNode> nodes_in_order(const aiScene& scene) {
-  std::vector<SceneNode> order,
-      waiting{{scene.mRootNode, matrix(scene.mRootNode->mTransformation)}};
+std::vector<MeshNode> nodes_in_order(const aiScene& scene) {
+  std::vector<MeshNode> order, waiting{{scene.mRootNode, matrix(scene.mRootNode->mTransformation)}};
   while (!waiting.empty()) {
-    const SceneNode next = waiting.back();
+    const MeshNode next = waiting.back();
     waiting.pop_back();
     order.push_back(next);
     for (unsigned i = next.node->mNumChildren; i-- > 0;) {
@@ -130,7 +129,7 @@ std::vector<SceneNode> nodes_in_order(const aiScene& scene) {
 
 /// The axis that is up in the scene: as the file says, after the root's transformation, by which
 /// the library turns some files to y up. Nothing if the library does not tell what the file says.
-std::optional<Upright> upright_said(const aiScene& scene) {
+std::optional<Upright> upright_of_file(const aiScene& scene) {
   std::int32_t axis = -1, sign = 1;
   if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UpAxis", axis)) return std::nullopt;
   if (axis < 0 || axis > 2) return std::nullopt;
@@ -190,9 +189,9 @@ class MaterialReader {
 };
 
 /// Copies the scene's meshes into a Mesh, checking every number on the way.
-class SceneReader {
+class AssimpReader {
  public:
-  SceneReader(const std::string& path, bool with_normals)
+  AssimpReader(const std::string& path, bool with_normals)
       : path_(path), with_normals_(with_normals), mesh_(path) {
     mesh_.set_single_precision();
   }
@@ -215,7 +214,7 @@ class SceneReader {
     materials_ = scene.mNumMaterials;
   }
 
-  void add(const aiScene& scene, const SceneNode& node) {
+  void add(const aiScene& scene, const MeshNode& node) {
     name_ = node.node->mName.C_Str();
     mesh_.begin_object(name_);
     for (unsigned i = 0; i < node.node->mNumMeshes; ++i) {
@@ -350,13 +349,13 @@ Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_no
              bool by_extension) {
   ImportLosses losses = losses_of(path, by_extension, library.library);
   const Scene scene = import_scene(library, path, losses);
-  SceneReader reader(path, with_normals);
+  AssimpReader reader(path, with_normals);
   reader.add_materials(library, *scene);
-  const std::vector<SceneNode> nodes = nodes_in_order(*scene);
-  for (const SceneNode& node : nodes) reader.add(*scene, node);
+  const std::vector<MeshNode> nodes = nodes_in_order(*scene);
+  for (const MeshNode& node : nodes) reader.add(*scene, node);
   losses.add(skins_that_move(*scene, nodes), "the skin of {} object", "the skins of {} objects");
   Mesh mesh = std::move(reader).take(std::move(losses.left_out));
-  mesh.upright = upright_said(*scene);
+  mesh.upright = upright_of_file(*scene);
   return mesh;
 }
 

@@ -322,7 +322,7 @@ class ImportProcess {
     }
     child_ = 0;
     take_messages();
-    if (!said_.empty()) std::cerr << lines_drawable(said_) << std::flush;
+    if (!message_.empty()) std::cerr << lines_drawable(message_) << std::flush;
     return status_;
   }
 
@@ -367,7 +367,7 @@ class ImportProcess {
       if (count < 0 && errno == EAGAIN) return;
       if (count <= 0) return messages_.close();
       const auto bytes = static_cast<std::size_t>(count);
-      said_.append(part.data(), std::min(bytes, kMostOfMessage - said_.size()));
+      message_.append(part.data(), std::min(bytes, kMostOfMessage - message_.size()));
       taken += bytes;
     }
   }
@@ -386,7 +386,7 @@ class ImportProcess {
   pid_t child_ = 0;
   int status_ = 0;
   Descriptor reply_, messages_;
-  std::string said_;
+  std::string message_;
 };
 
 }  // namespace

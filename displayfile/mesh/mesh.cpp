@@ -233,15 +233,15 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   const bool shows_lines =
       system.hidden_surfaces().removal && shows_lines_only(system.hidden_surfaces().method);
   const bool sides_drawn =
-      options.sides_drawn || shows_lines || system.said().contains(Setting::lines);
+      options.sides_drawn || shows_lines || system.explicit_settings().contains(Setting::lines);
   SystemInside::by_default(system, Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });
   SystemInside::by_default(system, Setting::hidden_line_removal, [&] {
     const bool back_face_removal = system.attributes().back_face_removal;
-    const bool said = system.said().contains(Setting::back_face_removal);
+    const bool was_set = system.explicit_settings().contains(Setting::back_face_removal);
     system.set_hidden_surfaces({.removal = true});
-    if (said) system.set_back_face_removal(back_face_removal);
+    if (was_set) system.set_back_face_removal(back_face_removal);
   });
 }
 
@@ -253,7 +253,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
   require_no_open_segment(system);
   const Attributes before = system.attributes();
   MeshOptions entering = options;
-  entering.file_colours &= !system.said().contains(Setting::fill_style);
+  entering.file_colours &= !system.explicit_settings().contains(Setting::fill_style);
   bring_defaults(system, options);
   for (const Mesh& mesh : meshes) {
     SystemInside::by_default(system, Setting::back_face_removal, [&] {
@@ -294,8 +294,8 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
   if (meshes.empty()) return {};
   ImportedMeshes imported;
   system.all_or_nothing([&] {
-    if (!system.said().contains(Setting::window)) {
-      const bool has_camera = system.said().contains(Setting::camera);
+    if (!system.explicit_settings().contains(Setting::window)) {
+      const bool has_camera = system.explicit_settings().contains(Setting::camera);
       const CommonUpright upright = fit_view(meshes, system, options.camera);
       if (upright.differ()) meshes.front().skipped.warnings.emplace_back(kStandDifferently);
       if (!has_camera) imported.fitted = upright.upright();

@@ -66,10 +66,10 @@ glm::dmat4 matrix(const aiMatrix4x4& m) {
   return result;
 }
 
-std::size_t skins_that_move(const aiScene& scene, std::span<const SceneNode> nodes) {
+std::size_t skins_that_move(const aiScene& scene, std::span<const MeshNode> nodes) {
   Places places;
-  for (const SceneNode& node : nodes) places.emplace(node.node->mName.C_Str(), &node.to_world);
-  return static_cast<std::size_t>(std::ranges::count_if(nodes, [&](const SceneNode& node) {
+  for (const MeshNode& node : nodes) places.emplace(node.node->mName.C_Str(), &node.to_world);
+  return static_cast<std::size_t>(std::ranges::count_if(nodes, [&](const MeshNode& node) {
     return std::ranges::any_of(
         std::span(node.node->mMeshes, node.node->mNumMeshes), [&](unsigned m) {
           return m < scene.mNumMeshes && is_moved(*scene.mMeshes[m], node.to_world, places);

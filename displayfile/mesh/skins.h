@@ -9,7 +9,7 @@
 namespace displayfile {
 
 /// A node of the import library's scene.
-struct SceneNode {
+struct MeshNode {
   const aiNode* node;
   glm::dmat4 to_world;
 };
@@ -20,6 +20,6 @@ glm::dmat4 matrix(const aiMatrix4x4& m);
 /// How many nodes have meshes that a skin would move: one whose bones, where the scene has them,
 /// put a vertex elsewhere than the mesh's node does, by more than a thousandth of the mesh's size.
 /// Skins are not read.
-std::size_t skins_that_move(const aiScene& scene, std::span<const SceneNode> nodes);
+std::size_t skins_that_move(const aiScene& scene, std::span<const MeshNode> nodes);
 
 }  // namespace displayfile

@@ -37,7 +37,7 @@ struct FormatUpright {
   std::string_view extension;
   std::string_view axis;
   bool laid_down;  ///< else a custom, which some files follow
-  Upright (*said)(std::string_view text) = nullptr;
+  Upright (*read)(std::string_view text) = nullptr;
 };
 constexpr FormatUpright kUprightFormats[] = {
     {".3mf", "z", true},    // core specification: z away from the plate that is printed on
@@ -71,13 +71,13 @@ Upright nearest_upright(const Point3& direction) {
 
 bool text_says_upright(std::string_view extension) {
   const FormatUpright* format = format_named(extension);
-  return format != nullptr && format->said != nullptr;
+  return format != nullptr && format->read != nullptr;
 }
 
 void set_upright_of_format(Mesh& mesh, std::string_view extension, std::string_view text) {
   const FormatUpright* format = format_named(extension);
   if (format == nullptr) return;
-  const Upright of_format = format->said != nullptr ? format->said(text) : upright(format->axis);
+  const Upright of_format = format->read != nullptr ? format->read(text) : upright(format->axis);
   (format->laid_down ? mesh.upright : mesh.usual_upright) = of_format;
 }
 
@@ -93,7 +93,7 @@ void CommonUpright::add(const Mesh& mesh, const ModellingTransformation& modelli
 }
 
 Upright CommonUpright::upright() const {
-  if (const auto* said = std::get_if<Upright>(&camera_.upright)) return *said;
+  if (const auto* axis = std::get_if<Upright>(&camera_.upright)) return *axis;
   return differ_ ? Upright{} : of_meshes_.value_or(Upright{});
 }
 

@@ -19,10 +19,8 @@ bool leaves_hidden_lines(const DisplayFile& display_file, bool orders_count, int
   const ViewedScene scene(visible);
   const bool has_fills = scene.end() > 1;
   if (!has_fills || !scene.has_lines()) return false;
-  SortOptions options;
-  options.threads = threads;
-  options.hidden_lines = HiddenLines::dashed;
-  const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
+  const FoundLines found =
+      find_lines(scene, {.method = HiddenMethod::franklin, .threads = threads});
   return !lines_beside_sides(scene, found, HiddenLines::dashed).pieces.empty();
 }
 

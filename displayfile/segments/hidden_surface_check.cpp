@@ -14,44 +14,36 @@ namespace displayfile {
 
 namespace {
 
-SortedPieces pieces_of(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
-  if (finds_lines(method)) {
-    return lines_in_order(scene, find_lines(scene, method, options), options.hidden_lines);
+SortedPieces pieces_of(const ViewedScene& scene, const SurfacePlan& plan) {
+  if (finds_lines(plan.method)) {
+    return lines_in_order(scene, find_lines(scene, plan), plan.hidden_lines);
   }
-  if (method == HiddenMethod::map) return map_in_order(scene, options);
+  if (plan.method == HiddenMethod::map) return map_in_order(scene, plan);
   Primitives items = scene.primitives();
-  if (!options.precision.exact) {  // a ROUNDOFF decides what is in one plane
+  if (!plan.precision.exact) {  // a ROUNDOFF decides what is in one plane
     items.planes = {};
     items.plane_rests = {};
     items.touching = 0.0;
   }
-  SortedPieces sorted = sort_hidden_surfaces(items, method, options);
+  SortedPieces sorted = sort_hidden_surfaces(items, plan);
   put_cuts_at_vertices(scene, sorted);
-  append_lines(scene, options, sorted);
+  append_lines(scene, plan, sorted);
   return sorted;
 }
 
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                 const ImageTransformation& image,
-                                                HiddenMethod method, const SortOptions& options) {
-  SortedPieces pieces = pieces_of(viewed, method, options);
+                                                const SurfacePlan& plan) {
+  SortedPieces pieces = pieces_of(viewed, plan);
   const auto hidden = static_cast<std::size_t>(std::ranges::count(pieces.hidden, 1));
   const SortCounts counts{pieces.pieces.size() - hidden, pieces.cuts, pieces.comparisons,
                           pieces.depth};
   double moved = viewed.boundary_error() + cuts_may_move(viewed);
-  if (options.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
+  if (plan.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
-  return std::make_shared<SortedScene>(SortedScene{{std::move(ordered)},
-                                                   image,
-                                                   method,
-                                                   options.precision,
-                                                   counts,
-                                                   options.hidden_lines,
-                                                   options.intersections,
-                                                   options.shadows,
-                                                   moved,
-                                                   options.root});
+  return std::make_shared<SortedScene>(
+      SortedScene{{std::move(ordered)}, image, plan.kept(), counts, moved});
 }
 
 /// What `sort` returns, which has every point in its tables at least.
@@ -73,21 +65,20 @@ bool is_object_space(HiddenMethod by) {
 
 std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
-    HiddenMethod by, const SortOptions& options) {
-  const HiddenMethod method = surfaces_of(by);
-  return with_memory_of_sort(entered->points(), method, [&] {
-    return sorted_scene(ViewedScene(entered, image), image, method, options);
+    const SurfacePlan& set) {
+  const SurfacePlan plan = set.by(surfaces_of(set.method));
+  return with_memory_of_sort(entered->points(), plan.method, [&] {
+    return sorted_scene(ViewedScene(entered, image), image, plan);
   });
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
-                                                        HiddenMethod by,
-                                                        const SortOptions& options) {
-  const HiddenMethod method = surfaces_of(by);
+                                                        const SurfacePlan& set) {
+  const SurfacePlan plan = set.by(surfaces_of(set.method));
   std::size_t points = 0;
   for (const Segment* segment : segments) points += segment->entered()->points();
-  return with_memory_of_sort(
-      points, method, [&] { return sorted_scene(ViewedScene(segments), {}, method, options); });
+  return with_memory_of_sort(points, plan.method,
+                             [&] { return sorted_scene(ViewedScene(segments), {}, plan); });
 }
 
 }  // namespace displayfile

@@ -16,7 +16,7 @@ bool is_object_space(HiddenMethod by);
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
 /// or `depth_sort`; by `map` the parts of polygons that are seen, which do not overlap, and after
 /// all of them what is seen of lines and sides; or by `roberts`, `appel` or `franklin` what is seen
-/// of its lines and its polygons' sides, and no fills. If the options ask for hidden lines, these
+/// of its lines and its polygons' sides, and no fills. If the plan has hidden lines, these
 /// are drawn dashed: before the visible ones, or after all fills. Points are those after the image
 /// transformation, and so are those of the result. Each piece of a polygon that was cut keeps its
 /// styles and its pick identifier, and if the polygon is shaded its place in the shade; sides that
@@ -26,13 +26,12 @@ bool is_object_space(HiddenMethod by);
 /// Throws Error for another method, and for more than 2^32 - 2 points.
 std::shared_ptr<const SortedScene> hidden_surface_check(
     const std::shared_ptr<const Instructions>& entered, const ImageTransformation& image,
-    HiddenMethod by, const SortOptions& options);
+    const SurfacePlan& plan);
 
 /// HIDDEN-SURFACE-CHECK of several segments together, in order of creation, with a segment
 /// instruction wherever the segment changes. Of coplanar polygons the one of the segment created
 /// later is seen.
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
-                                                        HiddenMethod by,
-                                                        const SortOptions& options);
+                                                        const SurfacePlan& plan);
 
 }  // namespace displayfile

@@ -10,7 +10,7 @@
 
 #include "clip/corners.h"
 #include "clip/rectangle.h"
-#include "displayfile/segments/light_view.h"
+#include "displayfile/segments/light_projection.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/map/map_pieces.h"
@@ -201,9 +201,9 @@ class PlanesOfLight {
 
 /// A scene's polygons, and in place of each of which the light reaches a part, that one in shadow
 /// and its lit parts before it, in its plane.
-class LitScene {
+class LitItems {
  public:
-  LitScene(const ViewedScene& scene, const Primitives& items)
+  LitItems(const ViewedScene& scene, const Primitives& items)
       : scene_(scene), items_(items), points_(items.points.begin(), items.points.end()) {
     reached_.assign(items.items.size(), Reached{});
   }
@@ -218,7 +218,7 @@ class LitScene {
         solid.push_back(items_.points[items_.point(item.first + k)]);
       }
     }
-    const auto view = LightView::of(light, solid);
+    const auto view = LightProjection::of(light, solid);
     if (!view) return;
     std::vector<Point3> seen;
     seen.reserve(items_.points.size());
@@ -325,7 +325,7 @@ class LitScene {
   }
 
   void add_parts(Item i, std::span<const SortedPiece> parts, const SortedPieces& pieces,
-                 const std::vector<Point3>& seen, const LightView& view) {
+                 const std::vector<Point3>& seen, const LightProjection& view) {
     Reached& reached = reached_[i];
     const Primitives::Item& item = items_.items[i];
     if (!find_plane(items_, item, reached.plane)) return;
@@ -350,7 +350,7 @@ class LitScene {
   /// its vertices; or one of its vertices.
   std::uint32_t device_point(const Primitives::Item& item, const PlanePoints& plane,
                              const Point2& at, const std::vector<Point3>& seen,
-                             const LightView& view) {
+                             const LightProjection& view) {
     for (std::uint32_t c = 0; c < item.sides; ++c) {
       const std::uint32_t corner = items_.point(item.first + c);
       if (Point2(seen[corner]) == at) return corner;
@@ -421,7 +421,7 @@ class LitScene {
 
 SortedPieces lit_pieces_of_map(const ViewedScene& scene, const Primitives& items,
                                const MapOptions& options) {
-  LitScene lit(scene, items);
+  LitItems lit(scene, items);
   const PlanesOfLight planes(items);
   std::vector<HomogeneousPoint> lights;
   for (Item i = 0; i < items.items.size(); ++i) {

@@ -108,16 +108,17 @@ bool note_pairs(std::vector<Together>& together, const LieOver& lie_over, const 
 }
 
 /// The exact views of a scene's items, made once each.
-class ExactViews {
+class ExactProjections {
  public:
-  EnteredView& of(const ViewedScene::EnteredItem& item) {
+  EnteredProjection& of(const ViewedScene::EnteredItem& item) {
     auto& view = views_[{item.volume, item.image}];
     if (!view) view.emplace(*item.volume, *item.image);
     return *view;
   }
 
  private:
-  std::map<std::pair<const ViewVolume*, const ImageTransformation*>, std::optional<EnteredView>>
+  std::map<std::pair<const ViewVolume*, const ImageTransformation*>,
+           std::optional<EnteredProjection>>
       views_;
 };
 
@@ -258,7 +259,7 @@ bool ViewedScene::do_planes_coincide(std::uint32_t a, std::uint32_t b) const {
 bool ViewedScene::is_plane_edge_on(Item item) const {
   const EnteredItem of_plane = in_view_of(planes_->founders[item], item);
   if (!of_plane.is_known()) return false;
-  const auto plane = EnteredView(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
+  const auto plane = EnteredProjection(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
   return plane && plane->is_edge_on();
 }
 
@@ -311,7 +312,7 @@ std::optional<ViewedScene::Bent> ViewedScene::bent_item(Item item, std::uint32_t
     return bent;
   }
   const auto own = own_plane_points(item);
-  const auto plane = EnteredView(*entered.volume, *entered.image).plane(entered.polygon);
+  const auto plane = EnteredProjection(*entered.volume, *entered.image).plane(entered.polygon);
   if (!own || !plane || plane->is_edge_on()) return std::nullopt;
   bent.plane = *own;
   const auto& [p, q, r] = *own;
@@ -323,7 +324,7 @@ std::optional<ViewedScene::Bent> ViewedScene::bent_item(Item item, std::uint32_t
 std::vector<Point3> ViewedScene::find_rests() const {
   const std::vector<std::uint8_t> are_close = find_close_planes();
   if (are_close.empty() && rests_of_bent_.empty() && planes_->are_close) return {};
-  ExactViews views;
+  ExactProjections views;
   const auto rest_of = [&](Item item, const Primitives::PlanePoints& points) {
     const EnteredItem entered = plane_as_entered(item);
     if (!entered.is_known()) return Point3(0.0);

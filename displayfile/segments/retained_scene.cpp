@@ -194,7 +194,7 @@ bool RetainedScene::removes_back_faces(const Segment& segment) const {
 
 /// A back face that is removed may leave a side, by which alone a line is drawn: the polygon is
 /// hollow then.
-void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
+void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, PolygonStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
   segment.keep_entered(part.touching, stage.pipeline().volume());
@@ -252,7 +252,7 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, ViewStage&
 
 /// False if nothing of it is seen.
 bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
-                                 std::span<const LineKinds> sides, ViewStage& stage,
+                                 std::span<const LineKinds> sides, PolygonStage& stage,
                                  displayfile::Segment& segment) const {
   if (primitives_[i].is_line()) {
     const PointRow ends = points(i);

@@ -16,7 +16,7 @@
 #include "clip/view.h"
 #include "displayfile/entered/retained_polygons.h"
 #include "displayfile/looks/style.h"
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "hidden/exact/entered_polygon.h"
 #include "hidden/exact/eye.h"
 #include "hidden/primitives.h"
@@ -180,7 +180,7 @@ class RetainedScene : public Watched<RetainedScene> {
   /// that are drawn are those that the segment selects for that eye, the view's. Calls
   /// is_item(primitive) for each of which something was entered and that draws something: they
   /// are the items, in order, of the viewed scene (displayfile/segments/viewed_scene.h).
-  void enter_viewed(const Segment& part, const Eye& eye, ViewStage& stage,
+  void enter_viewed(const Segment& part, const Eye& eye, PolygonStage& stage,
                     const glm::dmat3& lights_turned, displayfile::Segment& segment,
                     const std::function<void(std::uint32_t)>& is_item) const;
 
@@ -243,7 +243,7 @@ class RetainedScene : public Watched<RetainedScene> {
   void in_order_of_entry(const Segment& segment, OnPrimitive&& on_primitive,
                          OnText&& on_text) const;
   bool enter_viewed(std::uint32_t i, const Attributes& attributes, std::span<const LineKinds> sides,
-                    ViewStage& stage, displayfile::Segment& segment) const;
+                    PolygonStage& stage, displayfile::Segment& segment) const;
   void append(const RetainedScene& other, const Segment& segment);
   void append_points(const RetainedScene& other, const Segment& segment);
 

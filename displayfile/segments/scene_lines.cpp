@@ -74,9 +74,9 @@ std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene) {
   return lines_to_draw(*DrawnItems(scene), scene.picks());
 }
 
-FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options) {
-  const DrawnItems items(scene, options.precision.exact);
-  return find_lines(*items, scene.picks(), method, options);
+FoundLines find_lines(const ViewedScene& scene, const SurfacePlan& plan) {
+  const DrawnItems items(scene, plan.precision.exact);
+  return find_lines(*items, scene.picks(), plan);
 }
 
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
@@ -95,20 +95,20 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
   return lines;
 }
 
-SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) {
+SortedPieces map_in_order(const ViewedScene& scene, const SurfacePlan& plan) {
   const DrawnItems items(scene);
-  const MapOptions of_map{.threads = options.threads};
-  SortedPieces fills = options.shadows && scene.has_shadows()
+  const MapOptions of_map{.threads = plan.threads};
+  SortedPieces fills = plan.shadows && scene.has_shadows()
                            ? lit_pieces_of_map(scene, *items, of_map)
                            : pieces_of_map(*items, visible_map(*items, of_map));
-  const FoundLines found = find_lines(scene, HiddenMethod::franklin, options);
+  const FoundLines found = find_lines(scene, plan.by(HiddenMethod::franklin));
   if (found.lines.empty() && found.intersections.empty()) {
     put_cuts_at_vertices(scene, fills);
     return fills;
   }
   // The lines' points stay where their pick identifiers are looked up.
   SortedPieces all =
-      lines_in_order(scene.primitives(), looks_of_lines(scene), found, options.hidden_lines);
+      lines_in_order(scene.primitives(), looks_of_lines(scene), found, plan.hidden_lines);
   const auto before = static_cast<std::uint32_t>(all.points.size());
   all.first_stroke = fills.pieces.size();
   all.lights = std::move(fills.lights);
@@ -123,10 +123,10 @@ SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options) 
   return all;
 }
 
-void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted) {
-  if (options.hidden_lines == HiddenLines::none && !options.intersections) return;
+void append_lines(const ViewedScene& scene, const SurfacePlan& plan, SortedPieces& sorted) {
+  if (plan.hidden_lines == HiddenLines::none && !plan.intersections) return;
   const SortedPieces lines = lines_beside_sides(
-      scene, find_lines(scene, HiddenMethod::franklin, options), options.hidden_lines);
+      scene, find_lines(scene, plan.by(HiddenMethod::franklin)), plan.hidden_lines);
   sorted.hidden.assign(sorted.pieces.size(), 0);
   for (std::size_t k = 0; k < lines.pieces.size(); ++k) {
     const auto [item, first, sides] = lines.pieces[k];

@@ -15,8 +15,8 @@ std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
 /// Items of different segments or line styles are not drawn by one stroke: a number for each
 /// segment and style, by item. Empty if there is one.
 std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
-/// Throws Error for a method that finds no lines.
-FoundLines find_lines(const ViewedScene& scene, HiddenMethod method, const SortOptions& options);
+/// Throws Error for a plan whose method finds no lines.
+FoundLines find_lines(const ViewedScene& scene, const SurfacePlan& plan);
 
 /// What of one segment and line style is joined into chains.
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
@@ -25,11 +25,11 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
                                 HiddenLines hidden_lines);
 
 /// The scene's map, and after all fills its lines.
-SortedPieces map_in_order(const ViewedScene& scene, const SortOptions& options);
+SortedPieces map_in_order(const ViewedScene& scene, const SurfacePlan& plan);
 
-/// Adds to an order of the scene's polygons, after all fills, the lines that the options ask for
-/// and no polygon of the order has: those that are hidden, and where polygons pass through each
+/// Adds to an order of the scene's polygons, after all fills, the lines of the plan that
+/// no polygon of the order has: those that are hidden, and where polygons pass through each
 /// other.
-void append_lines(const ViewedScene& scene, const SortOptions& options, SortedPieces& sorted);
+void append_lines(const ViewedScene& scene, const SurfacePlan& plan, SortedPieces& sorted);
 
 }  // namespace displayfile

@@ -7,20 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include "clip/surface_plan.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/segments/sorted_scene.h"
 
 namespace displayfile {
-
-/// How the hidden surfaces of a segment are to be found by itself.
-struct SortByItself {
-  HiddenMethod method;  ///< in object space
-  Precision precision;
-  HiddenLines hidden_lines = HiddenLines::none;
-  bool intersections = false;
-};
 
 /// One segment: a name, attributes, and its instructions in arrays of their own, so that
 /// it is edited or deleted without touching another segment's storage.
@@ -46,7 +39,7 @@ class Segment {
   ImageTransformation image;
   /// What close-segment put off, since all segments were to be sorted together: for the case that
   /// they are not.
-  std::optional<SortByItself> put_off;
+  std::optional<SurfacePlan> put_off;
 
   // Entering instructions (displayfile/entered/instructions.h). A sorted order is dropped.
   void set_style(const FillStyle& fill) { writable().set_style(fill); }

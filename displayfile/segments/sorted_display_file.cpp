@@ -12,26 +12,11 @@
 
 namespace displayfile {
 
-SortOptions sort_options(const SurfacePlan& plan) {
-  SortOptions sort;
-  sort.precision = plan.precision;
-  sort.threads = plan.options.threads;
-  sort.most_pieces = plan.options.most_pieces;
-  sort.progress = plan.options.progress;
-  sort.shadows = plan.options.shadows;
-  sort.hidden_lines = plan.hidden_lines;
-  sort.root = plan.options.root;
-  sort.intersections = plan.intersections;
-  return sort;
-}
-
 namespace {
 
-bool is_of(const SortedScene& sorted, HiddenMethod method, const SortOptions& options) {
-  return sorted.method == method && sorted.precision == options.precision &&
-         sorted.root == options.root && sorted.hidden_lines == options.hidden_lines &&
-         sorted.intersections == options.intersections &&
-         (sorted.shadows == options.shadows || !sorted.has_shadows());
+bool is_of(const SortedScene& sorted, const SurfacePlan& plan) {
+  return sorted.plan.finds_as(plan) &&
+         (sorted.plan.shadows == plan.shadows || !sorted.has_shadows());
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -40,27 +25,15 @@ bool draw_the_same(const Segment& a, const Segment& b) {
 }
 
 /// How close-segment sorted it, or would have, had the scope not been all.
-std::optional<SortByItself> as_closed(const Segment& segment) {
-  const auto& sorted = segment.sorted();
-  if (sorted == nullptr) return segment.put_off;
-  return SortByItself{sorted->method, sorted->precision, sorted->hidden_lines,
-                      sorted->intersections};
+std::optional<SurfacePlan> as_closed(const Segment& segment) {
+  return segment.sorted() == nullptr ? segment.put_off : segment.sorted()->plan;
 }
 
 /// One order for all, whose groups do not overlap.
 std::shared_ptr<const SortedScene> joined(
-    std::span<const std::shared_ptr<const SortedScene>> groups, HiddenMethod method,
-    const SortOptions& options) {
-  auto all = std::make_shared<SortedScene>(SortedScene{{},
-                                                       {},
-                                                       method,
-                                                       options.precision,
-                                                       {},
-                                                       options.hidden_lines,
-                                                       options.intersections,
-                                                       options.shadows,
-                                                       0.0,
-                                                       options.root});
+    std::span<const std::shared_ptr<const SortedScene>> groups, const SurfacePlan& plan) {
+  auto all = std::make_shared<SortedScene>();
+  all->plan = plan.kept();
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -81,42 +54,40 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
       "lines, or hidden lines none");
 }
 
-const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system, const SurfacePlan& plan,
-                                             HiddenMethod by) {
-  const HiddenSurfaceOptions& options = plan.options;
-  const BudgetInForce in_force(options.budget);
+const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system,
+                                             const HiddenSurfaceOptions& options,
+                                             const SurfacePlan& plan, HiddenMethod by) {
+  const BudgetInForce in_force(plan.budget);
   const HiddenMethod named = surfaces_of(by), set_method = surfaces_of(plan.method);
   const HiddenMethod method = named == HiddenMethod::automatic ? HiddenMethod::map : named;
-  const bool applications = plan.is_applications() && set_method == method;
+  const bool applications = !options.method && set_method == method;
   const bool finds_shadows =
-      options.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
+      plan.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
-  const HiddenScope set = plan.scope_of_application.value_or(usual);
+  const HiddenScope set = system.hidden_surfaces().scope.value_or(usual);
   const bool picked = set_method == HiddenMethod::automatic;
   const HiddenScope scope = picked ? HiddenScope::all : options.scope.value_or(set);
-  const SortOptions sort = sort_options(plan);
+  const SurfacePlan sort = plan.by(method);
   return sort_anew(system.display_file(), [&] {
     if (is_object_space(method) && scope == HiddenScope::all) {
-      sort_together(method, sort);
+      sort_together(sort);
     } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
-      sort_segments(method, sort);
+      sort_segments(sort);
     } else if (options.method && !is_object_space(method)) {
       unsort();
     } else {
-      sort_as_closed(plan);
+      sort_as_closed(options, sort);
     }
   });
 }
 
-const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, HiddenMethod method,
-                                             const HiddenSurfaceOptions& options) {
-  const BudgetInForce in_force(options.budget);
-  const SortOptions sort = sort_options(resolve_surfaces(options));
+const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, const SurfacePlan& plan) {
+  const BudgetInForce in_force(plan.budget);
   return sort_anew(entered, [&] {
-    if (options.scope == HiddenScope::segment) {
-      sort_segments(method, sort);
+    if (plan.scope == HiddenScope::segment) {
+      sort_segments(plan);
     } else {
-      sort_together(method, sort);
+      sort_together(plan);
     }
   });
 }
@@ -134,29 +105,29 @@ const DisplayFile& SortedDisplayFile::sort_anew(const DisplayFile& entered, cons
   return file_;
 }
 
-void SortedDisplayFile::sort_as_closed(const SurfacePlan& plan) {
+void SortedDisplayFile::sort_as_closed(const HiddenSurfaceOptions& options,
+                                       const SurfacePlan& plan) {
   for (const Segment& segment : file_.segments()) {
     const auto by = as_closed(segment);
     if (!segment.visible || !by) continue;
-    SortOptions options = sort_options(plan);
-    options.precision = plan.options.precision.value_or(by->precision);
-    options.hidden_lines = plan.options.hidden_lines.value_or(by->hidden_lines);
-    options.intersections = by->intersections;
-    sort_segment(segment, by->method, options);
+    SurfacePlan anew = plan.by(by->method);
+    if (!options.precision) anew.precision = by->precision;
+    if (!options.hidden_lines) anew.hidden_lines = by->hidden_lines;
+    anew.intersections = by->intersections;
+    sort_segment(segment, anew);
   }
 }
 
-void SortedDisplayFile::sort_segments(HiddenMethod method, const SortOptions& options) {
-  for (const Segment* segment : file_.visible_segments()) sort_segment(*segment, method, options);
+void SortedDisplayFile::sort_segments(const SurfacePlan& plan) {
+  for (const Segment* segment : file_.visible_segments()) sort_segment(*segment, plan);
 }
 
 /// Takes the order of the segment itself or of the last update, if one of them will do.
-void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method,
-                                     const SortOptions& asked) {
-  SortOptions options = asked;
-  options.shadows = false;  // other segments hide the light too
+void SortedDisplayFile::sort_segment(const Segment& segment, const SurfacePlan& set) {
+  SurfacePlan plan = set;
+  plan.shadows = false;  // other segments hide the light too
   const auto will_do = [&](const Segment& s) {
-    return s.sorted_as_drawn() && is_of(*s.sorted(), method, options);
+    return s.sorted_as_drawn() && is_of(*s.sorted(), plan);
   };
   if (will_do(segment)) return;
   const int name = segment.name();
@@ -166,13 +137,12 @@ void SortedDisplayFile::sort_segment(const Segment& segment, HiddenMethod method
       return file_.segment(name).set_sorted(before.sorted());
     }
   }
-  file_.segment(name).set_sorted(
-      hidden_surface_check(segment.entered(), segment.image, method, options));
+  file_.segment(name).set_sorted(hidden_surface_check(segment.entered(), segment.image, plan));
 }
 
-void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& options) {
+void SortedDisplayFile::sort_together(const SurfacePlan& plan) {
   const auto segments = file_.visible_segments();
-  const bool all_in_one = options.shadows && method == HiddenMethod::map && file_.has_shadows();
+  const bool all_in_one = plan.shadows && plan.method == HiddenMethod::map && file_.has_shadows();
   const auto groups = all_in_one ? std::vector<SegmentGroup>{{segments.begin(), segments.end()}}
                                  : overlapping_groups(segments);
   std::unordered_map<int, SortedGroup> kept;
@@ -180,23 +150,22 @@ void SortedDisplayFile::sort_together(HiddenMethod method, const SortOptions& op
   work_ = {.groups = groups.size()};
   for (const SegmentGroup& group : groups) {
     const int name = group.front()->name();
-    orders.push_back(kept.emplace(name, sorted_group(group, method, options)).first->second.sorted);
+    orders.push_back(kept.emplace(name, sorted_group(group, plan)).first->second.sorted);
   }
   const auto before = last_.sorted();
-  const bool unchanged = before != nullptr && is_of(*before, method, options) &&
-                         work_.sorted == 0 && kept.size() == groups_.size();
+  const bool unchanged = before != nullptr && is_of(*before, plan) && work_.sorted == 0 &&
+                         kept.size() == groups_.size();
   groups_ = std::move(kept);
   if (unchanged) return file_.set_sorted(before);
   if (orders.size() == 1) return file_.set_sorted(orders.front());
-  file_.set_sorted(joined(orders, method, options));
+  file_.set_sorted(joined(orders, plan));
 }
 
 /// Sorts the group, unless the last update did.
 SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGroup& group,
-                                                               HiddenMethod method,
-                                                               const SortOptions& options) {
+                                                               const SurfacePlan& plan) {
   const auto before = groups_.find(group.front()->name());
-  if (before != groups_.end() && is_of(*before->second.sorted, method, options) &&
+  if (before != groups_.end() && is_of(*before->second.sorted, plan) &&
       std::ranges::equal(before->second.segments, group,
                          [](const Segment& a, const Segment* b) { return draw_the_same(a, *b); })) {
     return before->second;
@@ -204,7 +173,7 @@ SortedDisplayFile::SortedGroup SortedDisplayFile::sorted_group(const SegmentGrou
   ++work_.sorted;
   SortedGroup now;
   for (const Segment* segment : group) now.segments.push_back(*segment);
-  now.sorted = hidden_surface_check(group, method, options);
+  now.sorted = hidden_surface_check(group, plan);
   return now;
 }
 
@@ -222,9 +191,9 @@ SortCounts counts_of_sorts(const DisplayFile& display_file) {
 }
 
 bool has_exact_order(const DisplayFile& display_file) {
-  if (display_file.sorted() != nullptr) return display_file.sorted()->precision.exact;
+  if (display_file.sorted() != nullptr) return display_file.sorted()->plan.precision.exact;
   return std::ranges::any_of(display_file.segments(), [](const Segment& segment) {
-    return segment.visible && segment.sorted() != nullptr && segment.sorted()->precision.exact;
+    return segment.visible && segment.sorted() != nullptr && segment.sorted()->plan.precision.exact;
   });
 }
 

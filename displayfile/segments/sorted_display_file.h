@@ -14,9 +14,6 @@
 
 namespace displayfile {
 
-/// A sort's part of the plan.
-SortOptions sort_options(const SurfacePlan& plan);
-
 /// Throws Error if lines are to be drawn where they are hidden, and the method is the colour rule
 /// over surfaces that are in no order: it finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
@@ -25,13 +22,14 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
 /// drawing to the next, it sorts only what has changed since.
 class SortedDisplayFile {
  public:
-  /// Brings it up to date with the application's display file.
+  /// Brings it up to date with the application's display file; `plan` is what the options and the
+  /// system give (resolve_surfaces).
   ///
   /// `by` is the method in force, `automatic` replaced by what it means if that sorts; else
   /// `automatic` is sorted as the map, and `none` is passed where nothing is to be sorted. If so,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
-  ///    the scope is all; only a segment that has an image transformation since, or is asked for
-  ///    in another precision or with hidden lines otherwise, is sorted again;
+  ///    the scope is all; only a segment that has an image transformation since, or for which the
+  ///    options have another precision or other hidden lines, is sorted again;
   ///  - a method of the options sorts all visible segments together, each group that overlaps by
   ///    itself (displayfile/segments/segment_groups.h), or each on its own if the options or the
   ///    application set that scope; one that `automatic` means sorts all together, whatever the
@@ -39,18 +37,18 @@ class SortedDisplayFile {
   /// If it does not sort, a method of the options is drawn from the polygons as they were entered
   /// and one that the application set from what close-segment left. Invisible segments stay as
   /// they are.
-  const DisplayFile& update(const GraphicsSystem& system, const SurfacePlan& plan, HiddenMethod by);
-  /// The same, of a plan that is not at hand.
+  const DisplayFile& update(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
+                            const SurfacePlan& plan, HiddenMethod by);
+  /// The same with the plan that the options and the system give.
   const DisplayFile& update(const GraphicsSystem& system, HiddenMethod by,
                             const HiddenSurfaceOptions& options = {}) {
-    return update(system, resolve_surfaces(system, options), by);
+    return update(system, options, resolve_surfaces(system, options), by);
   }
 
   /// Brings it up to date with a display file of its own, such as that of a new view: its visible
-  /// segments sorted by `method`, a sort or one that finds lines, together unless the options'
-  /// scope is each segment, exactly unless they have a precision.
-  const DisplayFile& update(const DisplayFile& entered, HiddenMethod method,
-                            const HiddenSurfaceOptions& options);
+  /// segments sorted by the plan's method, a sort or one that finds lines, together unless the
+  /// plan's scope is each segment.
+  const DisplayFile& update(const DisplayFile& entered, const SurfacePlan& plan);
 
   /// The display file as the last update left it; one that failed leaves it as it was.
   const DisplayFile& display_file() const { return file_; }
@@ -68,14 +66,13 @@ class SortedDisplayFile {
     std::vector<Segment> segments;
     std::shared_ptr<const SortedScene> sorted;
   };
-  SortedGroup sorted_group(const SegmentGroup& group, HiddenMethod method,
-                           const SortOptions& options);
+  SortedGroup sorted_group(const SegmentGroup& group, const SurfacePlan& plan);
   template <class Sort>
   const DisplayFile& sort_anew(const DisplayFile& entered, const Sort& sort);
-  void sort_as_closed(const SurfacePlan& plan);
-  void sort_segments(HiddenMethod method, const SortOptions& options);
-  void sort_together(HiddenMethod method, const SortOptions& options);
-  void sort_segment(const Segment& segment, HiddenMethod method, const SortOptions& asked);
+  void sort_as_closed(const HiddenSurfaceOptions& options, const SurfacePlan& plan);
+  void sort_segments(const SurfacePlan& plan);
+  void sort_together(const SurfacePlan& plan);
+  void sort_segment(const Segment& segment, const SurfacePlan& set);
   void unsort();
 
   DisplayFile file_;

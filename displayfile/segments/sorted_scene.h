@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/intensity_plane.h"
 #include "displayfile/entered/normal_plane.h"
@@ -61,17 +61,12 @@ struct OrderedScene {
 struct SortedScene {
   std::vector<std::shared_ptr<const OrderedScene>> parts;
   ImageTransformation image;  ///< that the points of a single segment went through before
-  HiddenMethod method;        ///< that sorted them
-  Precision precision;
+  SurfacePlan plan;           ///< that they were sorted by
   SortCounts counts;
-  HiddenLines hidden_lines = HiddenLines::none;  ///< SortOptions::hidden_lines
-  bool intersections = false;                    ///< SortOptions::intersections
-  bool shadows = false;                          ///< SortOptions::shadows
   /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
   /// a cut's own coordinates: by viewing, and where the cuts were made before it. Device
   /// coordinates.
   double boundary_error = 0.0;
-  RootChoice root = RootChoice::free;  ///< SortOptions::root
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
@@ -132,7 +127,7 @@ class PieceWriter {
 
   /// For a visitor that takes texts.
   void save_texts(const ViewedScene& scene) {
-    for (const ViewedText& text : scene.texts()) {
+    for (const DeviceText& text : scene.texts()) {
       if (text.segment != 0) check_segment(text.segment);
       check_line_style(text.line);
       if (!text_style_known_ || text_style_ != text.style) {
@@ -162,7 +157,7 @@ class PieceWriter {
   }
 
   /// Whose fill style is in force, and in which light.
-  struct ItemOfScene {
+  struct StyledItem {
     const ViewedScene* scene = nullptr;
     ViewedScene::Item item = 0;
     Lit light = Lit::unknown;
@@ -216,7 +211,7 @@ class PieceWriter {
 
   /// CHECK-STYLE (algorithm 9.18): a style is sent only where it changes.
   void check_fill_style(std::uint32_t item) {
-    const ItemOfScene now{&scene(), item, light_};
+    const StyledItem now{&scene(), item, light_};
     const FillStyle style = now.style();
     const bool same = fill_of_.scene != nullptr && fill_of_.style() == style;
     fill_of_ = now;
@@ -369,7 +364,7 @@ class PieceWriter {
   StrokePart part_ = kWholeStroke;              // likewise, of a stroke
   std::array<Point3, 2> part_points_;
   Lit light_ = Lit::unknown;  // likewise
-  ItemOfScene fill_of_;
+  StyledItem fill_of_;
   bool line_known_ = false, pick_known_ = false, pen_known_ = false;
   LineStyle line_;
   bool text_style_known_ = false;
@@ -390,7 +385,7 @@ class PieceWriter {
 template <class Visitor>
 void SortedScene::walk(Visitor&& visit) const {
   PieceWriter<std::remove_reference_t<Visitor>> writer(visit);
-  const bool are_disjoint = method == HiddenMethod::map;
+  const bool are_disjoint = plan.method == HiddenMethod::map;
   if constexpr (requires { visit.disjoint_polygons(true); }) {
     if (are_disjoint) visit.disjoint_polygons(true);
   }

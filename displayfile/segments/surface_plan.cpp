@@ -3,23 +3,28 @@
 namespace displayfile {
 
 SurfacePlan resolve_surfaces(const HiddenSurfaceOptions& options) {
-  return {.options = options,
-          .method = options.method.value_or(HiddenMethod::automatic),
+  return {.method = options.method.value_or(HiddenMethod::automatic),
           .precision = options.precision.value_or(Precision{}),
+          .root = options.root,
           .hidden_lines = options.hidden_lines.value_or(HiddenLines::none),
-          .intersections = options.intersections};
+          .scope = options.scope,
+          .threads = options.threads,
+          .most_pieces = options.most_pieces,
+          .progress = options.progress,
+          .budget = options.budget};
 }
 
 SurfacePlan resolve_surfaces(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
-  const HiddenMethod sorted =
-      system.hidden_surfaces().removal ? system.hidden_surfaces().method : HiddenMethod::none;
-  const HiddenMethod set = system.hidden_surfaces().z_buffer ? HiddenMethod::z_buffer : sorted;
-  return {.options = options,
-          .method = options.method.value_or(set),
-          .precision = options.precision.value_or(system.hidden_surfaces().precision),
-          .hidden_lines = options.hidden_lines.value_or(system.hidden_surfaces().hidden_lines),
-          .intersections = contains(system.hidden_surfaces().lines.kinds, LineKind::intersection),
-          .scope_of_application = system.hidden_surfaces().scope};
+  const HiddenSurfaces set = system.hidden_surfaces();
+  HiddenSurfaceOptions whole = options;
+  if (!whole.method) whole.method = set.removal ? set.method : HiddenMethod::none;
+  if (!options.method && set.z_buffer) whole.method = HiddenMethod::z_buffer;
+  if (!whole.scope) whole.scope = set.scope;
+  if (!whole.precision) whole.precision = set.precision;
+  if (!whole.hidden_lines) whole.hidden_lines = set.hidden_lines;
+  SurfacePlan plan = resolve_surfaces(whole);
+  plan.intersections = contains(set.lines.kinds, LineKind::intersection);
+  return plan;
 }
 
 }  // namespace displayfile

@@ -435,7 +435,7 @@ int ViewedScene::segment_name(Item item) const {
 std::size_t ViewedScene::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
   std::size_t characters = 0;
-  for (const ViewedText& text : texts_) characters += text.characters.size();
+  for (const DeviceText& text : texts_) characters += text.characters.size();
   return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
          size(items_) + size(pick_) + size(colours_) + size(own_colours_) + size(lines_) +
          size(segments_) + many_sided_.bytes() + size(of_many_sided_) + size(fill_item_) +

@@ -35,7 +35,7 @@ class DisplayFile;
 class Segment;
 
 /// A text of a viewed scene.
-struct ViewedText {
+struct DeviceText {
   Point3 anchor;
   TextStyle style;
   LineStyle line;  ///< whose colour it has
@@ -290,7 +290,7 @@ class ViewedScene : public EndsAsEntered {
     return item >= shadow_.size() || shadow_[item] == kNone ? nullptr : &shadows_[shadow_[item]];
   }
 
-  const std::vector<ViewedText>& texts() const { return texts_; }  ///< in order of entry
+  const std::vector<DeviceText>& texts() const { return texts_; }  ///< in order of entry
 
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
   std::size_t bytes() const;                     ///< of the scene's own arrays, as used
@@ -548,7 +548,7 @@ class ViewedScene : public EndsAsEntered {
   std::vector<Colour> own_colours_;
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
-  std::vector<ViewedText> texts_;
+  std::vector<DeviceText> texts_;
   std::vector<SurfaceMark> surfaces_;  // of the segments, as they are seen
   ItemRanks many_sided_;               // polygons of more than three sides
   struct ManySided {

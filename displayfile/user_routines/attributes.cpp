@@ -14,19 +14,19 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
   if (style.kind == FillStyle::Kind::hollow) {
     state_->attributes_.fill = {
         FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
-    return state_->record_said(Setting::fill_style, "set-fill-style", {"hollow"});
+    return state_->record_setting(Setting::fill_style, "set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
   state_->attributes_.fill = {FillStyle::Kind::solid, style.colour};
-  state_->record_said(Setting::fill_style, "set-fill-style",
-                      {"solid", style.colour.r, style.colour.g, style.colour.b});
+  state_->record_setting(Setting::fill_style, "set-fill-style",
+                         {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
 
 void GraphicsSystem::set_line_style(const LineStyle& style) {
   const LineStyle checked = state_->require_line_style(style);
   state_->attributes_changed();
   state_->attributes_.line = checked;
-  state_->said_.insert(Setting::line_style);
+  state_->explicit_.insert(Setting::line_style);
   state_->record_line_style("set-line-style", checked);
 }
 
@@ -75,7 +75,7 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
   }
   state_->attributes_changed();
   state_->attributes_.light = {unit(toward), ambient};
-  state_->record_said(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
+  state_->record_setting(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
 void GraphicsSystem::set_shading(Shading shading) {
@@ -100,7 +100,7 @@ void GraphicsSystem::set_vertex_normals(PointList<Point3> normals) {
 
 void GraphicsSystem::set_back_face_removal(bool on) {
   state_->attributes_.back_face_removal = on;
-  state_->record_said(Setting::back_face_removal, "set-back-face-removal", {on});
+  state_->record_setting(Setting::back_face_removal, "set-back-face-removal", {on});
 }
 
 void GraphicsSystem::set_background(const Background& background) {

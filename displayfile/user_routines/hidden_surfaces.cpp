@@ -43,12 +43,12 @@ void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceSettings& settings) 
   if (settings.removal) {
     s.surfaces_.removal = *settings.removal;
     s.attributes_.back_face_removal = *settings.removal;
-    s.said_.insert(Setting::back_face_removal);
-    s.record_said(Setting::hidden_line_removal, "set-hidden-line-removal", {*settings.removal});
+    s.explicit_.insert(Setting::back_face_removal);
+    s.record_setting(Setting::hidden_line_removal, "set-hidden-line-removal", {*settings.removal});
   }
   if (settings.method) {
     s.surfaces_.method = *settings.method;
-    s.record_said(Setting::hidden_method, "set-hidden-method", {name_of(*settings.method)});
+    s.record_setting(Setting::hidden_method, "set-hidden-method", {name_of(*settings.method)});
   }
   if (settings.z_buffer) {
     s.surfaces_.z_buffer = *settings.z_buffer;
@@ -68,7 +68,7 @@ void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceSettings& settings) 
   }
   if (settings.lines) {
     if (!s.lines_replaced_) s.surfaces_.lines = *settings.lines;
-    s.record_said(Setting::lines, "set-lines", {std::string_view(words_of(*settings.lines))});
+    s.record_setting(Setting::lines, "set-lines", {std::string_view(words_of(*settings.lines))});
   }
   if (settings.touching) {
     if (!s.touching_replaced_) s.surfaces_.touching = *settings.touching;

@@ -29,7 +29,7 @@ void SystemInside::replace_lines(GraphicsSystem& system, const LineSelection& se
   if (!selection.is_all_alone()) s.retain_for("a selection of lines");
   s.surfaces_.lines = selection;
   s.lines_replaced_ = true;
-  s.said_.insert(Setting::lines);
+  s.explicit_.insert(Setting::lines);
 }
 
 /// The segment is complete, so that it is known which polygons share a side: what was retained is
@@ -40,7 +40,7 @@ std::optional<Segment> GraphicsSystem::State::with_lines_selected(int name) {
     scene->close_segment(surfaces_.lines);
     if (retains_alone_ || (surfaces_.lines.is_all_alone() && !views_at_close_)) return std::nullopt;
     const RetainedScene::Segment& part = scene->segments().back();
-    ViewStage stage(view_stage_->pipeline().volume());
+    PolygonStage stage(view_stage_->pipeline().volume());
     Segment again(name);
     scene->enter_viewed(part, Eye::of(part.view), stage, glm::dmat3(1.0), again,
                         [](std::uint32_t) {});

@@ -32,7 +32,7 @@ void GraphicsSystem::open_segment(int name) {
   const RoundToNearest nearest;
   if (state_->open_)
     throw Error(fmt::format("segment already open: segment {}; close it first", *state_->open_));
-  const View view = state_->windows_.in_picture(state_->view_, state_->said_);
+  const View view = state_->windows_.in_picture(state_->view_, state_->explicit_);
   const ViewVolume volume(view);
   Segment& segment = state_->display_file_.create(name);
   state_->views_at_close_ = state_->retaining() != nullptr && !state_->retains_alone_ &&
@@ -42,7 +42,7 @@ void GraphicsSystem::open_segment(int name) {
   state_->open_ = name;
   if (RetainedScene* scene = state_->retaining())
     scene->open_segment(name, view, state_->surfaces_.touching);
-  state_->windows_.opened(name, view, state_->said_);
+  state_->windows_.opened(name, view, state_->explicit_);
   state_->record("open-segment", {name});
 }
 
@@ -71,17 +71,20 @@ void GraphicsSystem::State::close(Segment& segment) {
   keep_entered_once(whole);
   whole.free_room();
   std::shared_ptr<const SortedScene> sorted;
-  std::optional<SortByItself> put_off;
+  std::optional<SurfacePlan> put_off;
   const bool each_on_its_own =
       surfaces_.scope.value_or(HiddenScope::segment) == HiddenScope::segment;
-  SortOptions options = sort_options_;  // threads and progress
-  options.precision = surfaces_.precision;
-  options.hidden_lines = surfaces_.hidden_lines;
-  options.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
-  if (surfaces_.removal && is_object_space(surfaces_.method) && !each_on_its_own) {
-    put_off = {surfaces_.method, options.precision, options.hidden_lines, options.intersections};
-  } else if (surfaces_.removal && is_object_space(surfaces_.method)) {
-    sorted = hidden_surface_check(whole.entered(), {}, surfaces_.method, options);
+  SurfacePlan plan = as_closed_;  // threads and progress
+  plan.method = surfaces_.method;
+  plan.precision = surfaces_.precision;
+  plan.hidden_lines = surfaces_.hidden_lines;
+  plan.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
+  if (surfaces_.removal && is_object_space(plan.method)) {
+    if (each_on_its_own) {
+      sorted = hidden_surface_check(whole.entered(), {}, plan);
+    } else {
+      put_off = plan.kept();
+    }
   }
   if (selected) segment.take_instructions(std::move(*selected));
   if (sorted) segment.set_sorted(std::move(sorted));
@@ -120,7 +123,7 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .empty_solids = empty_solids_,
           .pick = pick_,
           .has_hatching = has_hatching_,
-          .said = said_,
+          .explicit_settings = explicit_,
           .modelling = modelling_,
           .attributes = attributes_,
           .background = background_,
@@ -145,7 +148,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   empty_solids_ = before.empty_solids;
   pick_ = before.pick;
   has_hatching_ = before.has_hatching;
-  said_ = before.said;
+  explicit_ = before.explicit_settings;
   modelling_ = before.modelling;
   attributes_ = before.attributes;
   background_ = before.background;

@@ -44,7 +44,7 @@ const CutFaces& GraphicsSystem::cut_faces() const { return state_->cut_faces_; }
 const SurfaceLooks& GraphicsSystem::surface_looks() const { return state_->surface_looks_; }
 const Background& GraphicsSystem::background() const { return state_->background_; }
 const RetainedScene* GraphicsSystem::retained() const { return state_->retained(); }
-const SaidSettings& GraphicsSystem::said() const { return state_->said_; }
+const ExplicitSettings& GraphicsSystem::explicit_settings() const { return state_->explicit_; }
 SystemCounts GraphicsSystem::counts() const {
   return {.polygons = state_->ordinal_,
           .triangulated = state_->triangulated_,
@@ -56,9 +56,9 @@ SystemCounts GraphicsSystem::counts() const {
 
 // Work and records.
 
-void GraphicsSystem::set_threads(int threads) { state_->sort_options_.threads = threads; }
+void GraphicsSystem::set_threads(int threads) { state_->as_closed_.threads = threads; }
 void GraphicsSystem::set_progress(WorkProgress progress) {
-  state_->sort_options_.progress = std::move(progress);
+  state_->as_closed_.progress = std::move(progress);
 }
 void GraphicsSystem::set_recorder(Recorder* recorder) { state_->recorder_ = recorder; }
 
@@ -72,19 +72,19 @@ void SystemInside::comment(GraphicsSystem& system, std::string_view text) {
 
 void SystemInside::by_default(GraphicsSystem& system, Setting setting,
                               const std::function<void()>& set) {
-  SaidSettings& in_force = system.state_->said_;
+  ExplicitSettings& in_force = system.state_->explicit_;
   if (in_force.contains(setting)) return;
-  const SaidSettings before = in_force;
+  const ExplicitSettings before = in_force;
   set();
   in_force = before;
 }
 
 void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
   const FillStyle in_force = system.attributes().fill;
-  const SaidSettings said = system.said();
+  const ExplicitSettings before = system.explicit_settings();
   const auto restore = [&] {
     if (system.attributes().fill != in_force) system.set_fill_style(in_force);
-    system.state_->said_ = said;
+    system.state_->explicit_ = before;
   };
   try {
     enter();

@@ -14,8 +14,8 @@
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/retained_scene.h"
-#include "displayfile/segments/view_stage.h"
 #include "displayfile/solids/open_solids.h"
 #include "displayfile/views/picture_windows.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -37,7 +37,7 @@ struct GraphicsSystem::State {
     std::int64_t ordinal, triangulated, empty_solids;
     std::int32_t pick;
     bool has_hatching;
-    SaidSettings said;
+    ExplicitSettings explicit_settings;
     ModellingTransformation modelling;
     Attributes attributes;
     Background background;
@@ -54,9 +54,9 @@ struct GraphicsSystem::State {
   }
   void require(const HiddenSurfaceSettings& settings);
   void record_touching(const Touching& touching);
-  void record_said(Setting setting, std::string_view routine,
-                   std::initializer_list<Recorder::Argument> arguments) {
-    said_.insert(setting);
+  void record_setting(Setting setting, std::string_view routine,
+                      std::initializer_list<Recorder::Argument> arguments) {
+    explicit_.insert(setting);
     record(routine, arguments);
   }
   static LineStyle require_line_style(const LineStyle& style);
@@ -120,11 +120,11 @@ struct GraphicsSystem::State {
 
   View view_;
   PictureWindows windows_;
-  SaidSettings said_;
+  ExplicitSettings explicit_;
   ModellingTransformation modelling_;
   DisplayFile display_file_;
   std::optional<int> open_;
-  std::optional<ViewStage> view_stage_;  // of the open segment
+  std::optional<PolygonStage> view_stage_;  // of the open segment
   Pen pen_;
   Attributes attributes_;
   Background background_;
@@ -144,7 +144,7 @@ struct GraphicsSystem::State {
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
   HiddenSurfaces surfaces_;
-  SortOptions sort_options_;  // of close_segment: threads and progress
+  SurfacePlan as_closed_;  // of close_segment: threads and progress
   bool lines_replaced_ = false;
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's

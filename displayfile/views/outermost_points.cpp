@@ -54,7 +54,8 @@ class Row {
 
 }  // namespace
 
-std::vector<Point3> points_beyond(const TurningScene& scene, const View& view, const Bounds& seen) {
+std::vector<Point3> points_beyond(const TurningPoints& scene, const View& view,
+                                  const Bounds& seen) {
   const double steepness = glm::length(glm::cross(unit(view.up), unit(view.plane_normal)));
   if (!(steepness > kSteepestUp)) return {scene.points.begin(), scene.points.end()};
   const ViewVolume volume(view);

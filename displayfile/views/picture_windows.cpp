@@ -15,16 +15,16 @@ void PictureWindows::set_aspect(double aspect) {
   aspect_ = aspect;
 }
 
-View PictureWindows::in_picture(View view, const SaidSettings& said) const {
-  const bool mapping_was_set = said.contains(Setting::window) || said.contains(Setting::viewport);
+View PictureWindows::in_picture(View view, const ExplicitSettings& set) const {
+  const bool mapping_was_set = set.contains(Setting::window) || set.contains(Setting::viewport);
   const bool widen =
-      said.contains(Setting::window_fit) ? fit_ == WindowFit::widen : !mapping_was_set;
+      set.contains(Setting::window_fit) ? fit_ == WindowFit::widen : !mapping_was_set;
   if (widen) view.window = widened(view.window, shape_in_picture(view.viewport, aspect_));
   return view;
 }
 
-void PictureWindows::opened(int segment, const View& view, const SaidSettings& said) {
-  if (said.contains(Setting::window_fit)) return;
+void PictureWindows::opened(int segment, const View& view, const ExplicitSettings& set) {
+  if (set.contains(Setting::window_fit)) return;
   const StretchedWindow stretched{segment, shape_of(view.window),
                                   shape_in_picture(view.viewport, aspect_)};
   if (!shapes_differ(stretched.window, stretched.viewport)) return;

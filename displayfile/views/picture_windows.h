@@ -18,10 +18,10 @@ class PictureWindows {
 
   /// A view, its window in the shape that the picture wants. As long as the application did not
   /// say what it wants, a window is widened unless it set it, or the viewport.
-  View in_picture(View view, const SaidSettings& said) const;
+  View in_picture(View view, const ExplicitSettings& set) const;
   /// Notes the window of the segment just opened, if it is stretched and the application did not
   /// say that it should be.
-  void opened(int segment, const View& view, const SaidSettings& said);
+  void opened(int segment, const View& view, const ExplicitSettings& set);
   /// The worst of those noted.
   const std::optional<StretchedWindow>& stretched() const { return stretched_; }
 

@@ -12,8 +12,8 @@
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/clip_pipeline.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/scene_lines.h"
-#include "displayfile/segments/view_stage.h"
 #include "displayfile/views/shared_planes.h"
 #include "displayfile/views/view_rounding.h"
 #include "hidden/sort/world_tree.h"
@@ -23,23 +23,17 @@ namespace displayfile {
 /// The segments that share a tree.
 class RetainedViews::Part {
  public:
-  Part(RetainedScene world, const ImageTransformation& image, const SortOptions& options,
-       HiddenScope scope)
+  Part(RetainedScene world, const ImageTransformation& image, const SurfacePlan& plan)
       : image_(image),
-        together_(scope == HiddenScope::all),
-        lines_{.precision = options.precision,
-               .threads = options.threads,
-               .intersections = world.has_intersections(),
-               .hidden_lines = options.hidden_lines},
+        together_(plan.scope != HiddenScope::segment),
+        plan_(plan.by(HiddenMethod::bsp).kept()),
         world_(std::move(world)),
         items_(world_.items(primitive_of_)),
         shared_planes_(of_items(shared_planes(world_))),
         any_sides_(world_.selects_lines() ? world_.sides_in_any_view() : std::vector<LineKinds>()),
-        tree_(sorted_in_world(), SortOptions{.precision = options.precision,
-                                             .root = options.root,
-                                             .names_sides = world_.selects_lines(),
-                                             .most_pieces = options.most_pieces}),
+        tree_(sorted_in_world(), plan, world_.selects_lines()),
         moving_eye_(tree_) {
+    plan_.intersections = world_.has_intersections();
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
       off_plane_.push_back(world_.off_plane(i));
     }
@@ -65,22 +59,19 @@ class RetainedViews::Part {
   std::shared_ptr<const SortedScene> draw(const View& view, const glm::dmat3& lights_turned,
                                           DisplayFile& file) {
     const ViewVolume volume(view);
-    ViewStage stage(volume);
+    PolygonStage stage(volume);
     const std::size_t first = file.segments().size();
     const Eye eye = Eye::of(view);
     if (!any_sides_.empty()) world_.sides_in_view(eye, sides_);
     enter_whole(eye, stage, lights_turned, file);
     auto scene = std::make_shared<ViewedScene>(scene_of(file, first));
     auto sorted = std::make_shared<SortedScene>();
-    sorted->method = HiddenMethod::bsp;
-    sorted->precision = lines_.precision;
-    sorted->hidden_lines = lines_.hidden_lines;
-    sorted->intersections = lines_.intersections;
+    sorted->plan = plan_;
     sorted->counts = counts();
     sorted->boundary_error =
         boundary_error(ViewRounding(view, volume), *scene) + scene->boundary_error();
     SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
-    append_lines(*scene, lines_, order);
+    append_lines(*scene, plan_, order);
     sorted->parts.push_back(
         std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
     return sorted;
@@ -94,7 +85,7 @@ class RetainedViews::Part {
   Primitives sorted_in_world() const {
     Primitives world = world_.primitives(items_);
     if (!any_sides_.empty()) world.visible = any_sides_;
-    if (lines_.precision.exact) world.planes = shared_planes_;
+    if (plan_.precision.exact) world.planes = shared_planes_;
     return world;
   }
 
@@ -107,7 +98,7 @@ class RetainedViews::Part {
   }
 
   /// Notes which item of the viewed scene each primitive becomes.
-  void enter_whole(const Eye& eye, ViewStage& stage, const glm::dmat3& lights_turned,
+  void enter_whole(const Eye& eye, PolygonStage& stage, const glm::dmat3& lights_turned,
                    DisplayFile& file) {
     item_of_.assign(world_.size(), kNotSeen);
     ViewedScene::Item items = 0;
@@ -210,7 +201,7 @@ class RetainedViews::Part {
 
   ImageTransformation image_;  // the same of all segments
   bool together_;
-  SortOptions lines_;  // with which they are found
+  SurfacePlan plan_;
   RetainedScene world_;
   std::vector<std::uint32_t> primitive_of_;  // the items' primitives
   std::vector<Primitives::Item> items_;
@@ -224,15 +215,15 @@ class RetainedViews::Part {
 };
 
 RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
-                             const SortOptions& options, HiddenScope scope)
-    : taken_(scene, attributes), options_(options), scope_(scope) {
+                             const SurfacePlan& plan)
+    : taken_(scene, attributes), plan_(plan) {
   take();
 }
 
-bool RetainedViews::are_of(const SortOptions& options, HiddenScope scope) const {
-  return scope == scope_ && options.precision == options_.precision &&
-         options.hidden_lines == options_.hidden_lines && options.root == options_.root &&
-         options.most_pieces == options_.most_pieces;
+bool RetainedViews::are_of(const SurfacePlan& plan) const {
+  return plan.scope == plan_.scope && plan.precision == plan_.precision &&
+         plan.hidden_lines == plan_.hidden_lines && plan.root == plan_.root &&
+         plan.most_pieces == plan_.most_pieces;
 }
 
 /// Sorts what is visible now. If it throws, what was taken before stays.
@@ -246,9 +237,9 @@ void RetainedViews::take() {
   };
   const auto add = [&](RetainedScene world) {
     const ImageTransformation image = image_of(world.segments().front());
-    parts.push_back(std::make_unique<Part>(std::move(world), image, options_, scope_));
+    parts.push_back(std::make_unique<Part>(std::move(world), image, plan_));
   };
-  if (scope_ == HiddenScope::segment) {
+  if (plan_.scope == HiddenScope::segment) {
     for (const RetainedScene::Segment& part : visible.segments()) {
       add(visible.selected([&](const auto& segment) { return segment.name == part.name; }));
     }
@@ -283,7 +274,7 @@ DisplayFile RetainedViews::view(const View& view, const glm::dmat3& lights_turne
   DisplayFile file;
   for (const auto& part : parts_) {
     const auto sorted = part->draw(view, lights_turned, file);
-    if (scope_ == HiddenScope::segment) {
+    if (plan_.scope == HiddenScope::segment) {
       const int name = file.segments().back().name();
       file.segment(name).set_sorted(sorted);
     } else {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "clip/view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
@@ -25,10 +25,11 @@ class RetainedViews {
   /// last. Throws Error for more than 2^32 - 1 points, and if segments with different image
   /// transformations are to be sorted together: those act after viewing.
   ///
-  /// With scope `all` there is one tree for all segments, or else one for each. Of the options the
-  /// tree follows precision and most_pieces; hidden lines are found in each view, and drawn too.
+  /// With scope `segment` each segment has a tree, otherwise there is one for all. Of the plan the
+  /// trees follow precision, root and most_pieces; hidden lines are found in each view, and drawn
+  /// too. Progress is not reported.
   RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
-                const SortOptions& options = {}, HiddenScope scope = HiddenScope::all);
+                const SurfacePlan& plan = {});
   RetainedViews(RetainedViews&&) noexcept;
   RetainedViews& operator=(RetainedViews&&) noexcept;
   ~RetainedViews();
@@ -36,13 +37,13 @@ class RetainedViews {
   /// What the scene is in this view, as if the application had drawn it there: the polygons clipped
   /// and checked for back faces, whole and in order of entry; and sorted, with the lines over them
   /// that close-segment would find: where polygons pass through each other, if segments select
-  /// that, and hidden ones if the options have them. Lights are turned by
+  /// that, and hidden ones if the plan has them. Lights are turned by
   /// `lights_turned`, a rotation. Throws Error as ViewVolume does, and as the constructor for a
   /// scene that was edited.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// The trees are those that these options would make.
-  bool are_of(const SortOptions& options, HiddenScope scope) const;
+  /// The trees are those that this plan would make.
+  bool are_of(const SurfacePlan& plan) const;
 
   /// Here as below of the scene as it was taken last.
   std::size_t trees() const { return parts_.size(); }
@@ -57,8 +58,7 @@ class RetainedViews {
   void bring_up_to_date();
   TakenScene taken_;
   std::vector<std::unique_ptr<Part>> parts_;
-  SortOptions options_;
-  HiddenScope scope_;
+  SurfacePlan plan_;
   SortCounts counts_;
 };
 

@@ -8,7 +8,7 @@
 #include "clip/base/parallel.h"
 #include "clip/equal_points.h"
 #include "clip/view_points.h"
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/scene_viewer_part.h"
 
 namespace displayfile {
@@ -279,7 +279,7 @@ void SceneViewer::view_texts(const ViewVolume& volume) {
 DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights_turned) const {
   DisplayFile file;
   const ViewVolume volume(view);
-  ViewStage stage(volume);
+  PolygonStage stage(volume);
   for (const RetainedScene::Segment& part : scene().segments()) {
     const Segment& now = taken_.attributes().segment(part.name);
     if (!now.visible) continue;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip/back_face.h"
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/scene_viewer.h"
 #include "hidden/exact/few_centres.h"
 #include "hidden/exact/orientation.h"
@@ -291,7 +291,7 @@ class SceneViewer::Part {
     if (const auto& selected = in_view_->viewer.sides_; !selected.empty()) {
       world.edge_visible = std::span(selected).subspan(primitive.first, primitive.sides);
     }
-    const ViewedPolygon viewed = stage_->view_polygon(world, attributes_);
+    const StagedPolygon viewed = stage_->view_polygon(world, attributes_);
     const ClippedPolygon& polygon = viewed.polygon;
     if (polygon.vertices.empty() || (!matrix_ && shows_nothing(polygon.vertices))) return;
     const FillStyle* fill = viewed.fill;
@@ -322,7 +322,7 @@ class SceneViewer::Part {
   ViewedScene* seen_ = nullptr;
   Shared shared_{};  // in seen_
   const InView* in_view_ = nullptr;
-  std::optional<ViewStage> stage_;
+  std::optional<PolygonStage> stage_;
   std::optional<ImageMatrix> matrix_;
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t in_force_ = kNone;  // of the attributes

@@ -24,7 +24,7 @@ ExactNumber twice_centre(std::int32_t index) { return ExactNumber(2 * std::int64
 
 // ---- Viewing and clipping ---------------------------------------------------------------------
 
-EnteredView::EnteredView(const ViewVolume& volume, const ImageTransformation& image)
+EnteredProjection::EnteredProjection(const ViewVolume& volume, const ImageTransformation& image)
     : volume_(volume), has_image_(!image.is_identity()) {
   const glm::dmat4 &m = volume.matrix(), &plane = volume.view_plane();
   for (int column = 0; column < 4; ++column) {
@@ -63,8 +63,8 @@ EnteredView::EnteredView(const ViewVolume& volume, const ImageTransformation& im
   }
 }
 
-std::array<ExactNumber, 3> EnteredView::in_world(const Point3& entered,
-                                                 const glm::dmat4x3* modelling) {
+std::array<ExactNumber, 3> EnteredProjection::in_world(const Point3& entered,
+                                                       const glm::dmat4x3* modelling) {
   std::array<ExactNumber, 3> world{exact(entered.x), exact(entered.y), exact(entered.z)};
   if (modelling != nullptr) {
     const std::array<ExactNumber, 3> own = world;
@@ -77,20 +77,20 @@ std::array<ExactNumber, 3> EnteredView::in_world(const Point3& entered,
   return world;
 }
 
-ExactNumber EnteredView::along(const std::array<ExactNumber, 4>& row,
-                               const std::array<ExactNumber, 3>& world) {
+ExactNumber EnteredProjection::along(const std::array<ExactNumber, 4>& row,
+                                     const std::array<ExactNumber, 3>& world) {
   return row[0] * world[0] + row[1] * world[1] + row[2] * world[2] + row[3];
 }
 
-EnteredView::Vertex EnteredView::viewed(const Point3& entered,
-                                        const glm::dmat4x3* modelling) const {
+EnteredProjection::Vertex EnteredProjection::viewed(const Point3& entered,
+                                                    const glm::dmat4x3* modelling) const {
   const std::array<ExactNumber, 3> world = in_world(entered, modelling);
   return {along(matrix_[0], world), along(matrix_[1], world), along(matrix_[2], world),
           along(matrix_[3], world), exact(1.0)};
 }
 
 /// A positive multiple of the distance: 0 on the plane, negative outside.
-ExactNumber EnteredView::inside(Side side, const Vertex& v) const {
+ExactNumber EnteredProjection::inside(Side side, const Vertex& v) const {
   switch (side) {
     case Side::back: return v.view_z - back_z_ * v.unit;
     case Side::front: return front_z_ * v.unit - v.view_z;
@@ -104,7 +104,7 @@ ExactNumber EnteredView::inside(Side side, const Vertex& v) const {
 }
 
 /// A vertex on the plane is inside: a side is cut only from strictly inside to outside.
-void EnteredView::clip(Side side) {
+void EnteredProjection::clip(Side side) {
   distances_.clear();
   bool any_outside = false, any_inside = false;
   for (const Vertex& v : polygon_) {
@@ -131,7 +131,7 @@ void EnteredView::clip(Side side) {
   polygon_.swap(clipped_);
 }
 
-bool EnteredView::outline(const EnteredPolygon& polygon, EnteredOutline& outline) {
+bool EnteredProjection::outline(const EnteredPolygon& polygon, EnteredOutline& outline) {
   outline.vertices.clear();
   polygon_.clear();
   for (const Point3& p : polygon.points) polygon_.push_back(viewed(p, polygon.modelling));
@@ -176,8 +176,8 @@ std::optional<double> unrounded(const std::array<double, 4>& factors, const Poin
 
 }  // namespace
 
-bool EnteredView::are_unrounded(const EnteredPolygon& polygon,
-                                std::span<const Point3> device) const {
+bool EnteredProjection::are_unrounded(const EnteredPolygon& polygon,
+                                      std::span<const Point3> device) const {
   const Rectangle& viewport = volume_.viewport();
   const bool is_whole = viewport == Rectangle{0.0, 1.0, 0.0, 1.0};
   if (has_image_ || !is_whole || polygon.points.size() != device.size()) return false;
@@ -208,7 +208,7 @@ bool EnteredView::are_unrounded(const EnteredPolygon& polygon,
 // ---- Planes -----------------------------------------------------------------------------------
 
 /// By the cofactors of the three points' homogeneous coordinates.
-std::optional<PlaneInPicture> EnteredView::plane(const EnteredPolygon& polygon) const {
+std::optional<PlaneInPicture> EnteredProjection::plane(const EnteredPolygon& polygon) const {
   const auto support = support_of_entered({polygon.points.data(), polygon.points.size()});
   if (!support) return std::nullopt;
   struct Homogeneous {

@@ -31,9 +31,9 @@ struct EnteredOutline {
 /// interp/truth/entered_truth.md defines it: modelling matrix, view, viewport and image
 /// transformation are the doubles that they hold, and products of these are exact; so is clipping.
 /// The doubles of a display file are the same, rounded.
-class EnteredView {
+class EnteredProjection {
  public:
-  EnteredView(const ViewVolume& volume, const ImageTransformation& image);
+  EnteredProjection(const ViewVolume& volume, const ImageTransformation& image);
 
   /// Makes the outline of a polygon. False, and no outline, if some of it inside of the window is
   /// not in front of the eye, which no view volume allows whose matrix is within range.

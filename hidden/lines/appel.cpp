@@ -20,7 +20,7 @@ constexpr std::size_t kLinesAtATime = 512;
 
 /// The first line of each name, in order of the places of their polygons in the tree: those near
 /// each other are followed together, while what they meet is at hand.
-std::vector<std::uint32_t> lines_by_place(const AppelScene& scene) {
+std::vector<std::uint32_t> lines_by_place(const AppelTables& scene) {
   const auto lines = scene.lines.lines();
   const auto firsts = scene.lines.first_lines_of_names();
   const std::uint32_t items = scene.lines.items();
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> lines_by_place(const AppelScene& scene) {
   for (std::uint32_t at = 0; at < items; ++at) place[scene.counted.order()[at]] = at;
   const auto place_of = [&](std::uint32_t first) {
     const std::uint32_t own = lines[first].own;
-    return own == LineScene::kNone ? items : place[own];
+    return own == LineTable::kNone ? items : place[own];
   };
   for (const std::uint32_t first : firsts) ++next[place_of(first) + 1];
   for (std::size_t at = 1; at < next.size(); ++at) next[at] += next[at - 1];
@@ -48,10 +48,10 @@ struct CountsOfLines {
 template <class Policy>
 class Appel {
  public:
-  Appel(const AppelScene& scene, const CountsOfLines& counts, const Policy& policy)
+  Appel(const AppelTables& scene, const CountsOfLines& counts, const Policy& policy)
       : scene_(scene), counts_(counts), line_(scene.lines, policy) {}
 
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     parts_.clear();
     if (scene_.lines.intersection(line) != nullptr) {
       compare_with_all(line);
@@ -87,7 +87,7 @@ class Appel {
   }
 
   /// An intersection is no edge of a connected part: it is compared with all polygons.
-  void compare_with_all(const LineScene::Line& line) {
+  void compare_with_all(const LineTable::Line& line) {
     const Extent box = scene_.lines.extent(line);
     Extent before = box;
     before.z_max = std::numeric_limits<float>::infinity();
@@ -100,7 +100,7 @@ class Appel {
   }
 
   /// Adds what the polygons hide that are not counted.
-  void compare(const LineScene::Line& line) {
+  void compare(const LineTable::Line& line) {
     const Extent box = scene_.lines.extent(line);
     bool looked = false;
     const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
@@ -114,7 +114,7 @@ class Appel {
     });
   }
 
-  const AppelScene& scene_;
+  const AppelTables& scene_;
   const CountsOfLines& counts_;
   LineAgainstPolygon<Policy> line_;
   HiddenParts parts_;
@@ -122,7 +122,7 @@ class Appel {
 
 /// Calls work(follower, k) for each k, on several threads.
 template <class Policy, class Work>
-void follow_in_parts(const AppelScene& scene, const Policy& policy, std::size_t size, int threads,
+void follow_in_parts(const AppelTables& scene, const Policy& policy, std::size_t size, int threads,
                      const Work& work) {
   const auto make = [&] { return LineFollower(scene, policy); };
   Finders followers(make);
@@ -136,12 +136,12 @@ void follow_in_parts(const AppelScene& scene, const Policy& policy, std::size_t 
 
 /// Whether the counts are carried over each vertex.
 template <class Policy>
-std::vector<std::uint8_t> vertices_that_carry(const AppelScene& scene, const Policy& policy,
+std::vector<std::uint8_t> vertices_that_carry(const AppelTables& scene, const Policy& policy,
                                               std::span<const std::uint32_t> order, int threads) {
   std::vector<std::uint8_t> carries(scene.vertices.joins().size(), 0);
   std::vector<std::uint32_t> vertices;  // as the lines come to them
   for (const std::uint32_t first : order) {
-    const LineScene::Line& line = scene.lines.lines()[first];
+    const LineTable::Line& line = scene.lines.lines()[first];
     for (const std::uint32_t point : {line.a, line.b}) {
       const std::uint32_t v = scene.vertices.vertex(point);
       if (scene.vertices.joins()[v] == 0 || carries[v] != 0) continue;
@@ -157,7 +157,7 @@ std::vector<std::uint8_t> vertices_that_carry(const AppelScene& scene, const Pol
 }
 
 template <class Policy>
-CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy,
+CountsOfLines count_along_lines(const AppelTables& scene, const Policy& policy,
                                 std::span<const std::uint32_t> order, int threads,
                                 AppelCounts* work) {
   const std::vector<std::uint8_t> carries = vertices_that_carry(scene, policy, order, threads);
@@ -190,34 +190,34 @@ CountsOfLines count_along_lines(const AppelScene& scene, const Policy& policy,
 
 }  // namespace
 
-SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
-                                 const LineOptions& options, AppelCounts* counts) {
-  const AppelScene all(items, scene, options.threads);
+SeenLines visible_lines_by_appel(const Primitives& items, const LineTable& scene,
+                                 const SurfacePlan& plan, AppelCounts* counts) {
+  const AppelTables all(items, scene, plan.threads);
   const std::vector<std::uint32_t> order = lines_by_place(all);
   std::vector<std::uint32_t> with_intersections = order;
   const auto intersections = scene.first_lines().subspan(scene.first_lines_of_names().size());
   with_intersections.insert(with_intersections.end(), intersections.begin(), intersections.end());
   const auto find = [&](const auto& policy) {
-    const CountsOfLines found = count_along_lines(all, policy, order, options.threads, counts);
-    return visible_pieces(scene, with_intersections, options,
+    const CountsOfLines found = count_along_lines(all, policy, order, plan.threads, counts);
+    return visible_pieces(scene, with_intersections, plan,
                           [&] { return Appel(all, found, policy); });
   };
   const Definitions points{items.points, {}};
-  if (options.precision.exact) return find(ExactLines(points));
-  return find(RoundoffLines(points, options.precision.roundoff));
+  if (plan.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, plan.precision.roundoff));
 }
 
-SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineScene& scene,
-                                       const LineOptions& options) {
-  const AppelScene all(items, scene, options.threads);
+SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineTable& scene,
+                                       const SurfacePlan& plan) {
+  const AppelTables all(items, scene, plan.threads);
   const auto find = [&](const auto& policy) {
     UnobservedAppel observer;
-    const std::array seen{PlainAppel(all, policy, observer).find(options)};
+    const std::array seen{PlainAppel(all, policy, observer).find(plan)};
     return by_names(scene, seen);
   };
   const Definitions points{items.points, {}};
-  if (options.precision.exact) return find(ExactLines(points));
-  return find(RoundoffLines(points, options.precision.roundoff));
+  if (plan.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, plan.precision.roundoff));
 }
 
 }  // namespace displayfile

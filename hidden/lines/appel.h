@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -15,12 +15,12 @@ struct AppelCounts {
 
 /// The visible pieces by Appel's method (hidden/lines/appel.md): quantitative invisibility, carried
 /// along connected lines.
-SeenLines visible_lines_by_appel(const Primitives& items, const LineScene& scene,
-                                 const LineOptions& options, AppelCounts* counts = nullptr);
+SeenLines visible_lines_by_appel(const Primitives& items, const LineTable& scene,
+                                 const SurfacePlan& plan, AppelCounts* counts = nullptr);
 
 /// The same by the plain form (hidden/lines/plain_appel.h), in one thread but for the contour
 /// edges.
-SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineScene& scene,
-                                       const LineOptions& options);
+SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineTable& scene,
+                                       const SurfacePlan& plan);
 
 }  // namespace displayfile

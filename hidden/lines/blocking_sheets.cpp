@@ -18,7 +18,7 @@ constexpr double kLongestInCells = 16.0;
 enum class Covering : std::uint8_t { no, yes, unknown };
 
 /// Whether the polygon covers the point (even-odd).
-Covering covering(const LineScene& scene, std::uint32_t polygon, const Point2& at) {
+Covering covering(const LineTable& scene, std::uint32_t polygon, const Point2& at) {
   bool inside = false;
   const std::uint32_t sides = scene.sides(polygon);
   Point2 p(scene.corner(polygon, sides - 1));
@@ -37,7 +37,7 @@ Covering covering(const LineScene& scene, std::uint32_t polygon, const Point2& a
 /// The polygons near one cell after the other, the one that reaches nearest first.
 class Sheets {
  public:
-  Sheets(const LineScene& scene, const ContourEdges& contours, const CellGrid& grid)
+  Sheets(const LineTable& scene, const ContourEdges& contours, const CellGrid& grid)
       : scene_(scene), contours_(contours), grid_(grid) {}
 
   /// What is known of a cell.
@@ -120,7 +120,7 @@ class Sheets {
     return false;
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const ContourEdges& contours_;
   const CellGrid& grid_;
   std::vector<CellGrid::Entry> near_;
@@ -129,7 +129,7 @@ class Sheets {
 
 }  // namespace
 
-void CellGrid::find_blocking_sheets(const LineScene& scene, const ContourEdges& contours,
+void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& contours,
                                     int threads) {
   if (levels_.empty()) return;
   if (levels_[0].behind.empty()) begin_blocking();

@@ -36,14 +36,14 @@ constexpr std::size_t kLevelOfOrder = 2;
 
 }  // namespace
 
-CellGrid::CellGrid(const LineScene& scene, int threads) {
+CellGrid::CellGrid(const LineTable& scene, int threads) {
   lay_out(scene);
   if (levels_.empty()) return;
   find_blocking_faces(scene);
   enter(scene, threads);
 }
 
-void CellGrid::lay_out(const LineScene& scene) {
+void CellGrid::lay_out(const LineTable& scene) {
   Extent all = Extent::nothing();
   std::vector<float> lengths;
   for (const Extent& box : scene.extents()) {
@@ -72,7 +72,7 @@ std::size_t CellGrid::level_of(const Rectangle& box) const {
 
 // ---- Blocking faces -----------------------------------------------------------------------
 
-void CellGrid::find_blocking_faces(const LineScene& scene) {
+void CellGrid::find_blocking_faces(const LineTable& scene) {
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (!scene.hides(i)) continue;
     if (layout_.length_in_cells(rectangle_of(scene.extent(i))) > kLeastToBlock) block(scene, i);
@@ -81,7 +81,7 @@ void CellGrid::find_blocking_faces(const LineScene& scene) {
 }
 
 /// Notes the polygon in the cells that it covers all of.
-void CellGrid::block(const LineScene& scene, std::uint32_t polygon) {
+void CellGrid::block(const LineTable& scene, std::uint32_t polygon) {
   const Rectangle box = rectangle_of(scene.extent(polygon));
   const std::size_t at = layout_.level_for(layout_.length_in_cells(box), kMostToBlock);
   const double size = std::ldexp(layout_.cell(), static_cast<int>(at));
@@ -110,7 +110,7 @@ void CellGrid::begin_blocking() {
 
 /// The least depth of the polygon over a rectangle, if it covers all of that: if its sides all turn
 /// it to one side, and the boundary goes around it once (even-odd).
-float CellGrid::blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,
+float CellGrid::blocked_behind(const LineTable& scene, std::uint32_t polygon, const Point2& low,
                                const Point2& high) const {
   constexpr double kBound = 8.0 * kUnit * kInflate;
   int turning = 0, crossings = 0;
@@ -206,7 +206,7 @@ bool CellGrid::hides(const Extent& box) const {
 
 /// Calls visit(level, cell, polygon) for each cell that a polygon is in, not behind all of it.
 template <class Visit>
-void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const {
+void CellGrid::for_each_entry(const LineTable& scene, const Visit& visit) const {
   for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
     if (!scene.hides(polygon)) continue;
     const Rectangle box = rectangle_of(scene.extent(polygon));
@@ -224,7 +224,7 @@ void CellGrid::for_each_entry(const LineScene& scene, const Visit& visit) const 
 }
 
 /// Counted first, then entered, then each cell's put in order.
-void CellGrid::enter(const LineScene& scene, int threads) {
+void CellGrid::enter(const LineTable& scene, int threads) {
   for (Level& level : levels_) level.first.resize(level.cells() + 1, 0);
   for_each_entry(scene, [&](std::size_t at, std::size_t cell, std::uint32_t) {
     ++levels_[at].first[cell + 1];
@@ -274,7 +274,7 @@ std::vector<std::uint32_t> CellGrid::by_cell(std::span<const Point2> places) con
   return order;
 }
 
-std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineScene& scene) const {
+std::vector<std::uint32_t> CellGrid::lines_by_cell(const LineTable& scene) const {
   const auto first_lines = scene.first_lines();
   std::vector<Point2> starts;
   starts.reserve(first_lines.size());

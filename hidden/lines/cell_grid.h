@@ -8,7 +8,7 @@
 
 #include "clip/point.h"
 #include "hidden/lines/cell_layout.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -21,7 +21,7 @@ class ContourEdges;
 /// behind that is left out.
 class CellGrid {
  public:
-  CellGrid(const LineScene& scene, int threads);
+  CellGrid(const LineTable& scene, int threads);
 
   /// A polygon in a cell, and what tells that it does not hide a line.
   struct Entry {
@@ -54,12 +54,12 @@ class CellGrid {
   /// looked at together, while its data are at hand.
   std::vector<std::uint32_t> by_cell(std::span<const Point2> places) const;
   /// The first line of each name, by the cells where the lines begin.
-  std::vector<std::uint32_t> lines_by_cell(const LineScene& scene) const;
+  std::vector<std::uint32_t> lines_by_cell(const LineTable& scene) const;
 
   /// Finds where polygons that are joined side to side cover cells together, and are before what
   /// else is there: behind them all is hidden, as behind a blocking face
   /// (hidden/map/visible_map.md).
-  void find_blocking_sheets(const LineScene& scene, const ContourEdges& contours, int threads);
+  void find_blocking_sheets(const LineTable& scene, const ContourEdges& contours, int threads);
 
   /// True only if nothing is before any part of the polygon that the box is of, nor at the same
   /// depth, as find_blocking_sheets found.
@@ -69,17 +69,17 @@ class CellGrid {
   bool hides(const Extent& box) const;
 
  private:
-  void lay_out(const LineScene& scene);
+  void lay_out(const LineTable& scene);
   std::size_t level_of(const Rectangle& box) const;
-  void find_blocking_faces(const LineScene& scene);
-  void block(const LineScene& scene, std::uint32_t polygon);
-  float blocked_behind(const LineScene& scene, std::uint32_t polygon, const Point2& low,
+  void find_blocking_faces(const LineTable& scene);
+  void block(const LineTable& scene, std::uint32_t polygon);
+  float blocked_behind(const LineTable& scene, std::uint32_t polygon, const Point2& low,
                        const Point2& high) const;
   void pass_on_blocking();
   void begin_blocking();
-  void enter(const LineScene& scene, int threads);
+  void enter(const LineTable& scene, int threads);
   template <class Visit>
-  void for_each_entry(const LineScene& scene, const Visit& visit) const;
+  void for_each_entry(const LineTable& scene, const Visit& visit) const;
 
   CellLayout layout_;
   std::vector<Level> levels_;

@@ -11,7 +11,7 @@ namespace displayfile {
 
 namespace {
 
-bool has_corner_off_plane(const LineScene& scene, std::uint32_t item) {
+bool has_corner_off_plane(const LineTable& scene, std::uint32_t item) {
   for (std::uint32_t k = 0; k < scene.sides(item); ++k) {
     if (scene.is_off_plane(item, k)) return true;
   }
@@ -20,7 +20,7 @@ bool has_corner_off_plane(const LineScene& scene, std::uint32_t item) {
 
 }  // namespace
 
-ContourEdges::ContourEdges(const LineScene& scene, const Primitives& items, const SideTable& sides,
+ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, const SideTable& sides,
                            int threads)
     : way_(scene.items(), 0), has_contour_(scene.items(), 0) {
   constexpr std::size_t kPart = 2048;

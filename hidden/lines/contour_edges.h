@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hidden/lines/depth_boxes.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 
 namespace displayfile {
@@ -17,7 +17,7 @@ namespace displayfile {
 /// side of such a polygon has the inside on one side all along.
 class ContourEdges {
  public:
-  ContourEdges(const LineScene& scene, const Primitives& items, const SideTable& sides,
+  ContourEdges(const LineTable& scene, const Primitives& items, const SideTable& sides,
                int threads);
 
   /// 1 if the polygon is counted and runs counterclockwise, -1 if clockwise, 0 if it is not

@@ -19,7 +19,7 @@ namespace {
 /// what is around each set.
 class Surfaces {
  public:
-  Surfaces(const Primitives& items, const LineScene& scene)
+  Surfaces(const Primitives& items, const LineTable& scene)
       : items_(items),
         scene_(scene),
         table_(items),
@@ -114,7 +114,7 @@ class Surfaces {
   }
 
   const Primitives& items_;
-  const LineScene& scene_;
+  const LineTable& scene_;
   SideTable table_;
   std::vector<std::int8_t> turning_;  // of the polygons that hide
   DisjointSets sets_;
@@ -123,7 +123,7 @@ class Surfaces {
 
 }  // namespace
 
-ConvexObjects::ConvexObjects(const Primitives& items, const LineScene& scene) {
+ConvexObjects::ConvexObjects(const Primitives& items, const LineTable& scene) {
   Surfaces surfaces(items, scene);
   std::vector<std::uint32_t> hiding, outline;
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
@@ -146,7 +146,7 @@ ConvexObjects::ConvexObjects(const Primitives& items, const LineScene& scene) {
 }
 
 void ConvexObjects::add(std::span<const std::uint32_t> polygons,
-                        std::span<const std::uint32_t> outline, const LineScene& scene) {
+                        std::span<const std::uint32_t> outline, const LineTable& scene) {
   objects_.push_back(
       {static_cast<std::uint32_t>(polygons_.size()), static_cast<std::uint32_t>(polygons.size()),
        static_cast<std::uint32_t>(outlines_.size()), static_cast<std::uint32_t>(outline.size())});

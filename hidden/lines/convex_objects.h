@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hidden/boxes/extents.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {
@@ -18,7 +18,7 @@ namespace displayfile {
 class ConvexObjects {
  public:
   /// Finds those among all polygons that hide. The scene is of the items.
-  ConvexObjects(const Primitives& items, const LineScene& scene);
+  ConvexObjects(const Primitives& items, const LineTable& scene);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(objects_.size()); }
   std::span<const std::uint32_t> polygons(std::uint32_t object) const {
@@ -41,7 +41,7 @@ class ConvexObjects {
     std::uint32_t first_point, points;  ///< in outlines_
   };
   void add(std::span<const std::uint32_t> polygons, std::span<const std::uint32_t> outline,
-           const LineScene& scene);
+           const LineTable& scene);
 
   std::vector<Object> objects_;
   std::vector<Extent> extents_;

@@ -7,7 +7,7 @@
 #include "hidden/ends_as_entered.h"
 #include "hidden/exact/plane.h"
 #include "hidden/lines/end_on_plane.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -23,14 +23,14 @@ struct EndsAtCorners {
 };
 
 /// A line's ends, as they were viewed and not moved on to its polygon's plane, and the plane of
-/// another polygon, which is not edge-on. In doubles, by LineScene::touching, which what is within
+/// another polygon, which is not edge-on. In doubles, by LineTable::touching, which what is within
 /// reach does not exceed; then by what was entered, where that is at hand. An intersection lies in
 /// the planes of its own polygons alone.
-inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& line,
+inline EndsAtPlane ends_at_plane(const LineTable& scene, const LineTable::Line& line,
                                  std::uint32_t polygon, const Plane& plane,
                                  const EndsAtCorners& corners) {
   if (!(scene.touching() > 0.0) || scene.intersection(line) != nullptr) return {};
-  if (line.own != LineScene::kNone && scene.share_plane(line.own, polygon)) return {0, 0};
+  if (line.own != LineTable::kNone && scene.share_plane(line.own, polygon)) return {0, 0};
   const double far =
       scene.touching() * (1.0 + scene.most_shares() / std::abs(plane.normal.z)) * plane.reach;
   const auto in_doubles = [&](std::uint32_t end, bool is_corner) {
@@ -42,7 +42,7 @@ inline EndsAtPlane ends_at_plane(const LineScene& scene, const LineScene::Line& 
   if (start == OnPlane::no && end == OnPlane::no) return {};
   // The depths of sides of polygons that are close to each other are their planes', with rests.
   const bool planes_tell =
-      !plane.is_plain() && line.own != LineScene::kNone && scene.has_rests(line.own);
+      !plane.is_plain() && line.own != LineTable::kNone && scene.has_rests(line.own);
   const auto sign = [&](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {
     if (rounded == OnPlane::no) return std::nullopt;
     if (planes_tell && place != EndsAsEntered::Place::on_plane) return std::nullopt;

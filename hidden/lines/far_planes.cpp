@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-FarPlanes::FarPlanes(const LineScene& scene, int threads) {
+FarPlanes::FarPlanes(const LineTable& scene, int threads) {
   constexpr double kRounding = 0x1p-48;  // of a sum of four products, several times
   if (!(scene.touching() > 0.0)) return;
   double largest = 0.0;

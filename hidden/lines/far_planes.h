@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -15,7 +15,7 @@ namespace displayfile {
 /// may be, by far more than rounding. Around each vertex of a mesh most polygons are.
 class FarPlanes {
  public:
-  explicit FarPlanes(const LineScene& scene, int threads);
+  explicit FarPlanes(const LineTable& scene, int threads);
 
   /// A point of the scene and the plane of one of its polygons. False if it is not known.
   bool is_far(std::uint32_t item, const Point3& v) const {

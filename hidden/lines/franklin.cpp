@@ -6,16 +6,16 @@
 
 namespace displayfile {
 
-SeenLines visible_lines_by_franklin(const Primitives& items, const LineScene& scene,
-                                    const LineOptions& options) {
-  const CellGrid grid(scene, options.threads);
+SeenLines visible_lines_by_franklin(const Primitives& items, const LineTable& scene,
+                                    const SurfacePlan& plan) {
+  const CellGrid grid(scene, plan.threads);
   const std::vector<std::uint32_t> order = grid.lines_by_cell(scene);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, order, options, [&] { return Franklin(scene, grid, policy); });
+    return visible_pieces(scene, order, plan, [&] { return Franklin(scene, grid, policy); });
   };
   const Definitions points{items.points, {}};
-  if (options.precision.exact) return find(ExactLines(points));
-  return find(RoundoffLines(points, options.precision.roundoff));
+  if (plan.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, plan.precision.roundoff));
 }
 
 }  // namespace displayfile

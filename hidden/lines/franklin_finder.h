@@ -25,7 +25,7 @@ struct FranklinUnobserved {
 template <class Policy, class Observer = FranklinUnobserved>
 class Franklin {
  public:
-  Franklin(const LineScene& scene, const CellGrid& grid, const Policy& policy,
+  Franklin(const LineTable& scene, const CellGrid& grid, const Policy& policy,
            const Observer& observer = {})
       : scene_(scene),
         grid_(grid),
@@ -33,7 +33,7 @@ class Franklin {
         looked_at_(scene.items(), 0),
         observer_(observer) {}
 
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     parts_.clear();
     box_ = scene_.extent(line);
     if (grid_.hides(box_)) {
@@ -59,7 +59,7 @@ class Franklin {
     double nearest, farthest;
   };
 
-  void begin_line(const LineScene::Line& line) {
+  void begin_line(const LineTable::Line& line) {
     line_.look_at(line);
     from_ = grid_.layout().in_cells(Point2(scene_.point(line.a)));
     to_ = grid_.layout().in_cells(Point2(scene_.point(line.b)));
@@ -116,7 +116,7 @@ class Franklin {
     return {part, std::max(p, q) + error, std::min(p, q) - error};
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const CellGrid& grid_;
   LineAgainstPolygon<Policy> line_;
   HiddenParts parts_;

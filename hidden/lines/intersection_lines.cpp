@@ -14,7 +14,7 @@
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/order_on_line.h"
 #include "hidden/lines/depth_boxes.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -24,7 +24,7 @@ namespace {
 /// that nothing is allocated per pair.
 class Intersections {
  public:
-  Intersections(const Primitives& items, const LineScene& scene, IntersectionEnds ends)
+  Intersections(const Primitives& items, const LineTable& scene, IntersectionEnds ends)
       : items_(items), scene_(scene), ends_(ends) {}
 
   /// Adds the lines of a pair of polygons that hide, in order of places. The pairs of the first one
@@ -305,10 +305,10 @@ class Intersections {
   }
 
   const Primitives& items_;
-  const LineScene& scene_;
+  const LineTable& scene_;
   IntersectionEnds ends_;
   struct Known {
-    std::uint32_t item = LineScene::kNone;
+    std::uint32_t item = LineTable::kNone;
     Plane plane;
   };
   static constexpr std::size_t kKnown = 64;
@@ -326,7 +326,7 @@ class Intersections {
 }  // namespace
 
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads) {
-  const LineScene scene(items, {}, threads);
+  const LineTable scene(items, {}, threads);
   std::vector<std::uint32_t> solids;
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     if (scene.hides(i)) solids.push_back(i);
@@ -334,7 +334,7 @@ std::vector<IntersectionLine> intersection_lines(const Primitives& items, int th
   return intersection_lines(items, scene, solids, IntersectionEnds::rounded, threads);
 }
 
-std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
+std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineTable& scene,
                                                  std::span<const std::uint32_t> solids,
                                                  IntersectionEnds ends, int threads) {
   constexpr std::uint32_t kLeavesOfAPart = 64;

@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-class LineScene;
+class LineTable;
 
 /// A part of a line along which two solid polygons pass through each other. Device coordinates.
 struct IntersectionLine {
@@ -38,7 +38,7 @@ enum class IntersectionEnds {
 };
 
 /// The same among some polygons, which hide. The scene is of the same items.
-std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineScene& scene,
+std::vector<IntersectionLine> intersection_lines(const Primitives& items, const LineTable& scene,
                                                  std::span<const std::uint32_t> polygons,
                                                  IntersectionEnds ends, int threads);
 

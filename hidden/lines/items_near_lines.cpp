@@ -6,7 +6,7 @@
 #include "clip/base/parallel.h"
 #include "clip/rectangle.h"
 #include "hidden/lines/cells_of_lines.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -54,7 +54,7 @@ std::vector<std::uint8_t> near_items(const Primitives& items, const CellsOfLines
 ItemsNearLines::ItemsNearLines(const Primitives& items, std::span<const LineName> names,
                                std::span<const IntersectionLine> intersections, int threads)
     : items_(items), names_(names), intersections_(intersections) {
-  LineScene::require_names(items, names);
+  LineTable::require_names(items, names);
   const CellsOfLines cells(items, names, intersections);
   if (cells.are_everywhere()) return;
   std::vector<std::uint8_t> near = near_items(items, cells, threads);

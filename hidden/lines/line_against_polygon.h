@@ -12,7 +12,7 @@
 #include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/hidden_parts.h"
 #include "hidden/lines/line_precision.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -22,13 +22,13 @@ namespace displayfile {
 template <class Policy>
 class LineAgainstPolygon {
  public:
-  LineAgainstPolygon(const LineScene& scene, const Policy& policy)
+  LineAgainstPolygon(const LineTable& scene, const Policy& policy)
       : scene_(scene), policy_(policy) {}
 
-  void look_at(const LineScene::Line& line) {
+  void look_at(const LineTable::Line& line) {
     named_ = line;
     own_ = line.own;
-    other_ = LineScene::kNone;
+    other_ = LineTable::kNone;
     if (line.by_plane) own_plane_ = scene_.plane(own_);
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
     near_ = {line_.a, line_.b, scene_.off_lines()};
@@ -176,13 +176,13 @@ class LineAgainstPolygon {
     return any;
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const Policy& policy_;
-  LineScene::Line named_{};
+  LineTable::Line named_{};
   DepthLine line_{};  // the same
   Plane own_plane_;
   std::optional<CommonLine> common_;
-  std::uint32_t own_ = LineScene::kNone, other_ = LineScene::kNone;
+  std::uint32_t own_ = LineTable::kNone, other_ = LineTable::kNone;
   bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
   NearLine near_;
   std::vector<std::uint8_t> is_near_;  // corners that are not quite on the line

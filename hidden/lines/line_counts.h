@@ -10,7 +10,7 @@
 #include "hidden/lines/far_planes.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_precision.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/triangles/convex_turning.h"
 
 namespace displayfile {
@@ -49,7 +49,7 @@ struct CountChange {
 template <class Policy>
 class LineCounts {
  public:
-  LineCounts(const LineScene& scene, const ContourEdges& contours, const FarPlanes& far_planes,
+  LineCounts(const LineTable& scene, const ContourEdges& contours, const FarPlanes& far_planes,
              const Policy& policy)
       : scene_(scene), contours_(contours), far_planes_(far_planes), policy_(policy) {}
 
@@ -125,12 +125,12 @@ class LineCounts {
   /// Whether what is counted of an even polygon may be wrong for the line looked at: its plane
   /// passes between the line's ends, or rounding has decided, wrongly, on which side of it an end
   /// is. At a corner they have one depth.
-  bool is_doubtful(const LineScene::Line& line, std::uint32_t polygon,
+  bool is_doubtful(const LineTable::Line& line, std::uint32_t polygon,
                    const EndsAtCorners& corners) const {
     const bool may_touch = scene_.touching() > 0.0;
     const bool is_at_corner = corners.start || corners.end;
     const bool is_side = corners.start && corners.end;
-    const bool shares = line.own != LineScene::kNone && scene_.share_plane(line.own, polygon);
+    const bool shares = line.own != LineTable::kNone && scene_.share_plane(line.own, polygon);
     if ((is_side && !shares) || (is_at_corner && !may_touch)) return false;
     if (is_at_corner && !shares && far_planes_.is_far(polygon, corners.start ? line_.b : line_.a)) {
       return false;
@@ -283,7 +283,7 @@ class LineCounts {
     return inside ? SideCounts{1, 1} : SideCounts{};
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const ContourEdges& contours_;
   const FarPlanes& far_planes_;
   const Policy& policy_;

@@ -22,8 +22,8 @@ namespace displayfile {
 inline constexpr std::size_t kLargestStar = 64;
 
 /// A scene as Appel's method looks at it (hidden/lines/appel.md), on all threads.
-struct AppelScene {
-  const LineScene& lines;
+struct AppelTables {
+  const LineTable& lines;
   SideTable sides;
   ContourEdges contours;
   LineVertices vertices;
@@ -31,7 +31,7 @@ struct AppelScene {
   DepthTree counted;    ///< the polygons that are counted, as boxes around all they have
   ExtentTree compared;  ///< the others that hide
 
-  AppelScene(const Primitives& items, const LineScene& scene, int threads)
+  AppelTables(const Primitives& items, const LineTable& scene, int threads)
       : lines(scene),
         sides(items),
         contours(scene, items, sides, threads),
@@ -83,7 +83,7 @@ struct ChangesOfLine {
 template <class Policy>
 class LineFollower {
  public:
-  LineFollower(const AppelScene& scene, const Policy& policy)
+  LineFollower(const AppelTables& scene, const Policy& policy)
       : scene_(scene),
         lines_(scene.lines),
         policy_(policy),
@@ -117,7 +117,7 @@ class LineFollower {
   /// which need not be one that the line has.
   CountedLine follow(std::size_t first, std::span<const std::uint8_t> carries,
                      std::vector<CountChange>& changes, std::span<ChangesOfLine> of_depths) {
-    const LineScene::Line& line = lines_.lines()[first];
+    const LineTable::Line& line = lines_.lines()[first];
     const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
     CountedLine counted{scene_.vertices.vertex(line.a), scene_.vertices.vertex(line.b), {}, {}, {}};
     counts_.look_at(b, a);
@@ -132,7 +132,7 @@ class LineFollower {
     counted.change = pass_contours(box);
     bool has_other_depths = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
-      const LineScene::Line& depth = lines_.lines()[first + i];
+      const LineTable::Line& depth = lines_.lines()[first + i];
       if (!depth.by_plane) continue;
       has_other_depths = true;
       box.include(lines_.extent(depth));
@@ -140,7 +140,7 @@ class LineFollower {
     find_near(line, box, has_other_depths);
     bool at_own_depth = false;
     for (std::size_t i = 0; i < of_depths.size(); ++i) {
-      const LineScene::Line& depth = lines_.lines()[first + i];
+      const LineTable::Line& depth = lines_.lines()[first + i];
       of_depths[i].from = static_cast<std::uint32_t>(changes.size());
       changes.insert(changes.end(), passed_.begin(), passed_.end());
       const SideCounts wrong = correct(depth, changes);
@@ -153,13 +153,13 @@ class LineFollower {
     }
     if (!at_own_depth && !doubtful_.empty()) {
       sharers_.clear();
-      counted.change += correct({line.a, line.b, line.name, LineScene::kNone, false}, passed_);
+      counted.change += correct({line.a, line.b, line.name, LineTable::kNone, false}, passed_);
     }
     return counted;
   }
 
   /// The counts after the start of a line, by comparison with all polygons that may cover it.
-  SideCounts ray(const LineScene::Line& line) {
+  SideCounts ray(const LineTable::Line& line) {
     const Point3& a = lines_.point(line.a);
     counts_.look_at(a, lines_.point(line.b));
     Extent before = Extent::nothing();
@@ -233,7 +233,7 @@ class LineFollower {
   }
 
   /// As LineCounts::is_doubtful, of a line between these points.
-  bool is_doubtful(const LineScene::Line& line, const Point3& a, const Point3& b,
+  bool is_doubtful(const LineTable::Line& line, const Point3& a, const Point3& b,
                    std::uint32_t polygon) const {
     return counts_.is_doubtful(line, polygon, {has_corner(polygon, a), has_corner(polygon, b)});
   }
@@ -242,7 +242,7 @@ class LineFollower {
   /// those that may not be nearer all along its own ends' depth, or farther, or whose plane it
   /// touches; if it has other depths, all; and those that have it as a side and may have another
   /// depth.
-  void find_near(const LineScene::Line& line, const Extent& box, bool has_other_depths) {
+  void find_near(const LineTable::Line& line, const Extent& box, bool has_other_depths) {
     const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
     near_.clear();
     doubtful_.clear();
@@ -262,7 +262,7 @@ class LineFollower {
 
   /// Adds what the contour edges that the line passes behind leave out at one of its depths.
   /// Returns what they leave out of the count at its end.
-  SideCounts correct(const LineScene::Line& line, std::vector<CountChange>& changes) {
+  SideCounts correct(const LineTable::Line& line, std::vector<CountChange>& changes) {
     const std::vector<std::uint32_t>& polygons = line.by_plane ? near_ : doubtful_;
     SideCounts all;
     if (polygons.empty() && sharers_.empty()) return all;
@@ -272,8 +272,8 @@ class LineFollower {
     return all;
   }
 
-  const AppelScene& scene_;
-  const LineScene& lines_;
+  const AppelTables& scene_;
+  const LineTable& lines_;
   const Policy& policy_;
   LineCounts<Policy> counts_;
   LineAgainstPolygon<Policy> depths_;

@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-LineVertices::LineVertices(const LineScene& scene, const Primitives& items, const SideTable& sides,
+LineVertices::LineVertices(const LineTable& scene, const Primitives& items, const SideTable& sides,
                            const ContourEdges& contours)
     : sides_(sides), joins_(items.points.size(), 0), first_(items.points.size() + 1, 0) {
   for (const std::uint32_t n : scene.first_lines_of_names()) {

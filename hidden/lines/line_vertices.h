@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hidden/lines/contour_edges.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 
 namespace displayfile {
@@ -15,7 +15,7 @@ namespace displayfile {
 /// have a corner there: the vertex's star.
 class LineVertices {
  public:
-  LineVertices(const LineScene& scene, const Primitives& items, const SideTable& sides,
+  LineVertices(const LineTable& scene, const Primitives& items, const SideTable& sides,
                const ContourEdges& contours);
 
   /// The vertex of a point, from 0 to before the number of points.

@@ -196,21 +196,15 @@ SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint3
 }  // namespace
 
 FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> picks,
-                      HiddenMethod method, const SortOptions& options) {
+                      const SurfacePlan& plan) {
   FoundLines found;
   const std::optional<GridSurface> surface = GridSurface::of(items);
   const GridSurface* const known = surface ? &*surface : nullptr;
   found.lines = lines_to_draw(items, picks, known);
-  if (options.intersections) found.intersections = intersection_lines(items, options.threads);
-  found.seen = visible_lines(items, names_of(found.lines), method,
-                             {.precision = options.precision,
-                              .threads = options.threads,
-                              .progress = options.progress,
-                              .surface = known},
-                             found.intersections);
-  if (!options.precision.exact) {
-    found.least_length =
-        Roundoff::relative({items.points, {}}, options.precision.roundoff).roundoff();
+  if (plan.intersections) found.intersections = intersection_lines(items, plan.threads);
+  found.seen = visible_lines(items, names_of(found.lines), plan, found.intersections, known);
+  if (!plan.precision.exact) {
+    found.least_length = Roundoff::relative({items.points, {}}, plan.precision.roundoff).roundoff();
   }
   return found;
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -21,11 +21,11 @@ struct FoundLines {
 };
 
 /// All lines that are drawn (lines_to_draw: of items that have no line style no side may be
-/// visible), intersections if the options ask for them, and what the method sees of them. `picks`
+/// visible), intersections if the plan has them, and what its method sees of them. `picks`
 /// are the items' pick identifiers; empty: all are equal. Throws Error for a method that finds no
 /// lines.
 FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> picks,
-                      HiddenMethod method, const SortOptions& options);
+                      const SurfacePlan& plan);
 
 /// What is seen of the lines, as pieces of two points, and before them, if they are `dashed`, what
 /// is not seen and not covered (uncovered_pieces). They are in order of chains (chains_of); pieces

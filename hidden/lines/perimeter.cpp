@@ -48,15 +48,15 @@ class WholeArray {
 template <class MakePerimeters, class Beside>
 std::vector<VisiblePiece> pieces_of(const GridSurface& surface, const NamedSides& named,
                                     std::span<const LineName> names, std::size_t parts,
-                                    const MakePerimeters& make, const LineOptions& options,
+                                    const MakePerimeters& make, const SurfacePlan& plan,
                                     const Beside& beside) {
   using Method = PerimeterMethod<std::invoke_result_t<const MakePerimeters&, std::size_t>>;
   const CellsInOrder order(surface);
   SeenParts seen(names.size());
   std::vector<SeenPart> others, hidden_in_part;
   std::mutex mutex;
-  CountedWork work(options.progress, std::size_t{surface.columns()} * surface.rows() * parts);
-  in_parallel(options.threads, parts + 1, [&](std::size_t part) {
+  CountedWork work(plan.progress, std::size_t{surface.columns()} * surface.rows() * parts);
+  in_parallel(plan.threads, parts + 1, [&](std::size_t part) {
     if (part == parts) return beside();
     Method method(surface, named, names, make(part), seen);
     method.draw(order, work);
@@ -81,10 +81,10 @@ std::vector<VisiblePiece> pieces_of(const GridSurface& surface, const NamedSides
 }
 
 SeenLines by_franklin(const Primitives& items, std::span<const LineName> names,
-                      const LineOptions& options) {
-  const ItemsNearLines near(items, names, {}, options.threads);
-  const LineScene scene(near.items(), near.names(), options.threads);
-  return near.by_all_items(visible_lines_by_franklin(near.items(), scene, options));
+                      const SurfacePlan& plan) {
+  const ItemsNearLines near(items, names, {}, plan.threads);
+  const LineTable scene(near.items(), near.names(), plan.threads);
+  return near.by_all_items(visible_lines_by_franklin(near.items(), scene, plan));
 }
 
 bool is_before(const VisiblePiece& a, const VisiblePiece& b) {
@@ -94,8 +94,9 @@ bool is_before(const VisiblePiece& a, const VisiblePiece& b) {
 }  // namespace
 
 SeenLines visible_lines_by_perimeter(const Primitives& items, std::span<const LineName> names,
-                                     const LineOptions& options,
-                                     std::span<const IntersectionLine> intersections) {
+                                     const SurfacePlan& plan,
+                                     std::span<const IntersectionLine> intersections,
+                                     const GridSurface* known) {
   if (!intersections.empty()) {
     throw Error(
         "hidden-line method 'perimeter' draws one surface, which does not pass through itself: "
@@ -104,32 +105,34 @@ SeenLines visible_lines_by_perimeter(const Primitives& items, std::span<const Li
   const bool only_lines = std::ranges::all_of(items.items, [](const Primitives::Item& item) {
     return item.kind == Primitives::Kind::line;
   });
-  if (only_lines) return by_franklin(items, names, options);
+  if (only_lines) return by_franklin(items, names, plan);
   std::optional<GridSurface> found;
-  if (options.surface == nullptr) found.emplace(items);
-  const GridSurface& surface = found ? *found : *options.surface;
+  if (known == nullptr) found.emplace(items);
+  const GridSurface& surface = found ? *found : *known;
   const Verticals verticals(surface);
   if (verticals.are_points() || !verticals.make_columns()) {
-    return by_franklin(items, names, options);
+    return by_franklin(items, names, plan);
   }
   const NamedSides named(surface, verticals, names, items);
   SeenLines seen, others;
   const auto find_others = [&] {
     if (named.others().empty()) return;
-    others = by_franklin(items, named.others(), {options.precision, options.threads, {}, nullptr});
+    SurfacePlan quietly = plan;  // progress is that of the surface
+    quietly.progress = {};
+    others = by_franklin(items, named.others(), quietly);
   };
-  if (options.precision.exact) {
+  if (plan.precision.exact) {
     const SurfaceColumns columns(surface, verticals);
-    const auto parts = columns.parts(static_cast<std::size_t>(useful_threads(options.threads)));
+    const auto parts = columns.parts(static_cast<std::size_t>(useful_threads(plan.threads)));
     const auto make = [&](std::size_t part) {
       return PerimeterPolylines(surface, verticals, columns, parts[part]);
     };
-    seen.pieces = pieces_of(surface, named, names, parts.size(), make, options, find_others);
+    seen.pieces = pieces_of(surface, named, names, parts.size(), make, plan, find_others);
   } else {
     const auto make = [&](std::size_t) {
-      return WholeArray(surface, verticals, options.precision.roundoff);
+      return WholeArray(surface, verticals, plan.precision.roundoff);
     };
-    seen.pieces = pieces_of(surface, named, names, 1, make, options, find_others);
+    seen.pieces = pieces_of(surface, named, names, 1, make, plan, find_others);
   }
   if (others.pieces.empty()) return seen;
   std::vector<VisiblePiece> all;

@@ -12,8 +12,10 @@ namespace displayfile {
 /// crumbs where sides run along a vertical; with ROUNDOFF those of an array of minima and maxima
 /// (perimeter_array.h). Names are in order, each once. Throws Error if the polygons are not one
 /// whole surface (grid_surface.h), and if there are intersections.
+/// `known` is that surface, or null.
 SeenLines visible_lines_by_perimeter(const Primitives& items, std::span<const LineName> names,
-                                     const LineOptions& options,
-                                     std::span<const IntersectionLine> intersections);
+                                     const SurfacePlan& plan,
+                                     std::span<const IntersectionLine> intersections,
+                                     const GridSurface* known);
 
 }  // namespace displayfile

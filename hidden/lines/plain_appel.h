@@ -20,7 +20,7 @@ namespace displayfile {
 /// What an observer of PlainAppel has; this one does nothing. A share of a line is a place along
 /// it, from 0 to 1.
 struct UnobservedAppel {
-  using Line = LineScene::Line;
+  using Line = LineTable::Line;
   /// The counts at the line's start, by comparison with all polygons there,
   static void ray(const Line& /*line*/, const SideCounts& /*start*/) {}
   /// or from the number known of the point where it begins or ends.
@@ -47,10 +47,10 @@ struct UnobservedAppel {
 template <class Policy, class Observer = UnobservedAppel>
 class PlainAppel {
  public:
-  using Line = LineScene::Line;
+  using Line = LineTable::Line;
 
   /// What is given must stay.
-  PlainAppel(const AppelScene& scene, const Policy& policy, Observer& observer)
+  PlainAppel(const AppelTables& scene, const Policy& policy, Observer& observer)
       : scene_(scene),
         lines_(scene.lines.lines()),
         firsts_(scene.lines.first_lines_of_names()),
@@ -67,9 +67,9 @@ class PlainAppel {
 
   /// What is seen of all lines, in the order in which they are followed. With a ROUNDOFF, by which
   /// carried counts need not add up, each line gets a ray.
-  std::vector<SeenPart> find(const LineOptions& options) {
-    CountedWork work(options.progress, scene_.lines.first_lines().size());
-    find_vertices(options.precision.exact);
+  std::vector<SeenPart> find(const SurfacePlan& plan) {
+    CountedWork work(plan.progress, scene_.lines.first_lines().size());
+    find_vertices(plan.precision.exact);
     done_.assign(firsts_.size(), 0);
     for (std::uint32_t k = 0; k < firsts_.size(); ++k) {
       if (done_[k] == 0) follow_from(k, work);
@@ -202,7 +202,7 @@ class PlainAppel {
     }
   }
 
-  const AppelScene& scene_;
+  const AppelTables& scene_;
   std::span<const Line> lines_;
   std::span<const std::uint32_t> firsts_;  // of the names, the first line
   LineFollower<Policy> follower_;

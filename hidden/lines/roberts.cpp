@@ -6,17 +6,17 @@
 
 namespace displayfile {
 
-SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
-                                   const LineOptions& options) {
+SeenLines visible_lines_by_roberts(const Primitives& items, const LineTable& scene,
+                                   const SurfacePlan& plan) {
   const ConvexObjects objects(items, scene);
-  const ExtentTree tree = extent_tree(objects.extents(), options.threads);
+  const ExtentTree tree = extent_tree(objects.extents(), plan.threads);
   const auto find = [&](const auto& policy) {
-    return visible_pieces(scene, scene.first_lines(), options,
+    return visible_pieces(scene, scene.first_lines(), plan,
                           [&] { return Roberts(scene, objects, tree, policy); });
   };
   const Definitions points{items.points, {}};
-  if (options.precision.exact) return find(ExactLines(points));
-  return find(RoundoffLines(points, options.precision.roundoff));
+  if (plan.precision.exact) return find(ExactLines(points));
+  return find(RoundoffLines(points, plan.precision.roundoff));
 }
 
 }  // namespace displayfile

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
 /// The visible pieces by Roberts's method (hidden/lines/roberts.md): each line against each polygon
 /// that may hide it. The plain form, and the others' reference.
-SeenLines visible_lines_by_roberts(const Primitives& items, const LineScene& scene,
-                                   const LineOptions& options);
+SeenLines visible_lines_by_roberts(const Primitives& items, const LineTable& scene,
+                                   const SurfacePlan& plan);
 
 }  // namespace displayfile

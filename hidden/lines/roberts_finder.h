@@ -27,7 +27,7 @@ template <class Policy, class Observer = RobertsUnobserved>
 class Roberts {
  public:
   /// The tree is of the objects' extents.
-  Roberts(const LineScene& scene, const ConvexObjects& objects, const ExtentTree& tree,
+  Roberts(const LineTable& scene, const ConvexObjects& objects, const ExtentTree& tree,
           const Policy& policy, const Observer& observer = {})
       : scene_(scene),
         objects_(objects),
@@ -36,7 +36,7 @@ class Roberts {
         line_(scene, policy),
         observer_(observer) {}
 
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     parts_.clear();
     line_.look_at(line);
     has_own_ends_ = scene_.intersection(line) == nullptr;
@@ -94,7 +94,7 @@ class Roberts {
     return behind ? Hides::all : Hides::some;
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const ConvexObjects& objects_;
   const ExtentTree& tree_;
   const Policy& policy_;

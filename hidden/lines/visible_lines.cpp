@@ -13,7 +13,7 @@
 #include "hidden/lines/franklin.h"
 #include "hidden/lines/grid_surface.h"
 #include "hidden/lines/items_near_lines.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/lines_of_surface.h"
 #include "hidden/lines/perimeter.h"
 #include "hidden/lines/roberts.h"
@@ -138,8 +138,9 @@ std::vector<LineName> drawn_lines(const Primitives& items) {
 }
 
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                        HiddenMethod method, const LineOptions& options,
-                        std::span<const IntersectionLine> intersections) {
+                        const SurfacePlan& plan, std::span<const IntersectionLine> intersections,
+                        const GridSurface* surface) {
+  const HiddenMethod method = plan.method;
   if (!finds_lines(method)) {
     throw Error("the hidden-line method " + std::string(name_of(method)) +
                 " does not find visible lines: expected roberts, appel, franklin, perimeter or "
@@ -150,19 +151,19 @@ SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines
   if (!std::ranges::is_sorted(names)) std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   if (method == HiddenMethod::perimeter) {
-    return visible_lines_by_perimeter(items, names, options, intersections);
+    return visible_lines_by_perimeter(items, names, plan, intersections, surface);
   }
-  const ItemsNearLines near(items, names, intersections, options.threads);
-  const LineScene scene(near.items(), near.names(), options.threads, near.intersections());
+  const ItemsNearLines near(items, names, intersections, plan.threads);
+  const LineTable scene(near.items(), near.names(), plan.threads, near.intersections());
   const auto by_method = [&] {
     if (method == HiddenMethod::roberts) {
-      return visible_lines_by_roberts(near.items(), scene, options);
+      return visible_lines_by_roberts(near.items(), scene, plan);
     }
-    if (method == HiddenMethod::appel) return visible_lines_by_appel(near.items(), scene, options);
+    if (method == HiddenMethod::appel) return visible_lines_by_appel(near.items(), scene, plan);
     if (method == HiddenMethod::plain_appel) {
-      return visible_lines_by_plain_appel(near.items(), scene, options);
+      return visible_lines_by_plain_appel(near.items(), scene, plan);
     }
-    return visible_lines_by_franklin(near.items(), scene, options);
+    return visible_lines_by_franklin(near.items(), scene, plan);
   };
   return near.by_all_items(by_method());
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/base/work_progress.h"
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/primitives.h"
 
@@ -43,13 +43,6 @@ struct SeenLines {
 
 class GridSurface;
 
-struct LineOptions {
-  Precision precision;
-  int threads = 1;                       ///< the result is the same for any number
-  WorkProgress progress = {};            ///< told of lines that were looked at, if not empty
-  const GridSurface* surface = nullptr;  ///< that the items are, if that is known
-};
-
 /// The lines that are drawn: all lines, and the sides of polygons that are visible, in order of
 /// items and corners. A side that polygons share is there once, as the first of those that are
 /// drawn. What projects to a point is left out.
@@ -72,13 +65,14 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const s
 /// exact precision each end of a piece is the true one, rounded once to the nearest double, so that
 /// all methods give the same pieces. Throws Error for a line that there is not, or a method that
 /// finds no lines: expected are roberts, appel, franklin, plain_appel and, for a surface,
-/// perimeter.
+/// perimeter. `surface` is what the items are, if that is known.
 ///
 /// Intersections are those that intersection_lines found among the same items, or some of them.
 /// Exact precision takes each as the line that both planes have in common, between its ends as
 /// they are defined, and not as the line between the rounded ones.
 SeenLines visible_lines(const Primitives& items, std::span<const LineName> lines,
-                        HiddenMethod method, const LineOptions& options,
-                        std::span<const IntersectionLine> intersections = {});
+                        const SurfacePlan& plan,
+                        std::span<const IntersectionLine> intersections = {},
+                        const GridSurface* surface = nullptr);
 
 }  // namespace displayfile

@@ -16,7 +16,7 @@
 #include "clip/base/work_budget.h"
 #include "clip/base/work_progress.h"
 #include "hidden/lines/hidden_parts.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/visible_lines.h"
 
 namespace displayfile {
@@ -31,7 +31,7 @@ struct SeenPart {
 /// hidden at one of its depths: finder.hidden_parts(line) is united, and valid until it is called
 /// again. A line with more than one depth is hidden where it is at each.
 template <class Finder>
-void find_seen(std::span<const LineScene::Line> lines, std::size_t first, Finder& finder,
+void find_seen(std::span<const LineTable::Line> lines, std::size_t first, Finder& finder,
                std::vector<SeenPart>& seen) {
   const std::uint32_t name = lines[first].name;
   const auto add = [&](const std::vector<PartOfLine>& hidden) {
@@ -91,7 +91,7 @@ class Finders {
 };
 
 /// What was found of all lines, in any order, in that of names; of each line its parts in a row.
-inline SeenLines by_names(const LineScene& scene, std::span<const std::vector<SeenPart>> seen) {
+inline SeenLines by_names(const LineTable& scene, std::span<const std::vector<SeenPart>> seen) {
   const std::size_t names = scene.names(), intersections = scene.intersections().size();
   std::vector<std::size_t> place(names + intersections + 1, 0);  // of each name's pieces
   for (const auto& parts : seen) {
@@ -124,14 +124,14 @@ inline SeenLines by_names(const LineScene& scene, std::span<const std::vector<Se
 /// line of each name in the order in which they are looked at, best so that those near each other
 /// follow each other; the pieces are in order of names.
 template <class MakeFinder>
-SeenLines visible_pieces(const LineScene& scene, std::span<const std::uint32_t> order,
-                         const LineOptions& options, const MakeFinder& make_finder) {
+SeenLines visible_pieces(const LineTable& scene, std::span<const std::uint32_t> order,
+                         const SurfacePlan& plan, const MakeFinder& make_finder) {
   constexpr std::size_t kPart = 512;
   std::vector<std::vector<SeenPart>> seen((order.size() + kPart - 1) / kPart);
   Finders finders(make_finder);
-  CountedWork work(options.progress, order.size());
+  CountedWork work(plan.progress, order.size());
   PieceCount pieces(order.size(), sizeof(SeenPart));
-  in_parallel(options.threads, seen.size(), [&](std::size_t part) {
+  in_parallel(plan.threads, seen.size(), [&](std::size_t part) {
     const std::size_t begin = part * kPart, end = std::min(order.size(), begin + kPart);
     finders.use([&](auto& finder) {
       for (std::size_t k = begin; k < end; ++k) {

@@ -33,7 +33,7 @@ class EdgesAlongLine {
   using Stretch = typename Seen::Stretch;
 
  public:
-  explicit EdgesAlongLine(const MapScene& map)
+  explicit EdgesAlongLine(const MapTable& map)
       : map_(map),
         seen_(map.lines, map.sides, Carrier(map.lines, map.sides)),
         looked_at_(map.lines.items(), 0) {}
@@ -246,7 +246,7 @@ class EdgesAlongLine {
     Place from, to;
   };
 
-  const MapScene& map_;
+  const MapTable& map_;
   Seen seen_;
   std::span<const std::uint32_t> owners_;
   SidePoints own_ = kNoSide;

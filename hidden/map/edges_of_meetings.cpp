@@ -20,7 +20,7 @@ class MeetingFinder {
   using Seen = SeenAlongLine<MeetingCarrier>;
 
  public:
-  explicit MeetingFinder(const MapScene& map) : map_(map), edges_(map) {}
+  explicit MeetingFinder(const MapTable& map) : map_(map), edges_(map) {}
 
   void find(const IntersectionLine& line, std::vector<MapEdge>& edges) {
     Extent box = Extent::nothing();
@@ -40,14 +40,14 @@ class MeetingFinder {
   }
 
  private:
-  const MapScene& map_;
+  const MapTable& map_;
   Edges edges_;
   std::array<std::uint32_t, 2> owners_{};
 };
 
 }  // namespace
 
-std::vector<MapEdge> edges_of_meetings(const MapScene& map, int threads) {
+std::vector<MapEdge> edges_of_meetings(const MapTable& map, int threads) {
   constexpr std::size_t kMeetingsOfAPart = 64;
   std::vector<std::uint32_t> contested;  // nothing passes visibly through what is seen as a whole
   for (std::uint32_t i = 0; i < map.lines.items(); ++i) {

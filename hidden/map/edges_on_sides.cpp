@@ -22,7 +22,7 @@ struct SharedSide {
   SameSides same;
 };
 
-SharedSide shared_side(const MapScene& map, SameSides same) {
+SharedSide shared_side(const MapTable& map, SameSides same) {
   const auto [item, corner] = same.front().name;
   const std::uint32_t p = map.sides.vertex(map.lines.corner_point(item, corner));
   const std::uint32_t before = previous_corner(corner, map.lines.sides(item));
@@ -32,7 +32,7 @@ SharedSide shared_side(const MapScene& map, SameSides same) {
 
 /// 1 if a polygon that is counted has its inside left of the side, -1 if right, 0 if it is not
 /// known.
-int inside_of(const MapScene& map, const ContourEdges& ways, const SharedSide& side,
+int inside_of(const MapTable& map, const ContourEdges& ways, const SharedSide& side,
               const LineName& name) {
   const std::uint32_t end = map.sides.vertex(map.lines.corner_point(name.item, name.corner));
   return end == side.high ? ways.way(name.item) : -ways.way(name.item);
@@ -44,7 +44,7 @@ class SideFinder {
   using Seen = SeenAlongLine<SideCarrier>;
 
  public:
-  SideFinder(const MapScene& map, const ContourEdges& ways) : map_(map), ways_(ways), edges_(map) {}
+  SideFinder(const MapTable& map, const ContourEdges& ways) : map_(map), ways_(ways), edges_(map) {}
 
   void find(const SharedSide& side, std::vector<MapEdge>& edges) {
     const Point3 &a = map_.lines.point(side.low), &b = map_.lines.point(side.high);
@@ -74,7 +74,7 @@ class SideFinder {
     edges_.note_added(name.item);
   }
 
-  const MapScene& map_;
+  const MapTable& map_;
   const ContourEdges& ways_;
   Edges edges_;
   std::vector<std::uint32_t> owners_;
@@ -82,7 +82,7 @@ class SideFinder {
 
 /// The sides of what may be seen, but for those between two polygons that are seen as a whole:
 /// these are edges, which are added.
-std::vector<SharedSide> sides_to_look_at(const MapScene& map, const ContourEdges& ways,
+std::vector<SharedSide> sides_to_look_at(const MapTable& map, const ContourEdges& ways,
                                          std::vector<MapEdge>& edges) {
   using enum SeenFaces::Seen;
   std::vector<SharedSide> sides;
@@ -108,7 +108,7 @@ std::vector<SharedSide> sides_to_look_at(const MapScene& map, const ContourEdges
 
 }  // namespace
 
-std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways, int threads) {
+std::vector<MapEdge> edges_on_sides(const MapTable& map, const ContourEdges& ways, int threads) {
   constexpr std::size_t kSidesOfAPart = 256;
   std::vector<MapEdge> edges;
   const std::vector<SharedSide> sides = sides_to_look_at(map, ways, edges);

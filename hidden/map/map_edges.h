@@ -6,7 +6,7 @@
 
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/contour_edges.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
 #include "hidden/map/seen_faces.h"
@@ -14,16 +14,16 @@
 namespace displayfile {
 
 /// What the edges of a map are found from.
-struct MapScene {
+struct MapTable {
   const Primitives& items;
-  const LineScene& lines;  ///< the polygons; it has no lines
+  const LineTable& lines;  ///< the polygons; it has no lines
   const SideTable& sides;
   const CellGrid& grid;
   const SeenFaces& faces;
 };
 
 /// A part of a line with one item seen left of it and another right of it, going from `from` to
-/// `to`; LineScene::kNone where nothing is seen.
+/// `to`; LineTable::kNone where nothing is seen.
 struct MapEdge {
   MapPlace from, to;
   Point2 at_from, at_to;  ///< the places rounded once
@@ -32,9 +32,9 @@ struct MapEdge {
 };
 
 /// The edges that lie on sides of what is seen beside them.
-std::vector<MapEdge> edges_on_sides(const MapScene& map, const ContourEdges& ways, int threads);
+std::vector<MapEdge> edges_on_sides(const MapTable& map, const ContourEdges& ways, int threads);
 
 /// The edges where what is seen beside them passes through each other.
-std::vector<MapEdge> edges_of_meetings(const MapScene& map, int threads);
+std::vector<MapEdge> edges_of_meetings(const MapTable& map, int threads);
 
 }  // namespace displayfile

@@ -9,7 +9,7 @@ namespace displayfile {
 namespace {
 
 struct PlanesOfPlace {
-  PlanesOfPlace(const LineScene& scene, const MapPlace& place)
+  PlanesOfPlace(const LineTable& scene, const MapPlace& place)
       : planes{scene.plane(place.of[0]), scene.plane(place.of[1]), scene.plane(place.of[2])} {}
   Definitions definitions() const { return {{}, planes}; }
   std::array<Plane, 3> planes;
@@ -17,7 +17,7 @@ struct PlanesOfPlace {
 
 }  // namespace
 
-Point2 rounded(const LineScene& scene, const MapPlace& place) {
+Point2 rounded(const LineTable& scene, const MapPlace& place) {
   const auto at = [&](std::size_t k) { return Point2(scene.point(place.of[k])); };
   switch (place.kind) {
     case MapPlace::Kind::point: return at(0) + 0.0;
@@ -29,7 +29,7 @@ Point2 rounded(const LineScene& scene, const MapPlace& place) {
   return rounded(exact_place(scene, place));
 }
 
-ExactPlace exact_place(const LineScene& scene, const MapPlace& place) {
+ExactPlace exact_place(const LineTable& scene, const MapPlace& place) {
   const auto at = [&](std::size_t k) { return Point2(scene.point(place.of[k])); };
   switch (place.kind) {
     case MapPlace::Kind::point: return exact_place(at(0));
@@ -43,13 +43,13 @@ ExactPlace exact_place(const LineScene& scene, const MapPlace& place) {
   return {p.xyz.x, p.xyz.y, p.w};
 }
 
-int compare_xy(const LineScene& scene, const MapPlace& p, const MapPlace& q) {
+int compare_xy(const LineTable& scene, const MapPlace& p, const MapPlace& q) {
   if (p == q) return 0;
   count_exact(Predicate::line_parameter);
   return compare_xy(exact_place(scene, p), exact_place(scene, q));
 }
 
-int orientation(const LineScene& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r) {
+int orientation(const LineTable& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r) {
   using enum MapPlace::Kind;
   if (p.kind == point && q.kind == point && r.kind == point) {
     const auto at = [&](const MapPlace& place) { return Point2(scene.point(place.of[0])); };

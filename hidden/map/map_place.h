@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "hidden/exact/line_place.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -47,14 +47,14 @@ struct MapPlace {
 };
 
 /// Each coordinate rounded once, to the nearest double.
-Point2 rounded(const LineScene& scene, const MapPlace& place);
-ExactPlace exact_place(const LineScene& scene, const MapPlace& place);
+Point2 rounded(const LineTable& scene, const MapPlace& place);
+ExactPlace exact_place(const LineTable& scene, const MapPlace& place);
 
 /// The order by x, then y, of the true points; 0 if they are one. compare_xy(p, q) =
 /// -compare_xy(q, p).
-int compare_xy(const LineScene& scene, const MapPlace& p, const MapPlace& q);
+int compare_xy(const LineTable& scene, const MapPlace& p, const MapPlace& q);
 /// 1 if the true point r is left of the line from p to q, -1 if right of it, 0 on it.
 /// orientation(p, q, r) = orientation(q, r, p) = -orientation(q, p, r).
-int orientation(const LineScene& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r);
+int orientation(const LineTable& scene, const MapPlace& p, const MapPlace& q, const MapPlace& r);
 
 }  // namespace displayfile

@@ -13,7 +13,7 @@ namespace displayfile {
 class MapVertices {
  public:
   /// Room for so many is made at once.
-  MapVertices(const LineScene& scene, VisibleMap& map, std::size_t expected)
+  MapVertices(const LineTable& scene, VisibleMap& map, std::size_t expected)
       : scene_(scene), map_(map), table_(std::bit_ceil(2 * expected + 2), kFree) {}
 
   /// Vertices where an edge was ended since another's end might touch it.
@@ -57,7 +57,7 @@ class MapVertices {
     }
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   VisibleMap& map_;
   std::vector<std::uint32_t> table_, touched_;
 };

@@ -8,7 +8,7 @@
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/order_on_line.h"
 #include "hidden/lines/intersection_lines.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
 #include "hidden/map/order_above.h"
@@ -24,7 +24,7 @@ class MeetingCarrier {
     MapPlace what;
   };
 
-  MeetingCarrier(const LineScene& scene, const SideTable& sides) : scene_(scene), sides_(sides) {}
+  MeetingCarrier(const LineTable& scene, const SideTable& sides) : scene_(scene), sides_(sides) {}
 
   void look_at(const IntersectionLine& line) {
     line_ = &line;
@@ -116,7 +116,7 @@ class MeetingCarrier {
     return true;
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const SideTable& sides_;
   const IntersectionLine* line_ = nullptr;
   std::vector<Plane> planes_;  // the two, and those of places

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clip/corners.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 
 namespace displayfile {
@@ -39,7 +39,7 @@ class SeenAlongLine {
     Plane plane;
   };
 
-  SeenAlongLine(const LineScene& scene, const SideTable& sides, Carrier line)
+  SeenAlongLine(const LineTable& scene, const SideTable& sides, Carrier line)
       : scene_(scene), sides_(sides), line_(std::move(line)) {}
 
   Carrier& line() { return line_; }
@@ -269,7 +269,7 @@ class SeenAlongLine {
     }
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const SideTable& sides_;
   Carrier line_;
   std::uint32_t contested_ = kNothing;

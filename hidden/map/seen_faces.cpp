@@ -17,7 +17,7 @@ constexpr double kMostCellsToLookUp = 16.0;
 /// Looks at one polygon after the other, among those that are near it.
 class FaceFinder {
  public:
-  FaceFinder(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid)
+  FaceFinder(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid)
       : scene_(scene), ways_(ways), grid_(grid), looked_at_(scene.items(), 0) {}
 
   SeenFaces::Seen look_at(std::uint32_t item) {
@@ -161,7 +161,7 @@ class FaceFinder {
     return any;
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   const ContourEdges& ways_;
   const CellGrid& grid_;
   std::uint32_t item_ = 0;
@@ -172,13 +172,13 @@ class FaceFinder {
 
 }  // namespace
 
-SeenFaces::SeenFaces(const LineScene& scene) {
+SeenFaces::SeenFaces(const LineTable& scene) {
   for (std::uint32_t i = 0; i < scene.items(); ++i) {
     seen_.push_back(scene.hides(i) ? Seen::some : Seen::nothing);
   }
 }
 
-SeenFaces::SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid,
+SeenFaces::SeenFaces(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid,
                      int threads)
     : seen_(scene.items(), Seen::nothing) {
   if (grid.levels().empty()) return;

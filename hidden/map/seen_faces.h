@@ -6,7 +6,7 @@
 
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/contour_edges.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 namespace displayfile {
 
@@ -20,9 +20,9 @@ class SeenFaces {
   };
 
   /// Nothing is known of what hides.
-  explicit SeenFaces(const LineScene& scene);
+  explicit SeenFaces(const LineTable& scene);
   /// Exactly, what is told.
-  SeenFaces(const LineScene& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
+  SeenFaces(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
 
   Seen operator[](std::uint32_t item) const {
     assert(item < seen_.size());

@@ -7,7 +7,7 @@
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/line_parameter.h"
 #include "hidden/exact/orientation.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
 #include "hidden/map/order_above.h"
@@ -24,7 +24,7 @@ class SideCarrier {
     MapPlace what;
   };
 
-  SideCarrier(const LineScene& scene, const SideTable& /*sides*/) : scene_(scene) {}
+  SideCarrier(const LineTable& scene, const SideTable& /*sides*/) : scene_(scene) {}
 
   /// The points differ in the projection.
   void look_at(std::uint32_t a, std::uint32_t b) {
@@ -133,7 +133,7 @@ class SideCarrier {
     return {share, error, what};
   }
 
-  const LineScene& scene_;
+  const LineTable& scene_;
   std::uint32_t a_ = 0, b_ = 0;
   Point3 from_{0.0}, to_{0.0};
   int axis_ = 0;  // along which the ends differ

@@ -45,7 +45,7 @@ void join_edges(const std::vector<std::uint32_t>& touched, VisibleMap& map) {
   map.edges.resize(last + 1);
 }
 
-void find_map(const MapScene& scene, const ContourEdges& ways, int threads, VisibleMap& map) {
+void find_map(const MapTable& scene, const ContourEdges& ways, int threads, VisibleMap& map) {
   const std::vector<MapEdge> sides = edges_on_sides(scene, ways, threads);
   const std::vector<MapEdge> meetings = edges_of_meetings(scene, threads);
   MapVertices vertices(scene.lines, map, sides.size() + meetings.size());
@@ -60,7 +60,7 @@ void find_map(const MapScene& scene, const ContourEdges& ways, int threads, Visi
 VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
   const NamedWork named({"the map of what is seen", "for pixels hidden-surface method z-buffer"});
   VisibleMap map;
-  const LineScene scene(items, {}, options.threads);
+  const LineTable scene(items, {}, options.threads);
   const SideTable sides(items);
   const ContourEdges ways(scene, items, sides, options.threads);
   CellGrid grid(scene, options.threads);

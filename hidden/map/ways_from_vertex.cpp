@@ -43,7 +43,7 @@ bool WaysFromVertex::is_same_way(std::uint32_t vertex, std::uint32_t p, std::uin
   return order(p) == order(q);
 }
 
-const LineScene& WaysFromVertex::scene() const {
+const LineTable& WaysFromVertex::scene() const {
   if (!scene_) scene_.emplace(items_, std::span<const LineName>(), 1);
   return *scene_;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/map/visible_map.h"
 
 namespace displayfile {
@@ -26,11 +26,11 @@ class WaysFromVertex {
   /// line.
   int turn(std::uint32_t vertex, std::uint32_t p, std::uint32_t q) const;
   bool is_same_way(std::uint32_t vertex, std::uint32_t p, std::uint32_t q) const;
-  const LineScene& scene() const;
+  const LineTable& scene() const;
 
   const Primitives& items_;
   const VisibleMap& map_;
-  mutable std::optional<LineScene> scene_;  // made where rounded vertices do not tell
+  mutable std::optional<LineTable> scene_;  // made where rounded vertices do not tell
 };
 
 }  // namespace displayfile

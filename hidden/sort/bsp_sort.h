@@ -4,11 +4,11 @@
 
 namespace displayfile {
 
-/// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the options: a tree of
+/// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the plan: a tree of
 /// polygons, each node's plane dividing what is in front from what is in back (hidden/sort/bsp.md).
-SortedPieces sort_by_bsp(const Primitives& items, const SortOptions& options);
+SortedPieces sort_by_bsp(const Primitives& items, const SurfacePlan& plan);
 
 /// The same by the textbook's tree alone (hidden/sort/plain_bsp.h): no root is chosen.
-SortedPieces sort_by_plain_bsp(const Primitives& items, const SortOptions& options);
+SortedPieces sort_by_plain_bsp(const Primitives& items, const SurfacePlan& plan);
 
 }  // namespace displayfile

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hidden/sort/islands.h"
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
 
 namespace displayfile {
 
@@ -28,7 +28,7 @@ class RootChooser {
   using Index = PolygonTable::Index;
 
   /// What is given must stay; the islands may become known until the first choice.
-  RootChooser(SortScene<Policy>& scene, const std::optional<Islands<Policy>>& islands,
+  RootChooser(SortTables<Policy>& scene, const std::optional<Islands<Policy>>& islands,
               RootChoice choice)
       : scene_(scene), table_(scene.table), islands_(islands), choice_(choice) {}
 
@@ -186,7 +186,7 @@ class RootChooser {
   }
   static constexpr double kCostOfACut = 8.0, kCostOfAPair = 4.0;
 
-  SortScene<Policy>& scene_;
+  SortTables<Policy>& scene_;
   PolygonTable& table_;
   const std::optional<Islands<Policy>>& islands_;
   RootChoice choice_;

@@ -23,12 +23,12 @@ using Index = PolygonTable::Index;
 template <class Policy>
 class DepthSort {
  public:
-  DepthSort(SortScene<Policy>& scene, const SortOptions& options)
-      : scene_(scene), table_(scene.table), options_(options) {}
+  DepthSort(SortTables<Policy>& scene, const SurfacePlan& plan)
+      : scene_(scene), table_(scene.table), plan_(plan) {}
 
   SortedPieces sorted() {
     const std::size_t most = kPairsOfAPolygon * std::size_t{table_.free()} + 4096;
-    auto [extents, pairs] = overlapping_pairs(scene_, most, options_.threads);
+    auto [extents, pairs] = overlapping_pairs(scene_, most, plan_.threads);
     extents_ = std::move(extents);
     if (pairs) {
       order_pairs(*pairs);
@@ -57,9 +57,9 @@ class DepthSort {
   }
 
   void sort_by_tree(std::span<const Index> polygons) {
-    SortOptions options = options_;
-    options.root = RootChoice::sample;
-    SortPolygons tree(scene_, options);
+    SurfacePlan plan = plan_;
+    plan.root = RootChoice::sample;
+    SortPolygons tree(scene_, plan);
     tree.sort(polygons);
     order_.insert(order_.end(), tree.order().begin(), tree.order().end());
     tree_depth_ = std::max(tree_depth_, tree.depth());
@@ -73,7 +73,7 @@ class DepthSort {
   void order_pairs(std::vector<Overlaps::Pair>& pairs) {
     std::vector<DrawnFirst> orders(pairs.size());
     constexpr std::uint32_t kPart = 4096;
-    in_parts(static_cast<std::uint32_t>(pairs.size()), kPart, options_.threads,
+    in_parts(static_cast<std::uint32_t>(pairs.size()), kPart, plan_.threads,
              [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
                for (std::uint32_t k = from; k < to; ++k) {
                  const auto [a, b] = pairs[k];
@@ -423,9 +423,9 @@ class DepthSort {
     return order == DrawnFirst::first || order == DrawnFirst::neither;
   }
 
-  SortScene<Policy>& scene_;
+  SortTables<Policy>& scene_;
   PolygonTable& table_;
-  const SortOptions& options_;
+  const SurfacePlan& plan_;
   std::vector<Extent> extents_;
   std::vector<Index> order_;
   std::uint64_t compared_ = 0;
@@ -447,15 +447,15 @@ class DepthSort {
 
 }  // namespace
 
-SortedPieces sort_by_depth(const Primitives& items, const SortOptions& options) {
+SortedPieces sort_by_depth(const Primitives& items, const SurfacePlan& plan) {
   const auto sort = [&](const auto& policy) {
-    SortScene scene(items, policy);
-    scene.table.most_entries = most_pieces_of_sort(options, items.items.size());
-    return DepthSort(scene, options).sorted();
+    SortTables scene(items, policy);
+    scene.table.most_entries = most_pieces_of_sort(plan, items.items.size());
+    return DepthSort(scene, plan).sorted();
   };
   const Definitions points{items.points, {}};
-  if (options.precision.exact) return sort(Exact(points));
-  return sort(Roundoff::relative(points, options.precision.roundoff));
+  if (plan.precision.exact) return sort(Exact(points));
+  return sort(Roundoff::relative(points, plan.precision.roundoff));
 }
 
 }  // namespace displayfile

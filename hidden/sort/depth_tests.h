@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
 
 namespace displayfile {
 
@@ -20,7 +20,7 @@ inline DrawnFirst reversed(DrawnFirst d) {
 /// plane, and the other way round. Undecided (neither) where each is cut by the other's plane, or
 /// the other has none.
 template <class Policy>
-DrawnFirst tested_order(const SortScene<Policy>& scene, PolygonTable::Index a,
+DrawnFirst tested_order(const SortTables<Policy>& scene, PolygonTable::Index a,
                         PolygonTable::Index b, const Extent& box_a, const Extent& box_b) {
   if (box_a.z_max < box_b.z_min) return DrawnFirst::first;
   if (box_b.z_max < box_a.z_min) return DrawnFirst::second;

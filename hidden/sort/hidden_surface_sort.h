@@ -6,29 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "clip/base/work_progress.h"
 #include "clip/point.h"
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {
-
-struct SortOptions {
-  Precision precision;
-  RootChoice root = RootChoice::free;
-  int threads = 1;             ///< the result is the same for any number
-  WorkProgress progress = {};  ///< told by methods that find lines: of the lines looked at
-  bool names_sides = false;    ///< SortedPieces::corners is wanted
-  std::size_t most_pieces = kMostPieces;
-  /// The methods that find lines show those too along which polygons pass through each other
-  /// (hidden/lines/intersection_lines.h).
-  bool intersections = false;
-  /// Drawn too, by who finds lines (hidden/lines/lines_in_order.h).
-  HiddenLines hidden_lines = HiddenLines::none;
-  /// The map tells which of its pieces the light reaches (SortedPieces::lights), where shadows are
-  /// shown.
-  bool shadows = false;
-};
 
 /// A polygon or line in the order, or a piece of one that was cut.
 struct SortedPiece {
@@ -99,13 +81,12 @@ struct SortedPieces {
 
 /// Sorts by `bsp`, `plain_bsp` or `depth_sort` (hidden/sort/bsp.md, hidden/sort/depth_sort.md).
 /// Polygons that are edge-on or of fewer than three different points hide nothing; they keep their
-/// outlines. Throws Error for another method, and where more pieces would be made than the options
-/// allow.
-SortedPieces sort_hidden_surfaces(const Primitives& items, HiddenMethod method,
-                                  const SortOptions& options);
+/// outlines. Throws Error for another method, and where more pieces would be made than the plan
+/// allows.
+SortedPieces sort_hidden_surfaces(const Primitives& items, const SurfacePlan& plan);
 
-/// How many pieces the sort of so many items may have: what the options and the budget in force
-/// allow, the budget alone where the options say nothing else; but always what is not cut.
-std::size_t most_pieces_of_sort(const SortOptions& options, std::size_t items);
+/// How many pieces the sort of so many items may have: what the plan and the budget in force
+/// allow, the budget alone where the plan has the usual number; but always what is not cut.
+std::size_t most_pieces_of_sort(const SurfacePlan& plan, std::size_t items);
 
 }  // namespace displayfile

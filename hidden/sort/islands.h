@@ -21,7 +21,7 @@ class Islands {
   using Index = PolygonTable::Index;
 
   /// The islands among all entries of the scene's table; nothing if too many overlap to be listed.
-  static std::optional<Islands> find(const SortScene<Policy>& scene, int threads) {
+  static std::optional<Islands> find(const SortTables<Policy>& scene, int threads) {
     const std::size_t most = 64 * std::size_t{scene.table.free()} + 4096;
     auto [extents, pairs] = overlapping_pairs(scene, most, threads);
     if (!pairs) return std::nullopt;
@@ -98,7 +98,7 @@ class Islands {
   }
 
  private:
-  Islands(const SortScene<Policy>& scene, std::vector<Extent> extents,
+  Islands(const SortTables<Policy>& scene, std::vector<Extent> extents,
           std::vector<Overlaps::Pair> pairs)
       : scene_(&scene),
         overlaps_(std::move(pairs), extents.size()),
@@ -124,7 +124,7 @@ class Islands {
     return extents_[i].meets_in_projection(extents_[its.member]);
   }
 
-  const SortScene<Policy>* scene_;
+  const SortTables<Policy>* scene_;
   Overlaps overlaps_;
   std::vector<Extent> extents_;
   std::vector<Index> origin_of_;  // the entry that a piece was cut from

@@ -11,7 +11,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/parallel.h"
 #include "clip/base/work_budget.h"
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
 
 namespace displayfile {
 
@@ -55,7 +55,7 @@ struct OverlappingPairs {
 };
 
 template <class Policy>
-OverlappingPairs overlapping_pairs(const SortScene<Policy>& scene, std::size_t most, int threads) {
+OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t most, int threads) {
   using Index = PolygonTable::Index;
   const Index entries = scene.table.free();
   OverlappingPairs result{std::vector<Extent>(entries), {}};

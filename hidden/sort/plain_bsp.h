@@ -10,7 +10,7 @@
 #include "clip/base/work_budget.h"
 #include "hidden/sort/compare_polys.h"
 #include "hidden/sort/polygon_table.h"
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
 
 namespace displayfile {
 
@@ -45,7 +45,7 @@ class PlainBsp {
   /// The textbook links each polygon in before the others of a list: its first is the last here.
   using List = std::vector<Index>;
 
-  PlainBsp(SortScene<Policy>& scene, Comparing& comparing, Observer& observer)
+  PlainBsp(SortTables<Policy>& scene, Comparing& comparing, Observer& observer)
       : scene_(scene), table_(scene.table), comparing_(comparing), observer_(observer) {}
 
   /// Algorithm 9.8, HIDDEN-SURFACE-CHECK's two steps, of all entries of the table.
@@ -178,7 +178,7 @@ class PlainBsp {
     }
   }
 
-  SortScene<Policy>& scene_;
+  SortTables<Policy>& scene_;
   PolygonTable& table_;
   Comparing& comparing_;
   Observer& observer_;

@@ -9,7 +9,7 @@
 #include "clip/base/work_budget.h"
 #include "hidden/sort/choose_root.h"
 #include "hidden/sort/islands.h"
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
 
 namespace displayfile {
 
@@ -20,12 +20,9 @@ class SortPolygons {
  public:
   using Index = PolygonTable::Index;
 
-  /// The scene and the options must stay.
-  SortPolygons(SortScene<Policy>& scene, const SortOptions& options)
-      : scene_(scene),
-        table_(scene.table),
-        options_(options),
-        roots_(scene, islands_, options.root) {}
+  /// The scene and the plan must stay.
+  SortPolygons(SortTables<Policy>& scene, const SurfacePlan& plan)
+      : scene_(scene), table_(scene.table), plan_(plan), roots_(scene, islands_, plan.root) {}
 
   SortPolygons(const SortPolygons&) = delete;  // its parts know each other by reference
   SortPolygons& operator=(const SortPolygons&) = delete;
@@ -36,8 +33,7 @@ class SortPolygons {
     for (Index i = 0; i < table_.free(); ++i) {
       if (table_[i].sides > 0) link(list, i, false);
     }
-    if (options_.root == RootChoice::free)
-      islands_ = Islands<Policy>::find(scene_, options_.threads);
+    if (plan_.root == RootChoice::free) islands_ = Islands<Policy>::find(scene_, plan_.threads);
     hidden_surface_check(list);
     assert(order_.size() == number_of_polygons());
   }
@@ -197,9 +193,9 @@ class SortPolygons {
                       [&](Index a, Index b) { return scene_.entered_before(a, b); });
   }
 
-  SortScene<Policy>& scene_;
+  SortTables<Policy>& scene_;
   PolygonTable& table_;
-  const SortOptions& options_;
+  const SurfacePlan& plan_;
 
   std::vector<Unsorted> unsorted_;
   std::vector<Index> members_;  // of the list being sorted

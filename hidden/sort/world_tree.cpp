@@ -71,31 +71,32 @@ WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
   per_length = usable ? 1.0 / (length * kInflate) : 0.0;
 }
 
-WorldTree::WorldTree(const Primitives& world, const SortOptions& options) {
+WorldTree::WorldTree(const Primitives& world, const SurfacePlan& plan, bool names_sides) {
   const NamedWork named(
       {"the tree of all views", "a hidden-surface method in image space, such as z-buffer"});
   const Definitions points{world.points, {}};
-  if (options.precision.exact) {
-    build(world, Exact(points, Exact::Lift::along_facing_axis), options);
+  if (plan.precision.exact) {
+    build(world, Exact(points, Exact::Lift::along_facing_axis), plan, names_sides);
   } else {
-    build(world, Roundoff::relative(points, options.precision.roundoff), options);
+    build(world, Roundoff::relative(points, plan.precision.roundoff), plan, names_sides);
   }
 }
 
 template <class Policy>
-void WorldTree::build(const Primitives& world, const Policy& policy, const SortOptions& asked) {
-  SortOptions options;
-  options.root = asked.root == RootChoice::free ? RootChoice::sample : asked.root;
-  SortScene scene(world, policy, SortSpace::world);
-  scene.table.most_entries = most_pieces_of_sort(asked, world.items.size());
-  SortPolygons sorting(scene, options);
+void WorldTree::build(const Primitives& world, const Policy& policy, const SurfacePlan& plan,
+                      bool names_sides) {
+  SurfacePlan of_tree;
+  of_tree.root = plan.root == RootChoice::free ? RootChoice::sample : plan.root;
+  SortTables scene(world, policy, SortSpace::world);
+  scene.table.most_entries = most_pieces_of_sort(plan, world.items.size());
+  SortPolygons sorting(scene, of_tree);
   sorting.sort_all();
   const std::vector<Placed> placed = Placed::front_first(scene.table, sorting.root());
   add_nodes(scene, placed);
   std::vector<Index> pieces;
   pieces.reserve(sorting.order().size());
   for (const Placed& node : placed) add_pieces(scene, node.entry, pieces);
-  pieces_ = sorted_pieces(scene, pieces, asked.names_sides);
+  pieces_ = sorted_pieces(scene, pieces, names_sides);
   pieces_.depth = sorting.depth();
   degenerate_ = static_cast<Index>(scene.degenerate.size());
 }

@@ -21,9 +21,9 @@ class WorldTree {
  public:
   using Index = std::uint32_t;
 
-  /// The options give the precision, how many pieces there may be, and how a root is chosen: `free`
+  /// The plan gives the precision, how many pieces there may be, and how a root is chosen: `free`
   /// is `sample` here, since overlaps in a projection belong to one view.
-  WorldTree(const Primitives& world, const SortOptions& options);
+  WorldTree(const Primitives& world, const SurfacePlan& plan, bool names_sides = false);
 
   /// The pieces that the orders are of, in world coordinates; each item is one piece or more. The
   /// order in which they stand here has no meaning.
@@ -66,7 +66,8 @@ class WorldTree {
   struct Placed;
 
   template <class Policy>
-  void build(const Primitives& world, const Policy& policy, const SortOptions& asked);
+  void build(const Primitives& world, const Policy& policy, const SurfacePlan& plan,
+             bool names_sides);
   template <class Scene>
   void add_nodes(const Scene& scene, std::span<const Placed> placed);
   template <bool far_first, class Visitor>

@@ -56,17 +56,18 @@ DrawOptions draw_options(const df_options& options) {
   DrawOptions result;
   if (options.width != 0) result.width = options.width;
   if (options.height != 0) result.height = options.height;
-  if (options.method != nullptr) result.hidden = hidden_method(options.method);
-  if (options.scope != nullptr) result.scope = hidden_scope(options.scope);
-  if (options.precision != nullptr) result.precision = precision(options.precision);
-  if (options.hidden_lines != nullptr) result.hidden_lines = hidden_lines(options.hidden_lines);
+  if (options.method != nullptr) result.surfaces.method = hidden_method(options.method);
+  if (options.scope != nullptr) result.surfaces.scope = hidden_scope(options.scope);
+  if (options.precision != nullptr) result.surfaces.precision = precision(options.precision);
+  if (options.hidden_lines != nullptr)
+    result.surfaces.hidden_lines = hidden_lines(options.hidden_lines);
   if (options.device != nullptr) result.device = options.device;
   result.background = background_of(options);
   if (options.samples != 0) result.samples = options.samples;
-  if (options.threads != 0) result.threads = options.threads;
+  if (options.threads != 0) result.surfaces.threads = options.threads;
   if (options.most_pieces != 0) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
-    result.most_pieces = static_cast<std::size_t>(std::min(options.most_pieces, kMost));
+    result.surfaces.most_pieces = static_cast<std::size_t>(std::min(options.most_pieces, kMost));
   }
   if (options.first_row != 0 || options.end_row != 0) {
     result.rows = PictureRows{options.first_row, options.end_row};
@@ -335,8 +336,8 @@ int df_steps(df_system* system, const df_options* options, size_t most_steps, co
     require_given(text, "where the text goes");
     require_given(length, "where the length goes");
     StepsOptions steps;
-    if (!asked.hidden) throw Error("method: expected one that tells its steps");
-    steps.method = *asked.hidden;
+    if (!asked.surfaces.method) throw Error("method: expected one that tells its steps");
+    steps.method = *asked.surfaces.method;
     steps.width = asked.width;
     steps.height = asked.height;
     if (most_steps != 0) steps.most_steps = most_steps;

@@ -11,28 +11,6 @@
 
 namespace displayfile {
 
-HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options) {
-  return {.method = options.hidden,
-          .scope = options.scope,
-          .precision = options.precision,
-          .threads = options.threads,
-          .most_pieces = options.most_pieces,
-          .progress = options.progress,
-          .budget = options.budget,
-          .hidden_lines = options.hidden_lines,
-          .root = options.root};
-}
-
-void set_hidden_surfaces(DrawOptions& options, const HiddenSurfaceOptions& surfaces) {
-  options.hidden = surfaces.method;
-  options.scope = surfaces.scope;
-  options.precision = surfaces.precision;
-  options.hidden_lines = surfaces.hidden_lines;
-  options.root = surfaces.root;
-  options.threads = surfaces.threads;
-  options.most_pieces = surfaces.most_pieces;
-}
-
 PictureKind picture_kind(const Destination& to, const DrawOptions& options) {
   return format_of(to, options).write_vectors != nullptr ? PictureKind::vector
                                                          : PictureKind::raster;
@@ -47,7 +25,8 @@ namespace {
 
 /// Why it is a method that was not picked.
 std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
-  if (options.hidden || system.hidden_surfaces().z_buffer || system.hidden_surfaces().removal)
+  if (options.surfaces.method || system.hidden_surfaces().z_buffer ||
+      system.hidden_surfaces().removal)
     return "as set";
   const auto& segments = system.display_file().segments();
   const bool some_sorted = std::any_of(segments.begin(), segments.end(),
@@ -56,9 +35,9 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
     return "hidden-line removal is off now; segments stay as they were sorted when they were "
            "closed";
   }
-  const SaidSettings& said = system.said();
+  const ExplicitSettings& set = system.explicit_settings();
   const bool is_set =
-      said.contains(Setting::hidden_line_removal) || said.contains(Setting::hidden_method);
+      set.contains(Setting::hidden_line_removal) || set.contains(Setting::hidden_method);
   return is_set ? "hidden-line removal is off"
                 : "all points have one depth: the order of entry holds";
 }

@@ -16,7 +16,6 @@
 
 namespace displayfile {
 
-struct HiddenSurfaceOptions;
 class SortedDisplayFile;
 
 /// What a picture does not show that its user may have expected.
@@ -24,6 +23,7 @@ struct DrawWarning {
   enum class Kind {
     nothing_seen,  ///< there is nothing but the background, and why
     hidden_lines,  ///< those that the application set to be drawn dashed: nothing finds them
+    stretched,     ///< the picture has another shape than the system's pictures
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -38,19 +38,13 @@ struct DrawOptions {
   /// Only these rows of a picture of pixels, the same as they are in the whole of it, as a picture
   /// of so many. Machines may share a picture so.
   std::optional<PictureRows> rows = std::nullopt;
-  std::optional<HiddenMethod> hidden =
-      std::nullopt;  ///< these four in place of what the application set
-  std::optional<HiddenScope> scope = std::nullopt;
-  std::optional<Precision> precision = std::nullopt;
-  std::optional<HiddenLines> hidden_lines = std::nullopt;
-  RootChoice root = RootChoice::free;  ///< of the trees of `bsp`; Error for any other method
+  /// How hidden surfaces are found, by how many threads, and within which limits.
+  HiddenSurfaceOptions surfaces = {};
   /// The extension of one of picture_formats(), with its dot or without, in place of the file's
   /// own; if there is neither, it is .png for "-", standard output, or .ppm in a build without
   /// libpng, and an error for a stream.
   std::string format = {};
-  std::string device = "software";        ///< of raster pictures: one of raster_devices()
-  int threads = 1;                        ///< at most, 1 or more
-  std::size_t most_pieces = kMostPieces;  ///< that a sort may cut polygons into; Error for more
+  std::string device = "software";  ///< of raster pictures: one of raster_devices()
   std::optional<Background> background = std::nullopt;  ///< in place of the application's
   /// Antialiasing: the mean of samples x samples for each pixel, 1 to kMostSamples; vectors, ids
   /// and depth are not affected. If it is not set, kUsualSamples, or the most that a picture of
@@ -60,30 +54,21 @@ struct DrawOptions {
   /// Pieces of lines are drawn that are shorter than they are wide, and join no other
   /// (hidden/lines/strokes_once.md).
   bool crumbs = false;
-  /// Vectors for pens: on A4 unless another paper is said. `hidden` must then be a method that
-  /// leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is franklin, or
-  /// where fills are hatched the map.
+  /// Vectors for pens: on A4 unless another paper is set. The method of `surfaces` must then be a
+  /// method that leaves out what is hidden, or hides nothing (draws_for_pens); `automatic` is
+  /// franklin, or where fills are hatched the map.
   std::optional<Pens> pens = std::nullopt;
   std::string ids = {};    ///< item buffer as int32 .npy, if not empty
   std::string depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
-  WorkProgress progress = {};                 ///< as HiddenSurfaceOptions's
-  /// Is told, if not empty, once the picture is drawn, in the thread that draws. Nothing is written
-  /// or looked for otherwise. More of why nothing is seen is told where the scene is retained.
+  /// Called, if not empty, once the picture is drawn, in the thread that draws. Nothing is written
+  /// or looked for otherwise. The reason why nothing is seen is closer where the scene is retained.
   Warn warn = {};
-  /// What drawing may use at most, and a way to stop it, if not null: LimitReached for more, and no
-  /// file is written (clip/base/work_budget.md).
-  WorkBudget* budget = nullptr;
 
   /// How many rows of the picture are drawn: all, or those that are asked for.
   int drawn_rows() const { return rows ? rows->end - rows->first : height; }
 };
-
-/// The part of the options that says how hidden surfaces are found.
-HiddenSurfaceOptions hidden_surface_options(const DrawOptions& options);
-/// Sets that part, but for progress and the budget.
-void set_hidden_surfaces(DrawOptions& options, const HiddenSurfaceOptions& surfaces);
 
 /// The kind of picture that is drawn into that file. Error: an unknown extension.
 PictureKind picture_kind(const Destination& to, const DrawOptions& options = {});

@@ -11,23 +11,22 @@ namespace {
 const DisplayFile& in_order(const GraphicsSystem& system, const DrawOptions& options,
                             SortedDisplayFile& kept) {
   const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-  const HiddenSurfaceOptions hidden = hidden_surface_options(options);
-  const DisplayFile& file = kept.update(system, method, hidden);
-  require_hidden_lines_dumped(file, method, hidden);
+  const DisplayFile& file = kept.update(system, method, options.surfaces);
+  require_hidden_lines_dumped(file, method, options.surfaces);
   return file;
 }
 
 }  // namespace
 
 void draw(const GraphicsSystem& system, OutputDevice& device, const DrawOptions& options) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   SortedDisplayFile kept;
   interpret(in_order(system, options, kept), device);
 }
 
 DrawnPieces drawn_pieces(const GraphicsSystem& system, const DrawOptions& options,
                          SortedDisplayFile& kept) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   return drawn_pieces(in_order(system, options, kept));
 }
 

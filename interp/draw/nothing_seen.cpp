@@ -19,7 +19,7 @@
 #include "clip/clip_pipeline.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/instructions.h"
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/scan/scan_convert.h"
 
@@ -174,14 +174,14 @@ bool shows(const Segment& segment, Shown& shown) {
 // ---- A retained scene --------------------------------------------------------------------
 
 /// One segment in the view in which it is looked at.
-struct SegmentInView {
+struct SegmentSeen {
   const RetainedScene& scene;
-  ViewStage stage;
+  PolygonStage stage;
   ImageTransformation image;
   Shown& shown;
 };
 
-std::optional<Reason> why_not(SegmentInView& at, std::uint32_t i) {
+std::optional<Reason> why_not(SegmentSeen& at, std::uint32_t i) {
   const RetainedScene& scene = at.scene;
   if (!scene.draws(i)) return Reason::style;
   if (scene[i].is_line()) {
@@ -191,7 +191,7 @@ std::optional<Reason> why_not(SegmentInView& at, std::uint32_t i) {
     return at.shown.why_not(transformed(ends, at.image), false, true);
   }
   const Attributes& attributes = scene.shared_attributes(i);
-  const ViewedPolygon viewed = at.stage.view_polygon(scene.polygon(i), attributes);
+  const StagedPolygon viewed = at.stage.view_polygon(scene.polygon(i), attributes);
   const ClippedPolygon& polygon = viewed.polygon;
   if (polygon.vertices.empty()) return Reason::corner;
   const bool has_lines =
@@ -202,7 +202,7 @@ std::optional<Reason> why_not(SegmentInView& at, std::uint32_t i) {
 }
 
 /// The same, and where it is, if it is in no view.
-Reason reason_of(SegmentInView& at, std::uint32_t i) {
+Reason reason_of(SegmentSeen& at, std::uint32_t i) {
   const RetainedScene& scene = at.scene;
   ClipPipeline& pipeline = at.stage.pipeline();
   Outcode all = ~0u;
@@ -275,7 +275,7 @@ bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file
   for (const RetainedScene::Segment& segment : scene.segments()) {
     const Segment& now = display_file.segment(segment.name);
     if (!now.visible) continue;
-    SegmentInView at{scene, ViewStage(ViewVolume(view_of(segment, in))), now.image, shown};
+    SegmentSeen at{scene, PolygonStage(ViewVolume(view_of(segment, in))), now.image, shown};
     for (std::uint32_t i = segment.first; i < segment.end; ++i) {
       if (!why_not(at, i)) return false;
     }
@@ -301,7 +301,7 @@ std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& d
   for (const RetainedScene::Segment& segment : scene.segments()) {
     const Segment& now = display_file.segment(segment.name);
     if (!now.visible) continue;
-    SegmentInView at{scene, ViewStage(ViewVolume(view_of(segment, in))), now.image, shown};
+    SegmentSeen at{scene, PolygonStage(ViewVolume(view_of(segment, in))), now.image, shown};
     for (std::uint32_t i = segment.first; i < segment.end; ++i, ++all) {
       ++counts[static_cast<std::size_t>(reason_of(at, i))];
     }

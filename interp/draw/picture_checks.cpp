@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,7 +69,7 @@ void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
 }
 
 void require_scope_of_view(const DrawOptions& options) {
-  if (options.scope != HiddenScope::segment) return;
+  if (options.surfaces.scope != HiddenScope::segment) return;
   throw Error(
       "scope 'segment' for a view of a retained scene, whose visible segments are drawn together: "
       "expected all, or no scope");
@@ -75,35 +77,34 @@ void require_scope_of_view(const DrawOptions& options) {
 
 namespace {
 
-/// How visible segments were put in order.
+/// An order of visible segments; null if they are in order of entry.
 struct OrderMade {
-  HiddenMethod method = HiddenMethod::none;
-  std::optional<Precision> precision = std::nullopt;
-  HiddenLines hidden_lines = HiddenLines::none;
-  std::optional<HiddenScope> scope = std::nullopt;
+  const SortedScene* sorted;
+  HiddenScope scope;
 
-  static OrderMade by(const SortedScene& sorted, HiddenScope scope) {
-    return {sorted.method, sorted.precision, sorted.hidden_lines, scope};
+  HiddenMethod method() const {
+    return sorted == nullptr ? HiddenMethod::none : sorted->plan.method;
+  }
+  HiddenLines hidden_lines() const {
+    return sorted == nullptr ? HiddenLines::none : sorted->plan.hidden_lines;
   }
 };
 
 std::vector<OrderMade> orders_of(const DisplayFile& file) {
   const auto visible = file.visible_segments();
   if (visible.empty()) return {};
-  if (file.sorted() != nullptr) return {OrderMade::by(*file.sorted(), HiddenScope::all)};
+  if (file.sorted() != nullptr) return {{file.sorted().get(), HiddenScope::all}};
   std::vector<OrderMade> orders;
   for (const Segment* segment : visible) {
-    const auto& sorted = segment->sorted();
-    orders.push_back(sorted == nullptr ? OrderMade{}
-                                       : OrderMade::by(*sorted, HiddenScope::segment));
+    orders.push_back({segment->sorted().get(), HiddenScope::segment});
   }
   return orders;
 }
 
 bool is_method_of(const OrderMade& order, HiddenMethod method) {
   const HiddenMethod surfaces = surfaces_of(method);
-  return surfaces == HiddenMethod::automatic || surfaces == order.method ||
-         (surfaces == HiddenMethod::back_face && order.method == HiddenMethod::none);
+  return surfaces == HiddenMethod::automatic || surfaces == order.method() ||
+         (surfaces == HiddenMethod::back_face && order.method() == HiddenMethod::none);
 }
 
 std::string words_of(const Precision& precision) {
@@ -121,35 +122,55 @@ std::string words_of(const Precision& precision) {
 
 }  // namespace
 
+void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options) {
+  const double shape = static_cast<double>(options.width) / options.height;
+  const bool is_as_set = system.display_file().segments().empty() ||
+                         shape == system.aspect_ratio() ||
+                         system.explicit_settings().contains(Setting::window_fit);
+  if (!options.warn || is_as_set) return;
+  const auto& stretched = system.stretched_window();
+  const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
+  const double wider = shape / (system.aspect_ratio() * meant);
+  constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
+  if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
+  options.warn({DrawWarning::Kind::stretched,
+                fmt::format("a picture of {} x {} shows this system {:.3g} times as wide as it was "
+                            "viewed: expected set_aspect_ratio({:.4g}) before the first segment",
+                            options.width, options.height, wider, shape)});
+}
+
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options) {
   for (const OrderMade& order : orders_of(display_file)) {
-    if (options.hidden && !is_method_of(order, *options.hidden)) {
-      refuse_for_order("hidden-surface method", name_of(*options.hidden), name_of(order.method));
+    const HiddenSurfaceOptions& set = options.surfaces;
+    if (set.method && !is_method_of(order, *set.method)) {
+      refuse_for_order("hidden-surface method", name_of(*set.method), name_of(order.method()));
     }
-    if (options.precision && order.precision && !(*options.precision == *order.precision)) {
-      refuse_for_order("precision", words_of(*options.precision), words_of(*order.precision));
+    if (set.hidden_lines && *set.hidden_lines != order.hidden_lines()) {
+      refuse_for_order("hidden lines", name_of(*set.hidden_lines), name_of(order.hidden_lines()));
     }
-    if (options.hidden_lines && *options.hidden_lines != order.hidden_lines) {
-      refuse_for_order("hidden lines", name_of(*options.hidden_lines), name_of(order.hidden_lines));
+    if (order.sorted == nullptr) continue;
+    const Precision made = order.sorted->plan.precision;
+    if (set.precision && !(*set.precision == made)) {
+      refuse_for_order("precision", words_of(*set.precision), words_of(made));
     }
     const bool of_several = display_file.visible_segments().size() > 1;
-    if (options.scope && order.scope && of_several && *options.scope != *order.scope) {
-      refuse_for_order("scope", name_of(*options.scope), name_of(*order.scope));
+    if (set.scope && of_several && *set.scope != order.scope) {
+      refuse_for_order("scope", name_of(*set.scope), name_of(order.scope));
     }
   }
 }
 
 void require_drawn_by_rays(const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
-  if (!options.hidden) return;
-  const HiddenMethod method = surfaces_of(*options.hidden);
+  if (!options.surfaces.method) return;
+  const HiddenMethod method = surfaces_of(*options.surfaces.method);
   if (method == HiddenMethod::automatic || method == HiddenMethod::world_ray_cast) return;
   const bool by_rays = plan.kind() == PictureKind::raster && plan.is_on_first_device();
   if (!by_rays && (is_image_space(method) || method == HiddenMethod::map)) return;
   throw Error(fmt::format(
       "hidden-surface method '{}' for a view into which rays are cast: expected world-ray-cast, {}"
       "auto, or no method",
-      name_of(*options.hidden), by_rays ? "" : "map, a method of image space, "));
+      name_of(*options.surfaces.method), by_rays ? "" : "map, a method of image space, "));
 }
 
 void require_writable(const Destination& to, const PicturePlan& plan) {

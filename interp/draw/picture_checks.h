@@ -40,6 +40,9 @@ void require_scope_of_view(const DrawOptions& options);
 /// Throws Error if the options say how hidden surfaces are found, and the display file, which is
 /// drawn in the order that it has, was put in order otherwise.
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options);
+/// Calls the options' `warn` if what the system viewed is stretched in a picture of their shape,
+/// and the application did not set that it should be.
+void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options);
 /// Throws Error for a method that a retained scene's rays do not draw.
 void require_drawn_by_rays(const PicturePlan& plan);
 

@@ -16,8 +16,8 @@ namespace {
 
 /// Checks numbers that are the same for a file and in memory; throws Error.
 void require_numbers(const DrawOptions& options) {
-  if (options.threads < 1) {
-    throw Error(fmt::format("{} threads: expected 1 or more", options.threads));
+  if (options.surfaces.threads < 1) {
+    throw Error(fmt::format("{} threads: expected 1 or more", options.surfaces.threads));
   }
   const int samples = options.samples.value_or(1);
   if (samples < 1 || samples > kMostSamples) {
@@ -75,10 +75,10 @@ void require_format(const Destination& to, const PicturePlan& plan) {
 
 DrawOptions PicturePlan::without_system() const {
   DrawOptions settled = options;
-  settled.hidden = surfaces.method;
-  settled.scope.reset();
-  settled.precision = surfaces.precision;
-  settled.hidden_lines = surfaces.hidden_lines;
+  settled.surfaces.method = surfaces.method;
+  settled.surfaces.scope.reset();
+  settled.surfaces.precision = surfaces.precision;
+  settled.surfaces.hidden_lines = surfaces.hidden_lines;
   return settled;
 }
 
@@ -87,7 +87,7 @@ namespace {
 /// Trees of no other method have roots.
 void require_root(const PicturePlan& plan) {
   const HiddenMethod method = plan.surfaces.method;
-  if (plan.options.root == RootChoice::free || surfaces_of(method) == HiddenMethod::bsp) return;
+  if (plan.surfaces.root == RootChoice::free || surfaces_of(method) == HiddenMethod::bsp) return;
   throw Error(
       fmt::format("a root of a BSP tree is set, and the hidden-surface method is {}: "
                   "expected bsp, or no root",
@@ -125,7 +125,7 @@ PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
   } else if (!options.format.empty()) {
     format_named(options.format);
   }
-  plan.surfaces = resolve_surfaces(hidden_surface_options(options));
+  plan.surfaces = resolve_surfaces(options.surfaces);
   plan.method = plan.surfaces.method;
   return plan;
 }
@@ -155,15 +155,15 @@ bool has_one_depth(const DisplayFile& file) {
 
 bool sets_nothing_of_surfaces(const GraphicsSystem& system) {
   return !system.hidden_surfaces().z_buffer && !system.hidden_surfaces().removal &&
-         !system.said().contains(Setting::hidden_line_removal) &&
-         !system.said().contains(Setting::hidden_method);
+         !system.explicit_settings().contains(Setting::hidden_line_removal) &&
+         !system.explicit_settings().contains(Setting::hidden_method);
 }
 
 }  // namespace
 
 SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options) {
-  SurfacePlan plan = resolve_surfaces(system, hidden_surface_options(options));
-  if (!plan.is_applications() || !sets_nothing_of_surfaces(system)) return plan;
+  SurfacePlan plan = resolve_surfaces(system, options.surfaces);
+  if (options.surfaces.method || !sets_nothing_of_surfaces(system)) return plan;
   if (!has_one_depth(system.display_file())) plan.method = HiddenMethod::automatic;
   return plan;
 }
@@ -179,7 +179,7 @@ PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given
   plan.surfaces = surfaces_of_picture(system, options);
   require_root(plan);
   plan.samples = samples_in_force(plan);
-  plan.surfaces.options.shadows = plan.kind() == PictureKind::vector;
+  plan.surfaces.shadows = plan.kind() == PictureKind::vector;
   return plan;
 }
 
@@ -199,13 +199,8 @@ PicturePlan resolve_in_view(const GraphicsSystem* system, const DrawOptions& opt
                             const Destination* to) {
   PicturePlan plan = system != nullptr ? with_settings(*system, options, to) : resolve(options, to);
   SurfacePlan& surfaces = plan.surfaces;
-  const auto usual =
-      surfaces.is_applications() && system != nullptr ? HiddenScope::segment : HiddenScope::all;
-  surfaces.options.precision = surfaces.precision;
-  surfaces.options.hidden_lines = surfaces.hidden_lines;
-  if (!surfaces.options.scope) {
-    surfaces.options.scope = surfaces.scope_of_application.value_or(usual);
-  }
+  const bool is_applications = system != nullptr && !options.surfaces.method;
+  if (!surfaces.scope) surfaces.scope = is_applications ? HiddenScope::segment : HiddenScope::all;
   plan.method = surfaces.method;
   if (options.pens && plan.method == HiddenMethod::automatic) {
     plan.method = options.pens->hatching ? HiddenMethod::map : HiddenMethod::franklin;

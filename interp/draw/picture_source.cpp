@@ -28,15 +28,11 @@ RasterRequest raster_request(const PicturePlan& plan) {
   request.width = options.width;
   request.height = options.height;
   request.rows = options.rows;
-  request.method = plan.method;
+  request.surfaces = plan.surfaces.by(plan.method);
   request.ids = options.with_ids || !options.ids.empty();
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
-  request.hidden_lines = plan.surfaces.hidden_lines;
-  request.intersections = plan.surfaces.intersections;
-  request.threads = options.threads;
   request.crumbs = options.crumbs;
-  if (!plan.surfaces.precision.exact) request.roundoff = plan.surfaces.precision.roundoff;
   return request;
 }
 
@@ -44,13 +40,10 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
                                       const RasterRequest& request) const {
   SortedDisplayFile map;
   if (by_depth_) {
-    HiddenSurfaceOptions options;
-    options.threads = request.threads;
-    if (request.roundoff) options.precision = Precision{false, *request.roundoff};
-    options.hidden_lines = request.hidden_lines;
-    options.intersections = request.intersections;
-    options.shadows = true;
-    map.update(file_, HiddenMethod::map, options);
+    SurfacePlan plan = request.surfaces.by(HiddenMethod::map);
+    plan.scope = HiddenScope::all;
+    plan.shadows = true;
+    map.update(file_, plan);
   }
   const DisplayFile& drawn = by_depth_ ? map.display_file() : file_;
   if (pens_) {
@@ -60,7 +53,7 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
         to);
   }
   format.write_vectors(drawn, request.width, request.height, to, request.background,
-                       is_colour_rule(request.method), vectors_);
+                       is_colour_rule(request.surfaces.method), vectors_);
 }
 
 std::string DisplayFileSource::why_nothing_is_seen(const SeenIn& in) const {
@@ -154,7 +147,7 @@ Picture draw_samples(const PictureSource& source, const RasterRequest& request,
 
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const PicturePlan& plan) {
-  require_drawable_by(request.method, plan);
+  require_drawable_by(request.surfaces.method, plan);
   Picture picture = draw_samples(source, request, plan);
   PixelsShown shown(plan.options, request);
   shown.look_at(picture);
@@ -182,8 +175,8 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.drawn_rows());
   };
-  require_drawable_by(request.method, plan);
-  if (!format.is_of_pixels()) require_colour_of_fills(request.method, request.background);
+  require_drawable_by(request.surfaces.method, plan);
+  if (!format.is_of_pixels()) require_colour_of_fills(request.surfaces.method, request.background);
   RowFiles files, colours;
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));

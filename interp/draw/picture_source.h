@@ -36,7 +36,7 @@ class PictureSource {
 
 /// What the application drew into the display file, if it is known, and if it was not in its own
 /// views, in which.
-struct EnteredScene {
+struct EnteredSource {
   const RetainedScene* scene = nullptr;
   const View* view = nullptr;
 };
@@ -45,7 +45,7 @@ class DisplayFileSource : public PictureSource {
  public:
   /// `by_depth`: vectors of it are its map, as where a method of image space is asked for.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const PicturePlan& plan,
-                    SoftwareRenderer& kept, const EnteredScene& entered = {})
+                    SoftwareRenderer& kept, const EnteredSource& entered = {})
       : file_(file),
         entered_(entered),
         by_depth_(by_depth),
@@ -71,7 +71,7 @@ class DisplayFileSource : public PictureSource {
 
  private:
   const DisplayFile& file_;
-  EnteredScene entered_;
+  EnteredSource entered_;
   bool by_depth_;
   const RasterDevice& device_;
   std::optional<Pens> pens_;
@@ -81,7 +81,7 @@ class DisplayFileSource : public PictureSource {
 
 /// Without a display file, but for a device that needs one. The casters are what is kept of the
 /// shadows, or null.
-class ViewSource : public PictureSource {
+class RetainedSource : public PictureSource {
   template <class Do>
   auto of_display_file(Do&& work) const {
     const DisplayFile file = viewer_.display_file(view_, lights_turned_);
@@ -89,8 +89,8 @@ class ViewSource : public PictureSource {
   }
 
  public:
-  ViewSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
-             const PicturePlan& plan, SoftwareRenderer& kept, RetainedCasters* casters)
+  RetainedSource(SceneViewer& viewer, const View& view, const glm::dmat3& lights_turned,
+                 const PicturePlan& plan, SoftwareRenderer& kept, RetainedCasters* casters)
       : viewer_(viewer),
         view_(view),
         lights_turned_(lights_turned),
@@ -125,13 +125,14 @@ class ViewSource : public PictureSource {
 
  private:
   SceneViewer::Wanted wanted(const RasterRequest& request) const {
-    return {view_, lights_turned_, PictureSize{request.width, request.height}, request.threads};
+    return {view_, lights_turned_, PictureSize{request.width, request.height},
+            request.surfaces.threads};
   }
   const ViewedScene& scene(const RasterRequest& request) const {
     return viewer_.view(wanted(request));
   }
-  SoftwareRenderer::KeptOfViews kept_of_views(const ViewedScene& seen,
-                                              const RasterRequest& request) const {
+  SoftwareRenderer::KeptBetweenPictures kept_of_views(const ViewedScene& seen,
+                                                      const RasterRequest& request) const {
     const bool casters = casters_ != nullptr && casters_->take(viewer_, wanted(request), seen);
     return {casters ? casters_ : nullptr, viewer_.is_lit()};
   }

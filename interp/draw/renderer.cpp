@@ -94,16 +94,16 @@ bool may_leave_hidden_lines(const PicturePlan& plan) {
 /// a warning. The display file has been brought up to date.
 void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
-  if (!options.hidden_lines && !options.warn) return;
+  if (!options.surfaces.hidden_lines && !options.warn) return;
   if (!may_leave_hidden_lines(plan)) return;
-  if (options.hidden_lines) {
-    if (leaves_hidden_lines(drawn, true, options.threads)) {
+  if (options.surfaces.hidden_lines) {
+    if (leaves_hidden_lines(drawn, true, options.surfaces.threads)) {
       throw Error(words_of_hidden_lines_left(plan.method));
     }
     return;
   }
   try {
-    if (!leaves_hidden_lines(drawn, true, options.threads)) return;
+    if (!leaves_hidden_lines(drawn, true, options.surfaces.threads)) return;
   } catch (const LimitReached&) {  // of what is not drawn
     return;
   } catch (const std::bad_alloc&) {
@@ -117,8 +117,9 @@ void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& pla
 void require_drawable(const GraphicsSystem& system, const DrawOptions& options) {
   const PicturePlan plan = resolve(system, options);
   require_drawn(plan);
-  if (options.hidden_lines && may_leave_hidden_lines(plan) &&
-      leaves_hidden_lines(system.display_file(), !options.hidden, options.threads)) {
+  if (options.surfaces.hidden_lines && may_leave_hidden_lines(plan) &&
+      leaves_hidden_lines(system.display_file(), !options.surfaces.method,
+                          options.surfaces.threads)) {
     throw Error(words_of_hidden_lines_left(plan.method));
   }
 }
@@ -126,7 +127,7 @@ void require_drawable(const GraphicsSystem& system, const DrawOptions& options) 
 namespace {
 
 /// What tells why nothing is seen, if the display file is what is drawn.
-EnteredScene retained_beside(const GraphicsSystem& system) {
+EnteredSource retained_beside(const GraphicsSystem& system) {
   return {.scene = SystemInside::retains_alone(system) ? nullptr : system.retained()};
 }
 
@@ -137,7 +138,7 @@ DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,
 }
 
 /// What is made of a retained scene for all its views, each when it is first needed.
-class KeptOfScene {
+class KeptTrees {
  public:
   /// Lets go of what was made of another scene.
   void take(const RetainedScene& scene, const DisplayFile& attributes) {
@@ -168,10 +169,10 @@ class KeptOfScene {
     if (!world_) world_.emplace(taken_->scene(), taken_->attributes());
     return *world_;
   }
-  RetainedViews& trees(const SortOptions& options, HiddenScope scope) {
-    if (!trees_ || !trees_->are_of(options, scope)) {
+  RetainedViews& trees(const SurfacePlan& plan) {
+    if (!trees_ || !trees_->are_of(plan)) {
       trees_.reset();
-      trees_.emplace(taken_->scene(), taken_->attributes(), options, scope);
+      trees_.emplace(taken_->scene(), taken_->attributes(), plan);
     }
     return *trees_;
   }
@@ -221,7 +222,7 @@ struct Renderer::Kept {
   SoftwareRenderer software;
   Picture picture;  ///< where the software renderer has not the whole of it
   std::optional<Picker> picker;
-  KeptOfScene of_scene;
+  KeptTrees of_scene;
 };
 
 namespace {
@@ -229,12 +230,12 @@ namespace {
 struct KeptForPictures {
   SortedDisplayFile& sorted;
   SoftwareRenderer& software;
-  KeptOfScene& of_scene;
+  KeptTrees& of_scene;
 };
 
 /// What the application drew, where the method in force casts rays before viewing.
 std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMethod method,
-                                          KeptOfScene& kept) {
+                                          KeptTrees& kept) {
   if (surfaces_of(method) != HiddenMethod::world_ray_cast) return std::nullopt;
   if (system.retained() == nullptr) {
     throw Error(
@@ -251,8 +252,8 @@ template <class Draw>
 auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
                      const KeptForPictures& kept, const Draw& draw) {
   require_drawn(plan);
-  const DisplayFile& sorted =
-      kept.sorted.update(system, plan.surfaces, unsorted_if_automatic(plan.method));
+  const DisplayFile& sorted = kept.sorted.update(system, plan.options.surfaces, plan.surfaces,
+                                                 unsorted_if_automatic(plan.method));
   look_for_hidden_lines_left(sorted, plan);
   if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
     const PicturePlan cast = by_rays(*world, plan);
@@ -265,15 +266,17 @@ auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
 
 Picture draw_in_memory(const GraphicsSystem& system, const PicturePlan& plan,
                        const KeptForPictures& kept) {
-  const BudgetInForce in_force(plan.options.budget);
+  const BudgetInForce in_force(plan.options.surfaces.budget);
   const NamedWork named(kDrawing);
-  return with_memory_of_picture(plan, kept.software,
-                                [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
+  Picture picture = with_memory_of_picture(
+      plan, kept.software, [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
+  warn_if_stretched(system, plan.options);
+  return picture;
 }
 
 void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
              const KeptForPictures& kept) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = resolve(system, options, &to);
   require_writable(to, plan);
@@ -283,6 +286,7 @@ void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOpti
                     [&](const PictureSource& source, const RasterRequest& request,
                         const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
   });
+  warn_if_stretched(system, options);
 }
 
 const glm::dmat3& lights_of(const InView& scene) {
@@ -309,10 +313,10 @@ PicturePlan plan_of(const InView& scene, const DrawOptions& options,
 
 /// What draw(source, request, plan) returns, of the scene in that view.
 template <class Draw>
-auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, SoftwareRenderer& software,
+auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareRenderer& software,
                   const Draw& draw) {
   kept.take(in.scene, in.attributes);
-  plan.surfaces.intersections = plan.surfaces.options.intersections = in.scene.has_intersections();
+  plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
     const ViewedWorld world = kept.world().view(in.view, lights_of(in));
     const PicturePlan cast = by_rays(world, plan);
@@ -320,12 +324,12 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, Softwar
   }
   if (works_in_image_space(plan.method)) {
     SceneViewer& viewer = kept.viewer();
-    return draw(ViewSource(viewer, in.view, lights_of(in), plan, software,
-                           kept.casters(plan.options.threads)),
+    return draw(RetainedSource(viewer, in.view, lights_of(in), plan, software,
+                               kept.casters(plan.options.surfaces.threads)),
                 raster_request(plan), plan);
   }
   if (surfaces_of(plan.method) == HiddenMethod::bsp) {
-    RetainedViews& trees = kept.trees(sort_options(plan.surfaces), *plan.surfaces.options.scope);
+    RetainedViews& trees = kept.trees(plan.surfaces);
     const DisplayFile seen = trees.view(in.view, lights_of(in));
     const PicturePlan ordered = in_its_order(plan);
     return draw(DisplayFileSource(seen, false, ordered, software, {&in.scene, &in.view}),
@@ -333,10 +337,9 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, Softwar
   }
   const DisplayFile whole = kept.viewer().display_file(in.view, lights_of(in));
   SortedDisplayFile sorted;
-  const DisplayFile& seen =
-      is_object_space(plan.method)
-          ? sorted.update(whole, surfaces_of(plan.method), plan.surfaces.options)
-          : whole;
+  const DisplayFile& seen = is_object_space(plan.method)
+                                ? sorted.update(whole, plan.surfaces.by(surfaces_of(plan.method)))
+                                : whole;
   look_for_hidden_lines_left(seen, plan);
   if (plan.options.pens) kept.keep_drawn_by_pens(seen);
   return draw(DisplayFileSource(seen, false, plan, software, {&in.scene, &in.view}),
@@ -349,7 +352,7 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptOfScene& kept, Softwar
 
 Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDisplayFile& kept) {
   SoftwareRenderer software;
-  KeptOfScene of_scene;
+  KeptTrees of_scene;
   return draw_in_memory(system, resolve(system, options), {kept, software, of_scene});
 }
 
@@ -361,7 +364,7 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
 void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
           SortedDisplayFile& kept) {
   SoftwareRenderer software;
-  KeptOfScene of_scene;
+  KeptTrees of_scene;
   draw_to(system, to, options, {kept, software, of_scene});
 }
 
@@ -382,7 +385,7 @@ std::string draw_as(const GraphicsSystem& system, std::string_view format,
 }
 
 void draw(const DisplayFile& display_file, const Destination& to, const DrawOptions& options) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = in_its_order(resolve(options, &to));
   require_writable(to, plan);
@@ -393,7 +396,7 @@ void draw(const DisplayFile& display_file, const Destination& to, const DrawOpti
 }
 
 Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = in_its_order(resolve(options));
   SoftwareRenderer software;
@@ -405,7 +408,7 @@ Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
 }
 
 void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = by_rays(world, resolve(options, &to));
   require_writable(to, plan);
@@ -415,7 +418,7 @@ void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& op
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   SoftwareRenderer software;
   const PicturePlan plan = by_rays(world, resolve(options));
@@ -447,7 +450,7 @@ void Renderer::draw(const GraphicsSystem& system, const Destination& to,
 
 const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
   const PicturePlan plan = plan_of(scene, options);
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   Kept& kept = *kept_;
   kept.software.give_back(std::exchange(kept.picture, Picture()));
@@ -460,7 +463,7 @@ const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
 void Renderer::draw(const InView& scene, const Destination& to, const DrawOptions& options) {
   const PicturePlan plan = plan_of(scene, options, &to);
   require_writable(to, plan);
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   with_memory_of_drawing(scene.scene.size() * sizeof(Point3), to, plan, [&] {
     draw_in_view(scene, plan, kept_->of_scene, kept_->software,
@@ -484,7 +487,7 @@ const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.draw
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
   resolve(options);  // refuses
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;
   std::optional<Picker>& picker = kept.picker;
@@ -496,7 +499,8 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
         system.display_file().bytes(),
         [&] { return fmt::format("picking among {} polygons", polygons); },
         [&] {
-          picker.emplace(kept.software.scene_of(system.display_file()), size, options.threads);
+          picker.emplace(kept.software.scene_of(system.display_file()), size,
+                         options.surfaces.threads);
         });
   }
   return picker->pick(x, y, reach);

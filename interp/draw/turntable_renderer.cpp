@@ -18,7 +18,7 @@ namespace displayfile {
 namespace {
 
 HiddenMethod surfaces_of_options(const DrawOptions& options) {
-  return surfaces_of(options.hidden.value_or(HiddenMethod::automatic));
+  return surfaces_of(options.surfaces.method.value_or(HiddenMethod::automatic));
 }
 
 /// With what the system set in place of what the options leave open, so far as views follow it.
@@ -26,21 +26,22 @@ DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given
   const PicturePlan plan = resolve(system, given);
   const HiddenMethod method = plan.surfaces.method;
   DrawOptions options = plan.without_system();
-  options.hidden = given.hidden;
-  options.scope = given.scope;
-  if (finds_lines(method) && !options.scope) {
-    const auto usual = given.hidden ? HiddenScope::all : HiddenScope::segment;
-    options.scope = plan.surfaces.scope_of_application.value_or(usual);
+  options.surfaces.method = given.surfaces.method;
+  options.surfaces.scope = given.surfaces.scope;
+  if (finds_lines(method) && !options.surfaces.scope) {
+    const auto usual = given.surfaces.method ? HiddenScope::all : HiddenScope::segment;
+    options.surfaces.scope = system.hidden_surfaces().scope.value_or(usual);
   }
   if (finds_lines(method) || is_colour_rule(method)) {
-    options.hidden = method;
+    options.surfaces.method = method;
     require_turntable_method(options);
   }
-  if (!options.scope && !(options.hidden && is_image_space(*options.hidden))) {
-    options.scope = plan.surfaces.scope_of_application.value_or(HiddenScope::all);
+  if (!options.surfaces.scope &&
+      !(options.surfaces.method && is_image_space(*options.surfaces.method))) {
+    options.surfaces.scope = system.hidden_surfaces().scope.value_or(HiddenScope::all);
   }
-  require_hidden_lines_drawn(*options.hidden_lines, options.hidden.value_or(HiddenMethod::bsp),
-                             plan);
+  require_hidden_lines_drawn(*options.surfaces.hidden_lines,
+                             options.surfaces.method.value_or(HiddenMethod::bsp), plan);
   return options;
 }
 
@@ -54,9 +55,10 @@ Turntable turntable_of(const TakenScene& taken, const View& otherwise,
 
 /// By one tree, where nothing else is set.
 DrawOptions by_tree(DrawOptions options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = options.surfaces.method.value_or(HiddenMethod::automatic);
   if (surfaces_of(method) != HiddenMethod::automatic) return options;
-  options.hidden = is_colour_rule(method) ? colour_rule_by(HiddenMethod::bsp) : HiddenMethod::bsp;
+  options.surfaces.method =
+      is_colour_rule(method) ? colour_rule_by(HiddenMethod::bsp) : HiddenMethod::bsp;
   return options;
 }
 
@@ -126,7 +128,7 @@ struct TurntableRenderer::Kept {
     if (view < 0 || view >= turned.number) {
       throw Error(fmt::format("view {}: expected 0 to {}", view, turned.number - 1));
     }
-    const BudgetInForce in_force(options.budget);
+    const BudgetInForce in_force(options.surfaces.budget);
     bring_up_to_date();
     turn = turntable.at(360.0 * view / turned.number);
     return {taken.scene(), taken.attributes(), turn.view, &turn.lights};
@@ -138,7 +140,7 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
                                      const DrawOptions& options) {
   require_turntable_views(views.number);
   require_turntable_method(options);
-  const BudgetInForce in_force(options.budget);
+  const BudgetInForce in_force(options.surfaces.budget);
   const DrawOptions settled = with_settings(system, options);
   TakenScene taken(scene, display_file);
   Turntable turntable = turntable_of(taken, system.view(), views);

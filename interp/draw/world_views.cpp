@@ -6,7 +6,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/taken_scene.h"
 #include "interp/visibility/world_rays.h"
 
@@ -15,9 +15,9 @@ namespace displayfile {
 namespace {
 
 /// Enters the segments of a scene, each in one of some views.
-class ViewedSegments {
+class EnteredSegments {
  public:
-  explicit ViewedSegments(std::shared_ptr<const WorldRays> rays) {
+  explicit EnteredSegments(std::shared_ptr<const WorldRays> rays) {
     world_.sources.resize(rays->scene().size());
     world_.rays = std::move(rays);
   }
@@ -28,7 +28,7 @@ class ViewedSegments {
         static_cast<std::uint32_t>(std::ranges::find(world_.views, view) - world_.views.begin());
     if (number == world_.views.size()) world_.views.push_back(view);
     const ViewVolume volume(view);
-    ViewStage stage(volume);
+    PolygonStage stage(volume);
     Segment& segment = world_.display_file.create(part.name);
     world_.rays->scene().enter_viewed(part, Eye::of(view), stage, lights_turned, segment,
                                       [&](std::uint32_t i) {
@@ -73,7 +73,7 @@ std::shared_ptr<const WorldRays> WorldViews::rays() const {
 ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) const {
   const RoundToNearest nearest;
   const auto world = rays();
-  ViewedSegments segments(world);
+  EnteredSegments segments(world);
   for (const RetainedScene::Segment& part : world->scene().segments()) {
     segments.enter(part, view, lights_turned);
   }
@@ -83,7 +83,7 @@ ViewedWorld WorldViews::view(const View& view, const glm::dmat3& lights_turned) 
 ViewedWorld WorldViews::as_drawn() const {
   const RoundToNearest nearest;
   const auto world = rays();
-  ViewedSegments segments(world);
+  EnteredSegments segments(world);
   for (const RetainedScene::Segment& part : world->scene().segments()) {
     segments.enter(part, part.view, glm::dmat3(1.0));
   }

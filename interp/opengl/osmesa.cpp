@@ -170,7 +170,7 @@ auto within_memory(const RasterRequest& request, Work&& work) {
 
 /// A scene in its context. With the z-buffer the fills are drawn before the lines; without it
 /// all are drawn in order, and the fills are kept apart only if they are to be measured.
-class OsmesaScene::Drawing {
+class OsmesaBuffers::Drawing {
  public:
   Drawing(const DisplayFile& display_file, const RasterRequest& request, int depth_bits)
       : request_(request), mapping_({}, {}) {
@@ -184,14 +184,15 @@ class OsmesaScene::Drawing {
                               request.width, request.height, renderer(), largest_side(),
                               largest_side()));
     }
-    const Order order = is_image_space(request.method) ? Order::entered : Order::drawn;
+    const Order order = is_image_space(request.surfaces.method) ? Order::entered : Order::drawn;
     const auto list = [&](Pass pass) {
       return triangle_list(display_file, pass, order, request.width, request.height,
                            request.line_scale);
     };
     TriangleList fills, others;
-    if (is_image_space(request.method) || request.ids || request.depth) fills = list(Pass::fills);
-    others = list(is_image_space(request.method) ? Pass::lines : Pass::everything);
+    if (is_image_space(request.surfaces.method) || request.ids || request.depth)
+      fills = list(Pass::fills);
+    others = list(is_image_space(request.surfaces.method) ? Pass::lines : Pass::everything);
     mapping_ = DepthMapping(fills, others);
     depth_bits_ = bind_framebuffer(request.width, request.height, depth_bits,
                                    has_even_odd(fills) || has_even_odd(others));
@@ -219,7 +220,8 @@ class OsmesaScene::Drawing {
   }
 
   std::size_t triangles() const {
-    return others_.triangles() + (is_image_space(request_.method) ? fills_.triangles() : 0);
+    return others_.triangles() +
+           (is_image_space(request_.surfaces.method) ? fills_.triangles() : 0);
   }
   int depth_bits() const { return depth_bits_; }
   const RasterRequest& request() const { return request_; }
@@ -251,7 +253,7 @@ class OsmesaScene::Drawing {
 
   void draw_colours() const {
     clear(pixel_of(request_.background));
-    if (!is_image_space(request_.method)) return others_.draw(Paint::colours, GL_ALWAYS);
+    if (!is_image_space(request_.surfaces.method)) return others_.draw(Paint::colours, GL_ALWAYS);
     fills_.draw(Paint::colours, GL_GEQUAL);
     gl().Enable(GL_POLYGON_OFFSET_FILL);
     others_.draw(Paint::colours, GL_GEQUAL);
@@ -261,7 +263,7 @@ class OsmesaScene::Drawing {
   /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
   void measure(Picture& picture) const {
     clear(0xFFFFFFFF);
-    fills_.draw(Paint::ids, is_image_space(request_.method) ? GL_GEQUAL : GL_ALWAYS);
+    fills_.draw(Paint::ids, is_image_space(request_.surfaces.method) ? GL_GEQUAL : GL_ALWAYS);
     if (request_.ids) read(picture, GL_RGBA, GL_UNSIGNED_BYTE, picture.ids);
     if (!request_.depth) return;
     std::vector<float> depth;
@@ -307,24 +309,24 @@ std::string osmesa_description(int depth_bits) {
 
 Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& request,
                          int depth_bits) {
-  Picture picture = OsmesaScene(display_file, request, depth_bits).picture();
+  Picture picture = OsmesaBuffers(display_file, request, depth_bits).picture();
   if (request.texts) {
-    paint_texts(seen_texts(display_file, is_image_space(request.method)),
+    paint_texts(seen_texts(display_file, is_image_space(request.surfaces.method)),
                 {request.width, request.height}, 0, request.height, picture);
   }
   return picture;
 }
 
-OsmesaScene::OsmesaScene(const DisplayFile& display_file, const RasterRequest& request,
-                         int depth_bits)
+OsmesaBuffers::OsmesaBuffers(const DisplayFile& display_file, const RasterRequest& request,
+                             int depth_bits)
     : drawing_(within_memory(
           request, [&] { return std::make_unique<Drawing>(display_file, request, depth_bits); })) {}
-OsmesaScene::~OsmesaScene() = default;
-void OsmesaScene::draw() { drawing_->draw(); }
-Picture OsmesaScene::picture() {
+OsmesaBuffers::~OsmesaBuffers() = default;
+void OsmesaBuffers::draw() { drawing_->draw(); }
+Picture OsmesaBuffers::picture() {
   return within_memory(drawing_->request(), [&] { return drawing_->picture(); });
 }
-std::size_t OsmesaScene::triangles() const { return drawing_->triangles(); }
-int OsmesaScene::depth_bits() const { return drawing_->depth_bits(); }
+std::size_t OsmesaBuffers::triangles() const { return drawing_->triangles(); }
+int OsmesaBuffers::depth_bits() const { return drawing_->depth_bits(); }
 
 }  // namespace displayfile

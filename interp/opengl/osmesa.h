@@ -38,13 +38,13 @@ Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& r
 /// Draws as draw_with_osmesa does, but in steps, so that drawing is timed alone: the triangles of a
 /// display file, resident in vertex buffers, to be drawn any number of times. To be used by one
 /// thread at a time; no OSMesa context is current after a call.
-class OsmesaScene {
+class OsmesaBuffers {
  public:
   /// Throws as draw_with_osmesa does.
-  OsmesaScene(const DisplayFile& display_file, const RasterRequest& request, int depth_bits = 24);
-  ~OsmesaScene();
-  OsmesaScene(const OsmesaScene&) = delete;
-  OsmesaScene& operator=(const OsmesaScene&) = delete;
+  OsmesaBuffers(const DisplayFile& display_file, const RasterRequest& request, int depth_bits = 24);
+  ~OsmesaBuffers();
+  OsmesaBuffers(const OsmesaBuffers&) = delete;
+  OsmesaBuffers& operator=(const OsmesaBuffers&) = delete;
 
   /// Clears, draws and waits until all is drawn (glFinish); nothing is read back.
   void draw();

@@ -14,7 +14,7 @@ namespace {
 
 }  // namespace
 
-class OsmesaScene::Drawing {};
+class OsmesaBuffers::Drawing {};
 
 bool osmesa_available() { return false; }
 
@@ -22,11 +22,11 @@ std::string osmesa_description(int) { return "none: this build has no OSMesa"; }
 
 Picture draw_with_osmesa(const DisplayFile&, const RasterRequest&, int) { refuse_osmesa(); }
 
-OsmesaScene::OsmesaScene(const DisplayFile&, const RasterRequest&, int) { refuse_osmesa(); }
-OsmesaScene::~OsmesaScene() = default;
-void OsmesaScene::draw() { refuse_osmesa(); }
-Picture OsmesaScene::picture() { refuse_osmesa(); }
-std::size_t OsmesaScene::triangles() const { refuse_osmesa(); }
-int OsmesaScene::depth_bits() const { refuse_osmesa(); }
+OsmesaBuffers::OsmesaBuffers(const DisplayFile&, const RasterRequest&, int) { refuse_osmesa(); }
+OsmesaBuffers::~OsmesaBuffers() = default;
+void OsmesaBuffers::draw() { refuse_osmesa(); }
+Picture OsmesaBuffers::picture() { refuse_osmesa(); }
+std::size_t OsmesaBuffers::triangles() const { refuse_osmesa(); }
+int OsmesaBuffers::depth_bits() const { refuse_osmesa(); }
 
 }  // namespace displayfile

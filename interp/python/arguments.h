@@ -28,9 +28,9 @@ std::string path_in(pybind11::handle value, std::string_view what);
 int threads_in(pybind11::handle value);                         ///< 1 to 1024
 bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"
 
-/// The same where None stands for what is not said.
+/// The same where None stands for an argument that is not given.
 template <class Read>
-auto if_said(pybind11::handle value, std::string_view what, const Read& read)
+auto if_given(pybind11::handle value, std::string_view what, const Read& read)
     -> std::optional<decltype(read(value, what))> {
   if (value.is_none()) return std::nullopt;
   return read(value, what);

@@ -66,9 +66,9 @@ const std::map<std::string_view, Read>& readers() {
 
 }  // namespace
 
-Camera camera_in(const py::kwargs& said) {
+Camera camera_in(const py::kwargs& keywords) {
   Camera camera;
-  for (const auto& [key, value] : said) {
+  for (const auto& [key, value] : keywords) {
     if (value.is_none()) continue;
     const std::string name = word_in(key, "option");
     const auto reader = readers().find(name);

@@ -6,9 +6,9 @@
 
 namespace displayfile::python {
 
-/// How an imported mesh is looked at, from the names and values of what is said: eye, look_at, up,
-/// fov, parallel, fit and turning. None stands for what is not said. Throws Error for another
-/// value.
-Camera camera_in(const pybind11::kwargs& said);
+/// How an imported mesh is looked at, from keyword arguments: eye, look_at, up,
+/// fov, parallel, fit and turning. None stands for an argument that is not given. Throws Error for
+/// another value.
+Camera camera_in(const pybind11::kwargs& keywords);
 
 }  // namespace displayfile::python

@@ -101,19 +101,22 @@ using Read = void (*)(py::handle value, DrawOptions& options);
 /// By their names.
 const std::map<std::string_view, Read>& readers() {
   static const std::map<std::string_view, Read> all{
-      {"hidden",
-       [](py::handle v, DrawOptions& o) { o.hidden = hidden_method(word_in(v, "hidden")); }},
+      {"hidden", [](py::handle v,
+                    DrawOptions& o) { o.surfaces.method = hidden_method(word_in(v, "hidden")); }},
       {"hidden_lines",
        [](py::handle v, DrawOptions& o) {
-         o.hidden_lines = hidden_lines(word_in(v, "hidden_lines"));
+         o.surfaces.hidden_lines = hidden_lines(word_in(v, "hidden_lines"));
        }},
-      {"scope", [](py::handle v, DrawOptions& o) { o.scope = hidden_scope(word_in(v, "scope")); }},
+      {"scope",
+       [](py::handle v, DrawOptions& o) { o.surfaces.scope = hidden_scope(word_in(v, "scope")); }},
       {"precision",
-       [](py::handle v, DrawOptions& o) { o.precision = precision(word_in(v, "precision")); }},
+       [](py::handle v, DrawOptions& o) {
+         o.surfaces.precision = precision(word_in(v, "precision"));
+       }},
       {"background", [](py::handle v, DrawOptions& o) { o.background = background_in(v); }},
       {"rows", [](py::handle v, DrawOptions& o) { o.rows = rows_in(v); }},
       {"samples", [](py::handle v, DrawOptions& o) { o.samples = whole_number_in(v, "samples"); }},
-      {"threads", [](py::handle v, DrawOptions& o) { o.threads = threads_in(v); }},
+      {"threads", [](py::handle v, DrawOptions& o) { o.surfaces.threads = threads_in(v); }},
       {"device",
        [](py::handle v, DrawOptions& o) {
          o.device = word_in(v, "device");
@@ -174,11 +177,11 @@ void read_size(py::handle size, DrawOptions& options) {
 
 }  // namespace
 
-DrawOptions draw_options_in(py::handle size, const py::kwargs& said) {
+DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
   DrawOptions options;
   read_size(size, options);
   const auto read = [&](bool margins) {
-    for (const auto& [key, value] : said) {
+    for (const auto& [key, value] : keywords) {
       if (value.is_none()) continue;
       const std::string name = word_in(key, "option");
       const auto reader = readers().find(name);
@@ -252,31 +255,9 @@ class Warned {
   std::vector<std::string> texts_;
 };
 
-/// What was viewed for pictures of another shape. Error: a size that no picture has, and so no
-/// shape.
-void warn_if_distorted(System& self, const DrawOptions& options) {
-  require_picture_size(options.width, options.height);
-  const auto [aspect, wider] = self.call([&](GraphicsSystem& system) {
-    const auto& stretched = system.stretched_window();
-    const double shape = static_cast<double>(options.width) / options.height;
-    const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
-    const bool says_nothing =
-        system.display_file().segments().empty() || shape == system.aspect_ratio();
-    const bool is_meant = says_nothing || system.said().contains(Setting::window_fit);
-    return std::pair(shape, is_meant ? 1.0 : shape / (system.aspect_ratio() * meant));
-  });
-  constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
-  if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
-  warn(fmt::format(
-      "a picture of {} x {} shows this system {:.3g} times as wide as it was viewed: expected "
-      "System(aspect={:.4g}), or set_aspect_ratio, before the first segment",
-      options.width, options.height, wider, aspect));
-}
-
-py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
-  DrawOptions options = draw_options_in(size, said);
+py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
+  DrawOptions options = draw_options_in(size, keywords);
   Warned warned(options);
-  warn_if_distorted(self, options);
   Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     renderer.give_back(self.spare()->take());
     renderer.draw(system, options);
@@ -288,17 +269,16 @@ py::tuple draw(System& self, py::handle size, const py::kwargs& said) {
 
 /// Refuses what drawing would refuse before it draws anything, here or in another process, into
 /// memory or a file. Returns width and height.
-py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
+py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::kwargs& keywords) {
+  const DrawOptions options = draw_options_in(size, keywords);
   if (!to.is_none()) require_format(path_in(to, "path"), options);
   self.call([&](GraphicsSystem& system) { require_drawable(system, options); });
   return py::make_tuple(options.width, options.height);
 }
 
-py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& said) {
-  DrawOptions options = draw_options_in(size, said);
+py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& keywords) {
+  DrawOptions options = draw_options_in(size, keywords);
   Warned warned(options);
-  warn_if_distorted(self, options);
   const std::string name = word_in(format, "format");
   const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
     DrawOptions in_format = options;
@@ -312,20 +292,20 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
   return py::bytes(bytes);
 }
 
-void save(System& self, py::handle to, py::handle format, py::handle size, const py::kwargs& said) {
-  DrawOptions options = draw_options_in(size, said);
+void save(System& self, py::handle to, py::handle format, py::handle size,
+          const py::kwargs& keywords) {
+  DrawOptions options = draw_options_in(size, keywords);
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
   Warned warned(options);
-  warn_if_distorted(self, options);
   self.work(
       [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
   warned.tell();
 }
 
 py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::handle size,
-                const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
+                const py::kwargs& keywords) {
+  const DrawOptions options = draw_options_in(size, keywords);
   const double at_x = number_in(x, "x"), at_y = number_in(y, "y");
   const double within = number_in(reach, "reach");
   const auto picked = self.work([&](GraphicsSystem& system, Renderer& renderer) {
@@ -337,20 +317,20 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
                         picked->depth);
 }
 
-py::tuple pieces(System& self, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(py::int_(1), said);
+py::tuple pieces(System& self, const py::kwargs& keywords) {
+  const DrawOptions options = draw_options_in(py::int_(1), keywords);
   return arrays_of(
       self.work([&](GraphicsSystem& system, Renderer&) { return drawn_pieces(system, options); }));
 }
 
-std::string dump_of(System& self, const py::kwargs& said) {
-  const HiddenSurfaceOptions options = hidden_surface_options(draw_options_in(py::int_(1), said));
+std::string dump_of(System& self, const py::kwargs& keywords) {
+  const HiddenSurfaceOptions options = draw_options_in(py::int_(1), keywords).surfaces;
   return self.work([&](GraphicsSystem& system, Renderer&) {
     const SurfacePlan plan = resolve_surfaces(system, options);
     const HiddenMethod method = plan.method;
     require_hidden_lines_found(plan.hidden_lines, method);
     SortedDisplayFile sorted;
-    const DisplayFile& file = sorted.update(system, plan, unsorted_if_automatic(method));
+    const DisplayFile& file = sorted.update(system, options, plan, unsorted_if_automatic(method));
     require_hidden_lines_dumped(file, method, options);
     if (!is_colour_rule(method)) return dump(file);
     require_colour_of_fills(method, system.background());

@@ -186,12 +186,11 @@ void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
 struct PiecesRequest {
   Polygons polygons;
   std::vector<Point3> points;
-  HiddenMethod method;
+  HiddenSurfaceOptions surfaces;
   bool lines_alone;  ///< no fills: the lines that are seen
-  int threads;
   Touching touching;
   double unit;  ///< of the numbers given, clip/surfaces.h
-  bool whole = false, hidden = false;
+  bool whole = false;
   std::optional<LineSelection> lines{};
 
   bool has_segments() const { return points.size() > polygons.points.size(); }
@@ -237,9 +236,8 @@ PiecesRequest request_of(py::handle polygons, py::handle sides, py::handle segme
   require_coordinates(points);
   return {std::move(given),
           std::move(points),
-          method_in(method, lines_alone),
+          {.method = method_in(method, lines_alone), .threads = threads_in(threads)},
           lines_alone,
-          threads_in(threads),
           touching_in(touching),
           is_of_singles(polygons) ? kUnitOfSingles : kUnitOfDoubles};
 }
@@ -247,15 +245,12 @@ PiecesRequest request_of(py::handle polygons, py::handle sides, py::handle segme
 DrawnPieces found(const PiecesRequest& request) {
   if (request.points.empty()) return {};
   const bool segments_alone = request.lines_alone && request.has_segments();
+  const HiddenMethod method = *request.surfaces.method;
   DevicePolygons device;
-  enter(request.polygons, request.points, request.method != HiddenMethod::map && !segments_alone,
+  enter(request.polygons, request.points, method != HiddenMethod::map && !segments_alone,
         request.lines, request.touching, request.unit, device);
-  HiddenSurfaceOptions options;
-  options.method = request.method;
-  options.threads = request.threads;
-  if (request.hidden) options.hidden_lines = HiddenLines::dashed;
   SortedDisplayFile sorted;
-  DrawnPieces pieces = drawn_pieces(sorted.update(device.system, request.method, options));
+  DrawnPieces pieces = drawn_pieces(sorted.update(device.system, method, request.surfaces));
   if (request.whole) join_pieces(request.polygons.sides, device.points, pieces);
   place_back(request.points, device, pieces);
   if (segments_alone) {  // they are counted by themselves
@@ -292,8 +287,8 @@ void add_polygons(py::module_& module) {
                              py::handle lines, py::handle hidden, py::handle threads,
                              py::handle segments, py::handle touching) {
     PiecesRequest request = request_of(polygons, sides, segments, method, threads, touching, true);
-    request.hidden = switch_in(hidden, "hidden");
-    request.lines = if_said(lines, "lines", [](py::handle value, std::string_view what) {
+    if (switch_in(hidden, "hidden")) request.surfaces.hidden_lines = HiddenLines::dashed;
+    request.lines = if_given(lines, "lines", [](py::handle value, std::string_view what) {
       return line_selection(word_in(value, what));
     });
     return arrays_found(request);

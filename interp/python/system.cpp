@@ -167,7 +167,7 @@ std::vector<FillStyle> one_fill_in(py::handle value) {
 
 int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, py::handle segment,
          py::handle fill, py::handle fills, py::handle picks, py::handle normals) {
-  const auto name = if_said(segment, "segment", whole_number_in);
+  const auto name = if_given(segment, "segment", whole_number_in);
   const std::vector<Point3> points = points_in(vertices, "vertices");
   const Faces polygons = faces_in(faces, sides, points.size());
   const std::size_t count =
@@ -336,7 +336,7 @@ void enter_cells(const SurfacePoints& surface, GraphicsSystem& system) {
 }
 
 int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle segment) {
-  const auto name = if_said(segment, "segment", whole_number_in);
+  const auto name = if_given(segment, "segment", whole_number_in);
   SurfacePoints points = surface_points(x, y, z);
   return self.work([&](GraphicsSystem& system, Renderer&) {
     if (points.regular) make_rise(points);
@@ -374,8 +374,8 @@ std::vector<std::string> import_path(System& self, py::handle file, py::handle c
   if (!colour.is_none()) options.colour = one_fill_in(colour).front().colour;
   const bool changes_view = options.camera != Camera{.turning = options.camera.turning};
   const Mesh::Skipped skipped = self.work([&](GraphicsSystem& system, Renderer&) {
-    const SaidSettings said = system.said();
-    if (changes_view && (said.contains(Setting::window) || said.contains(Setting::camera))) {
+    const ExplicitSettings set = system.explicit_settings();
+    if (changes_view && (set.contains(Setting::window) || set.contains(Setting::camera))) {
       throw Error("a camera for the mesh: expected a system whose view was not set before");
     }
     ImportedMeshes imported =

@@ -75,7 +75,7 @@ Point3 axis_in(py::handle value, std::string_view what) {
   return direction;
 }
 
-/// What is not said of the views is as it was fitted to imported meshes.
+/// What the keywords leave open of the views is as it was fitted to imported meshes.
 TurntableViews views_in(System& system, py::handle number, py::handle axis, py::handle fit) {
   TurntableViews views{whole_number_in(number, "views")};
   require_turntable_views(views.number);
@@ -89,15 +89,15 @@ TurntableViews views_in(System& system, py::handle number, py::handle axis, py::
 }
 
 std::unique_ptr<Turntable> turntable(System& system, py::handle views, py::handle size,
-                                     py::handle axis, py::handle fit, const py::kwargs& said) {
-  const DrawOptions options = draw_options_in(size, said);
+                                     py::handle axis, py::handle fit, const py::kwargs& keywords) {
+  const DrawOptions options = draw_options_in(size, keywords);
   return std::make_unique<Turntable>(system, views_in(system, views, axis, fit), options);
 }
 
 /// Refuses what turntable would refuse without a look at the scene.
 void require_turned(System& system, py::handle views, py::handle size, py::handle axis,
-                    py::handle fit, const py::kwargs& said) {
-  require_turntable_method(draw_options_in(size, said));
+                    py::handle fit, const py::kwargs& keywords) {
+  require_turntable_method(draw_options_in(size, keywords));
   views_in(system, views, axis, fit);
 }
 

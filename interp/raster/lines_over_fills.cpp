@@ -13,7 +13,8 @@ namespace {
 
 /// The others that are wanted, each a stroke of its own.
 void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
-  const SortedPieces order = lines_beside_sides(*group.scene, found, group.wanted.hidden);
+  const SortedPieces order =
+      lines_beside_sides(*group.scene, found, group.wanted.plan.hidden_lines);
   for (std::size_t k = 0; k < order.pieces.size(); ++k) {
     const SortedPiece& piece = order.pieces[k];
     const Point3 &from = order.points[piece.first], &to = order.points[piece.first + 1];
@@ -27,27 +28,31 @@ void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
 }
 
 LinesOverFills::Group lines_of(std::shared_ptr<const ViewedScene> scene,
-                               const LinesOverFills::Wanted& wanted, int threads) {
+                               const LinesOverFills::Wanted& wanted) {
   LinesOverFills::Group group{std::move(scene), wanted, {}, {}, {}};
   if (!group.scene->has_lines()) return group;
-  SortOptions options;
-  options.precision = wanted.precision;
-  options.threads = threads;
-  options.intersections = wanted.intersections;
-  const FoundLines found = find_lines(*group.scene, HiddenMethod::franklin, options);
-  if (wanted.hidden != HiddenLines::none || wanted.intersections) take_strokes(group, found);
+  const SurfacePlan& plan = wanted.plan;
+  const FoundLines found = find_lines(*group.scene, plan);
+  if (plan.hidden_lines != HiddenLines::none || plan.intersections) take_strokes(group, found);
   group.pieces = pieces_of_picture(*group.scene, found, wanted.pixels);
   return group;
 }
 
 bool is_sorted_in_order(const Segment& segment) {
-  return segment.visible && segment.sorted() != nullptr && !finds_lines(segment.sorted()->method);
+  return segment.visible && segment.sorted() != nullptr &&
+         !finds_lines(segment.sorted()->plan.method);
 }
 
 }  // namespace
 
-LinesOverFills::Wanted LinesOverFills::Wanted::by(const SortedScene& sorted, const Point2& pixels) {
-  return {sorted.precision, sorted.hidden_lines, sorted.intersections, pixels};
+LinesOverFills::Wanted LinesOverFills::Wanted::beside(const SurfacePlan& fills,
+                                                      const Point2& pixels) {
+  return {{.method = HiddenMethod::franklin,
+           .precision = fills.precision,
+           .hidden_lines = fills.hidden_lines,
+           .intersections = fills.intersections,
+           .threads = fills.threads},
+          pixels};
 }
 
 void LinesOverFills::clear() {
@@ -55,15 +60,14 @@ void LinesOverFills::clear() {
   of_segments_.clear();
 }
 
-void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted,
-                          int threads) {
+void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted) {
   of_segments_.clear();
   if (all_ && all_->wanted == wanted) {
     all_->scene = scene;
     return;
   }
   all_.reset();  // unless it succeeds
-  all_ = lines_of(scene, wanted, threads);
+  all_ = lines_of(scene, wanted);
 }
 
 void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const Point2& pixels,
@@ -73,7 +77,8 @@ void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const
   for (const Segment& segment : display_file.segments()) {
     if (!is_sorted_in_order(segment)) continue;
     const auto kept = before.find(segment.name());
-    const Wanted wanted = Wanted::by(*segment.sorted(), pixels);
+    Wanted wanted = Wanted::beside(segment.sorted()->plan, pixels);
+    wanted.plan.threads = threads;
     const auto will_do = [&](const OfSegment& old) {
       return old.entered == segment.entered() && old.image == segment.image &&
              old.group.wanted == wanted;
@@ -81,18 +86,17 @@ void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const
     of_segments_.emplace(segment.name(), kept != before.end() && will_do(kept->second)
                                              ? std::move(kept->second)
                                              : OfSegment{segment.entered(), segment.image,
-                                                         group_of(segment, wanted, threads)});
+                                                         group_of(segment, wanted)});
   }
 }
 
-LinesOverFills::Group LinesOverFills::group_of(const Segment& segment, const Wanted& wanted,
-                                               int threads) {
+LinesOverFills::Group LinesOverFills::group_of(const Segment& segment, const Wanted& wanted) {
   const SortedScene& sorted = *segment.sorted();
   if (segment.sorted_as_drawn() && sorted.parts.size() == 1) {
-    return lines_of(sorted.parts.front()->scene, wanted, threads);
+    return lines_of(sorted.parts.front()->scene, wanted);
   }
   const Segment* const one = &segment;
-  return lines_of(std::make_shared<const ViewedScene>(std::span(&one, 1)), wanted, threads);
+  return lines_of(std::make_shared<const ViewedScene>(std::span(&one, 1)), wanted);
 }
 
 const LinesOverFills::Group* LinesOverFills::of_segment(int name) const {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
@@ -20,13 +20,12 @@ class LinesOverFills {
  public:
   /// Which lines, and how exactly.
   struct Wanted {
-    Precision precision = {};
-    HiddenLines hidden = HiddenLines::none;  ///< drawn too
-    bool intersections = false;              ///< where polygons pass through each other
-    Point2 pixels{0.0};  ///< OutputDevice::pixels, in the unit of widths as they are set
-    bool operator==(const Wanted& o) const = default;
-    /// What an order of polygons was made with, which has the same lines.
-    static Wanted by(const SortedScene& sorted, const Point2& pixels);
+    SurfacePlan plan = {};  ///< by Franklin's method, whatever finds the fills
+    Point2 pixels{0.0};     ///< OutputDevice::pixels, in the unit of widths as they are set
+
+    bool operator==(const Wanted& o) const { return plan.finds_as(o.plan) && pixels == o.pixels; }
+    /// Those that go with fills which are found by that plan.
+    static Wanted beside(const SurfacePlan& fills, const Point2& pixels);
   };
   /// A line that is drawn as a whole.
   struct Stroke {
@@ -54,7 +53,7 @@ class LinesOverFills {
   /// There are none.
   void clear();
   /// Those of one scene, which since the last clear() was always one of the same items.
-  void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted, int threads);
+  void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted);
   /// Those of each visible segment that has an order of polygons of its own: those that the order
   /// was made with.
   void take_sorted_segments(const DisplayFile& display_file, const Point2& pixels, int threads);
@@ -71,7 +70,7 @@ class LinesOverFills {
     ImageTransformation image;
     Group group;
   };
-  static Group group_of(const Segment& segment, const Wanted& wanted, int threads);
+  static Group group_of(const Segment& segment, const Wanted& wanted);
 
   std::optional<Group> all_;
   std::unordered_map<int, OfSegment> of_segments_;  // by name

@@ -41,11 +41,11 @@ template <class Draw>
 void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at_a_time,
                        Draw&& draw) {
   const int rows = all.end - all.begin;
-  if (request.threads <= 1) return draw(all);
+  if (request.surfaces.threads <= 1) return draw(all);
   const int bands =
-      std::clamp(rows / std::max(1, at_a_time), std::min(request.threads, rows), rows);
+      std::clamp(rows / std::max(1, at_a_time), std::min(request.surfaces.threads, rows), rows);
   const auto row = [&](long long b) { return all.begin + static_cast<int>(b * rows / bands); };
-  in_parallel(request.threads, static_cast<std::size_t>(bands), [&](std::size_t k) {
+  in_parallel(request.surfaces.threads, static_cast<std::size_t>(bands), [&](std::size_t k) {
     const auto b = static_cast<int>(k);
     draw(RowRange{row(b), row(b + 1)});
   });
@@ -158,14 +158,11 @@ RowRange rows_asked_for(const RasterRequest& request) {
   return {request.height - rows.end, request.height - rows.first};
 }
 
-Precision precision_of(const RasterRequest& request) {
-  return request.roundoff ? Precision{false, *request.roundoff} : Precision{};
-}
 Point2 pixels_of(const RasterRequest& request) {
   return request.crumbs ? Point2(0.0) : Point2(request.width, request.height) / request.line_scale;
 }
 LinesOverFills::Wanted wanted_of(const RasterRequest& request) {
-  return {precision_of(request), request.hidden_lines, request.intersections, pixels_of(request)};
+  return LinesOverFills::Wanted::beside(request.surfaces, pixels_of(request));
 }
 
 }  // namespace
@@ -174,7 +171,7 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
                                                   const RasterRequest& request) {
   require_picture_size(request.width, request.height);
   geometry_ = 0;
-  const bool image_space = is_image_space(request.method);
+  const bool image_space = is_image_space(request.surfaces.method);
   if (image_space || display_file.has_shadows()) {
     take_up_scene_of(display_file);
     take_up_scene(request);
@@ -203,20 +200,22 @@ void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
 void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                                      const RasterRequest& request) {
   const SortedScene* const together = display_file.sorted().get();
-  const bool in_image_space = is_image_space(request.method);
+  const bool in_image_space = is_image_space(request.surfaces.method);
   const bool as_they_come = !in_image_space && together != nullptr &&
-                            (finds_lines(together->method) || !has_lines(*together));
-  if (is_colour_rule(request.method) || as_they_come) return lines_.clear();
-  if (in_image_space) return lines_.take(scene_, wanted_of(request), request.threads);
+                            (finds_lines(together->plan.method) || !has_lines(*together));
+  if (is_colour_rule(request.surfaces.method) || as_they_come) return lines_.clear();
+  if (in_image_space) return lines_.take(scene_, wanted_of(request));
   if (together == nullptr)
-    return lines_.take_sorted_segments(display_file, pixels_of(request), request.threads);
+    return lines_.take_sorted_segments(display_file, pixels_of(request), request.surfaces.threads);
   take_up_scene_of(display_file);
-  lines_.take(scene_, LinesOverFills::Wanted::by(*together, pixels_of(request)), request.threads);
+  SurfacePlan plan = together->plan;
+  plan.threads = request.surfaces.threads;
+  lines_.take(scene_, LinesOverFills::Wanted::beside(plan, pixels_of(request)));
 }
 
 SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
                                                   const RasterRequest& request,
-                                                  const KeptOfViews& kept) {
+                                                  const KeptBetweenPictures& kept) {
   require_picture_size(request.width, request.height);
   const bool same = scene.geometry() != 0 && scene.geometry() == geometry_;
   geometry_ = 0;  // unless it succeeds
@@ -225,9 +224,9 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   take_up_shadows(scene, kept.casters, same);
   paints_.take(scene);
   take_up_scene(request);
-  if (!same || is_colour_rule(request.method)) lines_.clear();
-  if (!is_colour_rule(request.method)) {
-    lines_.take(scene_, wanted_of(request), request.threads);
+  if (!same || is_colour_rule(request.surfaces.method)) lines_.clear();
+  if (!is_colour_rule(request.surfaces.method)) {
+    lines_.take(scene_, wanted_of(request));
   }
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
@@ -254,31 +253,31 @@ void SoftwareRenderer::take_up_shadows(const ViewedScene& scene, RetainedCasters
 void SoftwareRenderer::take_up_scene(const RasterRequest& request) {
   paints_.set_background(pixel_of(request.background));
   if (scene_->has_shadows() && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
-  if (!is_image_space(request.method)) return;
+  if (!is_image_space(request.surfaces.method)) return;
   const PictureSize size{request.width, request.height};
-  if (prepared_ && prepared_->method != request.method) prepared_.reset();
+  if (prepared_ && prepared_->method != request.surfaces.method) prepared_.reset();
   if (prepared_ && prepared_->scene == scene_.get() && prepared_->size == size &&
-      prepared_->roundoff == request.roundoff && prepared_->world == request.world) {
+      prepared_->roundoff == request.roundoff() && prepared_->world == request.world) {
     return;
   }
   if (!prepared_ || request.world != nullptr) {
-    const HiddenMethod asked = surfaces_of(request.method);
+    const HiddenMethod asked = surfaces_of(request.surfaces.method);
     const HiddenMethod method = asked == HiddenMethod::automatic ? kMethodForPixels : asked;
-    prepared_ = Prepared{.method = request.method,
+    prepared_ = Prepared{.method = request.surfaces.method,
                          .finder = make_image_space_method(method, request.world)};
   }
   prepared_->scene = nullptr;  // unless it succeeds
-  prepared_->finder->prepare({*scene_, size, request.roundoff}, request.threads);
+  prepared_->finder->prepare({*scene_, size, request.roundoff()}, request.surfaces.threads);
   prepared_->scene = scene_.get();
   prepared_->size = size;
-  prepared_->roundoff = request.roundoff;
+  prepared_->roundoff = request.roundoff();
   prepared_->world = request.world;
 }
 
 /// No fewer are drawn as cheaply each.
 int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& request) const {
   const int rows = rows_worth_a_walk(request, drawn.polygons);
-  if (!is_image_space(request.method)) return rows;
+  if (!is_image_space(request.surfaces.method)) return rows;
   const int of_method = prepared_->finder->rows_at_a_time();
   return scene_->has_lines() ? std::max(rows, of_method) : of_method;
 }
@@ -286,8 +285,9 @@ int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& re
 /// The picture becomes these rows of it.
 void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& request,
                                  const RowRange& rows) {
-  const bool image_space = is_image_space(request.method);
-  const bool by_depth = image_space && is_colour_rule(request.method) && scene_->has_lines();
+  const bool image_space = is_image_space(request.surfaces.method);
+  const bool by_depth =
+      image_space && is_colour_rule(request.surfaces.method) && scene_->has_lines();
   picture_.width = request.width;
   picture_.height = rows.end - rows.begin;
   picture_.undecided_centres = 0;
@@ -332,7 +332,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   const int at_a_time = rows_worth_a_walk(request, display_file.polygons());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const RasterBand band(picture_, {request.width, request.height}, background, rows, of_band,
-                          shadows_.get(), !is_colour_rule(request.method), request.crumbs);
+                          shadows_.get(), !is_colour_rule(request.surfaces.method), request.crumbs);
     if (request.sorted) {
       SortedPainter painter(display_file, band, lines_, request.line_scale);
       interpret(display_file, painter, Pass::everything, Order::drawn, request.line_scale);
@@ -350,7 +350,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
 void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& request,
                                        const RowRange& rows) {
   const PictureSize size{request.width, request.height};
-  const KeptSurfaces::Of of{geometry_, request.method, size, request.roundoff};
+  const KeptSurfaces::Of of{geometry_, request.surfaces.method, size, request.roundoff()};
   const bool keeps = drawn.keeps_surfaces && rows.begin == 0 && rows.end == request.height;
   const bool kept = keeps && surfaces_.are(of);
   if (keeps && !kept) surfaces_.begin(size);
@@ -359,7 +359,7 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
   for_bands_of_rows(request, rows, finder.rows_at_a_time(), [&](const RowRange& band) {
     FillsShown shown(*scene_, paints_,
                      {picture_, size, pixel_of(request.background), rows, band, shadows_.get(),
-                      !is_colour_rule(request.method)});
+                      !is_colour_rule(request.surfaces.method)});
     if (kept) {
       for (int row = band.begin; row < band.end; ++row) shown.show(row, 0, surfaces_.row(row));
       return;
@@ -414,7 +414,7 @@ void SoftwareRenderer::draw(const Drawn& drawn, const RasterRequest& request,
                             const TakeRows& take) {
   const int band = rows_at_a_time(drawn, request);
   const int bands =
-      std::max(useful_threads(request.threads), kPixelsAtATime / request.width / band);
+      std::max(useful_threads(request.surfaces.threads), kPixelsAtATime / request.width / band);
   const int rows = std::min(band * bands, request.height);
   const RowRange all = rows_asked_for(request);
   for (int end = all.end; end > all.begin;) {
@@ -437,14 +437,14 @@ void SoftwareRenderer::draw(const DisplayFile& display_file, const RasterRequest
 }
 
 const Picture& SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request,
-                                      const KeptOfViews& kept) {
+                                      const KeptBetweenPictures& kept) {
   const Picture& picture = draw(prepare(scene, request, kept), request);
   scene_.reset();
   return picture;
 }
 
 void SoftwareRenderer::draw(const ViewedScene& scene, const RasterRequest& request,
-                            const KeptOfViews& kept, const TakeRows& take) {
+                            const KeptBetweenPictures& kept, const TakeRows& take) {
   draw(prepare(scene, request, kept), request, take);
   scene_.reset();
 }

@@ -40,7 +40,7 @@ class SoftwareRenderer {
   /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
   /// What is kept from one view of a retained scene to the next, besides memory.
-  struct KeptOfViews {
+  struct KeptBetweenPictures {
     RetainedCasters* casters = nullptr;  ///< that have taken up the view; null: found anew
     /// The fills seen, 4 bytes a pixel, for the same view in other lights: those of the first
     /// picture, and from then on where a view comes again. An eye that moves pays for none.
@@ -51,11 +51,11 @@ class SoftwareRenderer {
   /// lights (ViewedScene::geometry), but not from there on if the method is another; the fills seen
   /// are, if a whole picture is held. Otherwise memory alone is.
   const Picture& draw(const ViewedScene& scene, const RasterRequest& request,
-                      const KeptOfViews& kept);
-  void draw(const ViewedScene& scene, const RasterRequest& request, const KeptOfViews& kept,
+                      const KeptBetweenPictures& kept);
+  void draw(const ViewedScene& scene, const RasterRequest& request, const KeptBetweenPictures& kept,
             const TakeRows& take);
   const Picture& draw(const ViewedScene& scene, const RasterRequest& request) {
-    return draw(scene, request, KeptOfViews{});
+    return draw(scene, request, KeptBetweenPictures{});
   }
   Picture take_picture() { return std::move(picture_); }
   /// A picture whose memory the next one may use.
@@ -83,7 +83,8 @@ class SoftwareRenderer {
     bool keeps_surfaces = false;
   };
   Drawn prepare(const DisplayFile& display_file, const RasterRequest& request);
-  Drawn prepare(const ViewedScene& scene, const RasterRequest& request, const KeptOfViews& kept);
+  Drawn prepare(const ViewedScene& scene, const RasterRequest& request,
+                const KeptBetweenPictures& kept);
   void take_up_shadows(const ViewedScene& scene, RetainedCasters* casters, bool same_geometry);
   void take_up_scene(const RasterRequest& request);
   void take_up_scene_of(const DisplayFile& display_file);
@@ -109,7 +110,7 @@ class SoftwareRenderer {
   std::size_t surfaces_found_ = 0;
   bool has_drawn_views_ = false;
   LinesOverFills lines_;
-  std::vector<ViewedText> texts_;  // that are seen
+  std::vector<DeviceText> texts_;  // that are seen
 };
 
 /// One picture by a renderer of its own.

@@ -95,17 +95,17 @@ SortedPainter::SortedPainter(const DisplayFile& display_file, const RasterBand& 
 
 SortedPainter::Undecided SortedPainter::undecided_of(int segment_name) const {
   if (const auto& together = display_file_.sorted()) {
-    return together->precision.exact ? Undecided::at_boundaries : Undecided::none;
+    return together->plan.precision.exact ? Undecided::at_boundaries : Undecided::none;
   }
   const Segment& segment = display_file_.segment(segment_name);
-  if (!segment.sorted() || !segment.sorted()->precision.exact) return Undecided::none;
+  if (!segment.sorted() || !segment.sorted()->plan.precision.exact) return Undecided::none;
   return segment.sorted_as_drawn() ? Undecided::at_boundaries : Undecided::all;
 }
 
 bool SortedPainter::is_map(int segment_name) const {
   const auto& sorted = display_file_.sorted() ? display_file_.sorted()
                                               : display_file_.segment(segment_name).sorted();
-  return sorted != nullptr && sorted->method == HiddenMethod::map;
+  return sorted != nullptr && sorted->plan.method == HiddenMethod::map;
 }
 
 void SortedPainter::note_boundary(const DrawnPolygon& polygon) {

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-std::vector<StepRow> rows_of(const StepScene& scene, const StepRecord& record,
+std::vector<StepRow> rows_of(const StepItems& scene, const StepRecord& record,
                              ActiveEdgesOfRow edges, std::size_t first, std::size_t end) {
   constexpr std::size_t kBefore = StepRecord::kMostRows / 4;
   const std::size_t from =
@@ -20,7 +20,7 @@ std::vector<StepRow> rows_of(const StepScene& scene, const StepRecord& record,
     const bool enters = in.erase(fill) == 0;
     if (enters) in.insert(fill);
     if (k < from) continue;
-    const StepScene::Polygon polygon = scene.viewed().item_of(fill);
+    const StepItems::Polygon polygon = scene.viewed().item_of(fill);
     rows.push_back(
         {{record.name(polygon), fmt::format("{:.2f}", x), fmt::format("{:+.2f}", edge.dx_dy),
           std::to_string(edge.last_row), enters ? "IN" : "OUT"},
@@ -30,7 +30,7 @@ std::vector<StepRow> rows_of(const StepScene& scene, const StepRecord& record,
   return rows;
 }
 
-std::vector<StepRun> runs_of(const StepScene& scene, ActiveEdgesOfRow edges, int row) {
+std::vector<StepRun> runs_of(const StepItems& scene, ActiveEdgesOfRow edges, int row) {
   std::map<ViewedScene::Fill, std::vector<int>> columns;
   for (const ActiveEdgeList::Edge& e : edges) columns[e.fill].push_back(e.column);
   std::vector<StepRun> runs;
@@ -43,7 +43,7 @@ std::vector<StepRun> runs_of(const StepScene& scene, ActiveEdgesOfRow edges, int
   return runs;
 }
 
-std::vector<StepSegment> profile_of(const StepScene& scene, const std::vector<StepRun>& runs) {
+std::vector<StepSegment> profile_of(const StepItems& scene, const std::vector<StepRun>& runs) {
   const double width = scene.size().width;
   std::vector<StepSegment> segments;
   segments.reserve(runs.size());

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-class StepScene;
+class StepItems;
 class StepRecord;
 
 /// An algorithm that tells steps: one file, which ends with its entry, and one line of the table in
@@ -19,7 +19,7 @@ struct SteppedAlgorithm {
   std::string_view source;
   std::span<const ListingLine> listing;
   std::span<const PanelEntry> panels;
-  void (*run)(const StepScene& scene, StepRecord& record);
+  void (*run)(const StepItems& scene, StepRecord& record);
 };
 
 extern const SteppedAlgorithm kBspSteps, kDepthSortSteps, kZBufferSteps, kScanLineSteps,

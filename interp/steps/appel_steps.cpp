@@ -38,7 +38,7 @@ class AppelSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  AppelSteps(const StepScene& scene, StepRecord& record)
+  AppelSteps(const StepItems& scene, StepRecord& record)
       : record_(record),
         lines_(scene, record),
         scene_(lines_.items(), lines_.lines(), 1),
@@ -49,7 +49,7 @@ class AppelSteps {
     appel_.find({});
   }
 
-  using Line = LineScene::Line;
+  using Line = LineTable::Line;
 
   void ray(const Line& line, const SideCounts& start) {
     record_.step(
@@ -156,7 +156,7 @@ class AppelSteps {
 
   StepRecord& record_;
   StepLines lines_;
-  AppelScene scene_;
+  AppelTables scene_;
   PlainAppel<ExactLines, AppelSteps> appel_;
   std::vector<StepRow> rows_;       // of the counts along the line,
   std::vector<StepSegment> graph_;  // and their graph
@@ -170,6 +170,6 @@ const SteppedAlgorithm kAppelSteps{
     "Appel 1967; the chapter's section \"Hidden-line methods\"",
     AppelSteps::kListing,
     AppelSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { AppelSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { AppelSteps(scene, record).run(); }};
 
 }  // namespace displayfile

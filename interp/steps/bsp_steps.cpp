@@ -47,7 +47,7 @@ class BspSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  BspSteps(const StepScene& scene, StepRecord& record)
+  BspSteps(const StepItems& scene, StepRecord& record)
       : record_(record), table_(scene, record), bsp_(table_.to_sort(), table_.comparing(), *this) {}
 
   void run() { bsp_.sort_all(); }
@@ -246,6 +246,6 @@ const SteppedAlgorithm kBspSteps{
     "Fuchs, Kedem and Naylor 1980, as the chapter's algorithms 9.8 to 9.16 give it",
     BspSteps::kListing,
     BspSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { BspSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { BspSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -49,7 +49,7 @@ class DepthSortSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  DepthSortSteps(const StepScene& scene, StepRecord& record)
+  DepthSortSteps(const StepItems& scene, StepRecord& record)
       : scene_(scene), record_(record), table_(scene, record) {}
 
   void run() {
@@ -91,7 +91,7 @@ class DepthSortSteps {
   }
 
   bool passes(int test, const Listed& p, const Listed& q) const {
-    const SortScene<Exact>& sorted = table_.sorted();
+    const SortTables<Exact>& sorted = table_.sorted();
     switch (test) {
       case 0: return q.extent.z_min > p.extent.z_max;
       case 1: return p.extent.y_max < q.extent.y_min || q.extent.y_max < p.extent.y_min;
@@ -271,7 +271,7 @@ class DepthSortSteps {
                  }));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   PieceTable table_;
   std::vector<Listed> list_;
@@ -287,6 +287,6 @@ const SteppedAlgorithm kDepthSortSteps{
     "section 6",
     DepthSortSteps::kListing,
     DepthSortSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { DepthSortSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { DepthSortSteps(scene, record).run(); }};
 
 }  // namespace displayfile

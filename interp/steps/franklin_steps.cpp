@@ -41,7 +41,7 @@ class FranklinSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  FranklinSteps(const StepScene& scene, StepRecord& record)
+  FranklinSteps(const StepItems& scene, StepRecord& record)
       : record_(record),
         lines_(scene, record),
         grid_(lines_.lines(), 1),
@@ -54,7 +54,7 @@ class FranklinSteps {
   }
 
   /// For find_seen.
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     line_ = &line;
     hidden_.clear();
     cells_.clear();
@@ -185,7 +185,7 @@ class FranklinSteps {
   StepLines lines_;
   CellGrid grid_;
   Franklin<ExactLines, Observer> finder_;
-  const LineScene::Line* line_ = nullptr;
+  const LineTable::Line* line_ = nullptr;
   std::vector<StepRow> hidden_;
   PartOfLine part_{};
   std::size_t level_ = 0;
@@ -200,6 +200,6 @@ const SteppedAlgorithm kFranklinSteps{
     "Franklin 1980; the chapter's section \"Franklin algorithm\"",
     FranklinSteps::kListing,
     FranklinSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { FranklinSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { FranklinSteps(scene, record).run(); }};
 
 }  // namespace displayfile

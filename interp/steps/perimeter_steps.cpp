@@ -114,7 +114,7 @@ class PerimeterSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  PerimeterSteps(const StepScene& scene, StepRecord& record)
+  PerimeterSteps(const StepItems& scene, StepRecord& record)
       : record_(record), lines_(scene, record), surface_(lines_.items()), verticals_(surface_) {}
 
   void run() {
@@ -193,7 +193,8 @@ class PerimeterSteps {
 
   void find_others(std::span<const LineName> names) {
     if (names.empty()) return;
-    const SeenLines found = visible_lines(lines_.items(), names, HiddenMethod::franklin, {});
+    const SeenLines found =
+        visible_lines(lines_.items(), names, {.method = HiddenMethod::franklin});
     for (const LineName& name : names) {
       const auto number = static_cast<std::uint32_t>(
           std::ranges::lower_bound(lines_.names(), name) - lines_.names().begin());
@@ -232,6 +233,6 @@ const SteppedAlgorithm kPerimeterSteps{
     "Wright 1973, as the problem book gives it (10.8)",
     PerimeterSteps::kListing,
     PerimeterSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { PerimeterSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { PerimeterSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -8,10 +8,10 @@
 
 namespace displayfile {
 
-std::vector<Primitives::Item> PieceTable::items_of(const StepScene& scene) {
+std::vector<Primitives::Item> PieceTable::items_of(const StepItems& scene) {
   std::vector<Primitives::Item> items;
   std::uint32_t first = 0;
-  for (const StepScene::Polygon polygon : scene.fills()) {
+  for (const StepItems::Polygon polygon : scene.fills()) {
     const auto sides = static_cast<std::uint32_t>(scene.viewed().points(polygon).size());
     items.push_back({first, sides, Primitives::Kind::solid});
     first += sides;
@@ -19,15 +19,15 @@ std::vector<Primitives::Item> PieceTable::items_of(const StepScene& scene) {
   return items;
 }
 
-std::vector<Point3> PieceTable::points_of(const StepScene& scene) {
+std::vector<Point3> PieceTable::points_of(const StepItems& scene) {
   std::vector<Point3> points;
-  for (const StepScene::Polygon polygon : scene.fills()) {
+  for (const StepItems::Polygon polygon : scene.fills()) {
     for (const Point3& p : scene.vertices(polygon)) points.push_back(p);
   }
   return points;
 }
 
-PieceTable::PieceTable(const StepScene& scene, StepRecord& record)
+PieceTable::PieceTable(const StepItems& scene, StepRecord& record)
     : scene_(scene),
       record_(record),
       points_(points_of(scene)),
@@ -36,7 +36,7 @@ PieceTable::PieceTable(const StepScene& scene, StepRecord& record)
       sort_(primitives_, Exact({})),
       made_(sort_.vertices.made()),
       comparing_(sort_.table, sort_.vertices, Observer{&told_}) {
-  for (const StepScene::Polygon polygon : scene.fills()) {
+  for (const StepItems::Polygon polygon : scene.fills()) {
     pieces_.push_back(polygon);
     runs_.push_back(scene.coverage(polygon));
   }
@@ -118,7 +118,7 @@ PieceTable::Cut PieceTable::note_cut(Index test, std::uint32_t plane,
   return cut;
 }
 
-std::uint32_t PieceTable::upright_plane(StepScene::Polygon polygon, std::uint32_t corner) {
+std::uint32_t PieceTable::upright_plane(StepItems::Polygon polygon, std::uint32_t corner) {
   const auto known = std::ranges::find_if(
       upright_, [&](const Upright& u) { return u.polygon == polygon && u.corner == corner; });
   if (known != upright_.end()) return known->plane;

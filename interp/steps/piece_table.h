@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "hidden/sort/sort_scene.h"
+#include "hidden/sort/sort_tables.h"
+#include "interp/steps/step_items.h"
 #include "interp/steps/step_record.h"
-#include "interp/steps/step_scene.h"
 
 namespace displayfile {
 
@@ -16,16 +16,16 @@ class PieceTable {
  public:
   using Index = PolygonTable::Index;
 
-  PieceTable(const StepScene& scene, StepRecord& record);
+  PieceTable(const StepItems& scene, StepRecord& record);
   PieceTable(const PieceTable&) = delete;
   PieceTable& operator=(const PieceTable&) = delete;
 
   std::vector<Index> all() const;  ///< before any is cut: in order of entry
   const PolygonTable::Entry& entry(Index i) const { return sort_.table[i]; }
-  const SortScene<Exact>& sorted() const { return sort_; }
-  SortScene<Exact>& to_sort() { return sort_; }
+  const SortTables<Exact>& sorted() const { return sort_; }
+  SortTables<Exact>& to_sort() { return sort_; }
   std::uint32_t piece(Index i) const { return pieces_[i]; }
-  StepScene::Polygon polygon(Index i) const { return scene_.fills()[entry(i).item]; }
+  StepItems::Polygon polygon(Index i) const { return scene_.fills()[entry(i).item]; }
   /// The pixels whose centres it covers. A centre right on a cut is that of the half in front.
   const std::vector<StepRun>& runs(Index i) const { return runs_[i]; }
 
@@ -57,26 +57,26 @@ class PieceTable {
 
   /// The plane through a side of a polygon and the viewer, its front to the right of the side; the
   /// same if it is asked for again.
-  std::uint32_t upright_plane(StepScene::Polygon polygon, std::uint32_t corner);
+  std::uint32_t upright_plane(StepItems::Polygon polygon, std::uint32_t corner);
 
  private:
   struct Upright {
-    StepScene::Polygon polygon;
+    StepItems::Polygon polygon;
     std::uint32_t corner, plane;
     Point2 from, to;
   };
 
-  static std::vector<Primitives::Item> items_of(const StepScene& scene);
-  static std::vector<Point3> points_of(const StepScene& scene);
+  static std::vector<Primitives::Item> items_of(const StepItems& scene);
+  static std::vector<Point3> points_of(const StepItems& scene);
   int side_of_centre(Index of, std::uint32_t plane, int column, int row) const;
   std::uint32_t add_piece(Index i, std::uint32_t of);
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   std::vector<Point3> points_;
   std::vector<Primitives::Item> items_;
   Primitives primitives_;
-  SortScene<Exact> sort_;
+  SortTables<Exact> sort_;
   std::vector<std::pair<bool, SideBuffer::Side>> told_;
   std::size_t made_;  // points, up to the cut noted last
   Comparing comparing_;

@@ -40,7 +40,7 @@ class RayCastSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  RayCastSteps(const StepScene& scene, StepRecord& record)
+  RayCastSteps(const StepItems& scene, StepRecord& record)
       : scene_(scene), record_(record), tree_(scene) {}
 
   void run() {
@@ -50,7 +50,7 @@ class RayCastSteps {
   }
 
  private:
-  using Polygon = StepScene::Polygon;
+  using Polygon = StepItems::Polygon;
   using Branch = StepBoxTree::Branch;
 
   /// What a ray met, in order: it is the same way if all of these are the same.
@@ -252,7 +252,7 @@ class RayCastSteps {
     record_.show_segments(panel("depths"), std::move(segments));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   StepBoxTree tree_;
   std::vector<Branch> waiting_;
@@ -268,6 +268,6 @@ const SteppedAlgorithm kRayCastSteps{
     "The lecture's section 5, in image space, through a tree of boxes",
     RayCastSteps::kListing,
     RayCastSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { RayCastSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { RayCastSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -35,7 +35,7 @@ class RobertsSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  RobertsSteps(const StepScene& scene, StepRecord& record)
+  RobertsSteps(const StepItems& scene, StepRecord& record)
       : record_(record),
         lines_(scene, record),
         objects_(lines_.items(), lines_.lines()),
@@ -57,7 +57,7 @@ class RobertsSteps {
   }
 
   /// For find_seen.
-  const std::vector<PartOfLine>& hidden_parts(const LineScene::Line& line) {
+  const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     line_ = &line;
     hidden_.clear();
     record_.step(at("line"), fmt::format("Which parts of {} are seen?", lines_.name(line)));
@@ -134,7 +134,7 @@ class RobertsSteps {
   ConvexObjects objects_;
   ExtentTree tree_;
   Roberts<ExactLines, Observer> finder_;
-  const LineScene::Line* line_ = nullptr;
+  const LineTable::Line* line_ = nullptr;
   std::vector<StepRow> hidden_;
 };
 
@@ -146,6 +146,6 @@ const SteppedAlgorithm kRobertsSteps{
     "Roberts 1963; the chapter's section \"Hidden-line methods\"",
     RobertsSteps::kListing,
     RobertsSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { RobertsSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { RobertsSteps(scene, record).run(); }};
 
 }  // namespace displayfile

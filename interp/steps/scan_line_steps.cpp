@@ -38,7 +38,7 @@ class ScanLineSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  ScanLineSteps(const StepScene& scene, StepRecord& record) : scene_(scene), record_(record) {}
+  ScanLineSteps(const StepItems& scene, StepRecord& record) : scene_(scene), record_(record) {}
 
   void run() {
     PlainScanLine scan_line;
@@ -106,7 +106,7 @@ class ScanLineSteps {
   }
 
  private:
-  using Polygon = StepScene::Polygon;
+  using Polygon = StepItems::Polygon;
   using Fill = ViewedScene::Fill;
 
   Polygon polygon(Fill fill) const { return scene_.viewed().item_of(fill); }
@@ -138,7 +138,7 @@ class ScanLineSteps {
     record_.show_segments(panel("depths"), std::move(profile));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   std::span<const ActiveEdgeList::Edge> edges_;
   bool is_empty_ = true;  // the row, and nothing is told of it
@@ -153,6 +153,6 @@ const SteppedAlgorithm kScanLineSteps{
     "The lecture's section 4, with the flags of the problem book's 10.5",
     ScanLineSteps::kListing,
     ScanLineSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { ScanLineSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { ScanLineSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -32,7 +32,7 @@ class ScanLineZSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  ScanLineZSteps(const StepScene& scene, StepRecord& record)
+  ScanLineZSteps(const StepItems& scene, StepRecord& record)
       : scene_(scene),
         record_(record),
         edges_(scene.viewed(), scene.size(), 0, scene.size().height) {}
@@ -80,7 +80,7 @@ class ScanLineZSteps {
     record_.mark(StepRole::active, whole_row(row));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   ActiveEdgeList edges_;
 };
@@ -93,6 +93,6 @@ const SteppedAlgorithm kScanLineZSteps{
     "Carpenter 1976; the chapter's section \"Scan-line algorithms\"",
     ScanLineZSteps::kListing,
     ScanLineZSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { ScanLineZSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { ScanLineZSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-StepBoxTree::StepBoxTree(const StepScene& scene)
+StepBoxTree::StepBoxTree(const StepItems& scene)
     : depths_(scene.viewed(), scene.size(), {}), fill_of_(scene.polygons()) {
   std::vector<DeepPixelBox> boxes;
   for (Fill fill = 1; fill < scene.viewed().end(); ++fill) {

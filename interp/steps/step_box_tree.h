@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "interp/steps/step_scene.h"
+#include "interp/steps/step_items.h"
 #include "interp/visibility/fill_depths.h"
 #include "interp/visibility/pixel_tree.h"
 
@@ -18,10 +18,10 @@ namespace displayfile {
 /// scene's fills, with a number for each of its nodes and for each polygon in it.
 class StepBoxTree {
  public:
-  using Polygon = StepScene::Polygon;
+  using Polygon = StepItems::Polygon;
   using Fill = ViewedScene::Fill;
 
-  explicit StepBoxTree(const StepScene& scene);
+  explicit StepBoxTree(const StepItems& scene);
 
   struct Target {
     Fill fill;

@@ -17,7 +17,7 @@ Primitives with_drawn(Primitives items, const std::vector<std::uint8_t>& drawn) 
 
 }  // namespace
 
-StepLines::StepLines(const StepScene& scene, StepRecord& record)
+StepLines::StepLines(const StepItems& scene, StepRecord& record)
     : record_(record),
       drawn_(scene.viewed().drawn_sides()),
       items_(with_drawn(scene.viewed().primitives(), drawn_)),

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "hidden/lines/line_against_polygon.h"
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 #include "hidden/lines/visible_pieces.h"
+#include "interp/steps/step_items.h"
 #include "interp/steps/step_record.h"
-#include "interp/steps/step_scene.h"
 
 namespace displayfile {
 
@@ -18,14 +18,14 @@ namespace displayfile {
 /// steps have in common.
 class StepLines {
  public:
-  using Line = LineScene::Line;
+  using Line = LineTable::Line;
 
-  StepLines(const StepScene& scene, StepRecord& record);
+  StepLines(const StepItems& scene, StepRecord& record);
   StepLines(const StepLines&) = delete;
   StepLines& operator=(const StepLines&) = delete;
 
   const Primitives& items() const { return items_; }
-  const LineScene& lines() const { return lines_; }
+  const LineTable& lines() const { return lines_; }
   std::span<const LineName> names() const { return names_; }
   /// The first line of that name, by its number.
   const Line& line_of(std::uint32_t name) const {
@@ -72,7 +72,7 @@ class StepLines {
   std::vector<std::uint8_t> drawn_;  // of the sides
   Primitives items_;
   std::vector<LineName> names_;
-  LineScene lines_;
+  LineTable lines_;
   ExactLines policy_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-StepRecord::StepRecord(const StepScene& scene, Steps& steps, std::size_t most_steps)
+StepRecord::StepRecord(const StepItems& scene, Steps& steps, std::size_t most_steps)
     : scene_(scene),
       steps_(steps),
       most_steps_(most_steps),

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "interp/steps/step_scene.h"
+#include "interp/steps/step_items.h"
 #include "interp/steps/steps.h"
 
 namespace displayfile {
@@ -17,14 +17,14 @@ namespace displayfile {
 /// What an algorithm tells its steps to: it writes them down, and the picture that they add up to.
 class StepRecord {
  public:
-  using Polygon = StepScene::Polygon;
+  using Polygon = StepItems::Polygon;
   static constexpr std::uint32_t kBackground = StepRow::kNoPiece;
   // Nobody looks at more of one step; a scene may have a million polygons.
   static constexpr std::size_t kMostRows = 60, kMostMarks = 300, kMostSegments = 400,
                                kMostNames = 12;
 
   /// Both must live on.
-  StepRecord(const StepScene& scene, Steps& steps, std::size_t most_steps);
+  StepRecord(const StepItems& scene, Steps& steps, std::size_t most_steps);
 
   /// Begins a step, of which more is said until the next. Throws Error if there are too many.
   Step& step(int line, std::string sentence);
@@ -87,7 +87,7 @@ class StepRecord {
   template <class Keeps>
   int paint(const StepRun& run, Keeps&& keeps);
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   Steps& steps_;
   std::size_t most_steps_;
   std::vector<std::uint32_t> cuts_;  // how many pieces each polygon has

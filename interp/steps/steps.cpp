@@ -8,8 +8,8 @@
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"
 #include "interp/steps/algorithms.h"
+#include "interp/steps/step_items.h"
 #include "interp/steps/step_record.h"
-#include "interp/steps/step_scene.h"
 
 namespace displayfile {
 
@@ -42,7 +42,7 @@ const SteppedAlgorithm& algorithm_of(HiddenMethod method) {
               " tells no steps: expected one of" + names);
 }
 
-void describe(const StepScene& scene, Steps& steps) {
+void describe(const StepItems& scene, Steps& steps) {
   const ViewedScene& viewed = scene.viewed();
   for (std::uint32_t k = 0; k < scene.polygons(); ++k) {
     const Primitives::Kind kind = viewed.kind(k);
@@ -70,7 +70,7 @@ void describe(const StepScene& scene, Steps& steps) {
 Steps tell_steps(const DisplayFile& file, const StepsOptions& options) {
   const SteppedAlgorithm& algorithm = algorithm_of(options.method);
   require_picture_size(options.width, options.height);
-  const StepScene scene(file, {options.width, options.height});
+  const StepItems scene(file, {options.width, options.height});
   Steps steps;
   steps.method = algorithm.method;
   steps.title = algorithm.title;

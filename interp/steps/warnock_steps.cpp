@@ -38,7 +38,7 @@ class WarnockSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  WarnockSteps(const StepScene& scene, StepRecord& record) : scene_(scene), record_(record) {}
+  WarnockSteps(const StepItems& scene, StepRecord& record) : scene_(scene), record_(record) {}
 
   void run() {
     const auto [width, height] = scene_.size();
@@ -76,7 +76,7 @@ class WarnockSteps {
     Fill hidden, by;
   };
 
-  StepScene::Polygon polygon(Fill fill) const { return scene_.viewed().item_of(fill); }
+  StepItems::Polygon polygon(Fill fill) const { return scene_.viewed().item_of(fill); }
   const std::string& name(Fill fill) const { return record_.name(polygon(fill)); }
 
   static std::string words(const SampleArea& area) {
@@ -182,7 +182,7 @@ class WarnockSteps {
                  }));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   std::vector<SampleArea> stack_;
   std::vector<Removed> removed_;
@@ -196,6 +196,6 @@ const SteppedAlgorithm kWarnockSteps{
     "Warnock 1969; the chapter's section \"Warnock's algorithm\", the problem book's 10.6",
     WarnockSteps::kListing,
     WarnockSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { WarnockSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { WarnockSteps(scene, record).run(); }};
 
 }  // namespace displayfile

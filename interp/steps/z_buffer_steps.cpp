@@ -34,7 +34,7 @@ class ZBufferSteps {
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }
 
-  ZBufferSteps(const StepScene& scene, StepRecord& record) : scene_(scene), record_(record) {}
+  ZBufferSteps(const StepItems& scene, StepRecord& record) : scene_(scene), record_(record) {}
 
   void run() {
     record_.step(at("clear"), "The picture is all background, and as far away as can be.");
@@ -45,7 +45,7 @@ class ZBufferSteps {
   }
 
  private:
-  using Polygon = StepScene::Polygon;
+  using Polygon = StepItems::Polygon;
   using Runs = std::vector<StepRun>;
 
   void draw(Polygon polygon) {
@@ -122,7 +122,7 @@ class ZBufferSteps {
     record_.show(panel("polygons"), std::move(last_first));
   }
 
-  const StepScene& scene_;
+  const StepItems& scene_;
   StepRecord& record_;
   std::vector<StepRow> rows_;
 };
@@ -137,6 +137,6 @@ const SteppedAlgorithm kZBufferSteps{
     "10.2",
     ZBufferSteps::kListing,
     ZBufferSteps::kPanels,
-    [](const StepScene& scene, StepRecord& record) { ZBufferSteps(scene, record).run(); }};
+    [](const StepItems& scene, StepRecord& record) { ZBufferSteps(scene, record).run(); }};
 
 }  // namespace displayfile

@@ -33,7 +33,7 @@ void set_font(cairo_t* context, double size) {
 
 }  // namespace
 
-CairoText::CairoText(cairo_t* context, const ViewedText& text, const Point2& anchor, double size)
+CairoText::CairoText(cairo_t* context, const DeviceText& text, const Point2& anchor, double size)
     : context_(context), text_(text) {
   set_font(context, size);
   cairo().text_extents(context, text.characters.c_str(), &extents_);

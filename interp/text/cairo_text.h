@@ -12,14 +12,14 @@ namespace displayfile {
 class CairoText {
  public:
   /// Sets the context's font. `size` is of the letters. Throws Error if Cairo fails.
-  CairoText(cairo_t* context, const ViewedText& text, const Point2& anchor, double size);
+  CairoText(cairo_t* context, const DeviceText& text, const Point2& anchor, double size);
 
   Rectangle ink() const;  ///< what the letters cover
   void show() const;      ///< in the context's source colour; throws Error if Cairo fails
 
  private:
   cairo_t* context_;
-  const ViewedText& text_;
+  const DeviceText& text_;
   Point2 start_;
   cairo_text_extents_t extents_;
 };

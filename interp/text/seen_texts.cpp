@@ -8,21 +8,21 @@
 
 namespace displayfile {
 
-std::vector<ViewedText> seen_texts(const ViewedScene& scene) {
+std::vector<DeviceText> seen_texts(const ViewedScene& scene) {
   std::vector<Point3> anchors;
-  for (const ViewedText& text : scene.texts()) {
+  for (const DeviceText& text : scene.texts()) {
     if (!text.style.always) anchors.push_back(text.anchor);
   }
   const std::vector<std::uint8_t> seen = points_seen(scene, anchors);
-  std::vector<ViewedText> texts;
+  std::vector<DeviceText> texts;
   auto next = seen.begin();
-  for (const ViewedText& text : scene.texts()) {
+  for (const DeviceText& text : scene.texts()) {
     if (text.style.always || *next++ != 0) texts.push_back(text);
   }
   return texts;
 }
 
-std::vector<ViewedText> seen_texts(const DisplayFile& display_file, bool by_depth) {
+std::vector<DeviceText> seen_texts(const DisplayFile& display_file, bool by_depth) {
   if (!display_file.has_texts()) return {};
   if (by_depth || display_file.sorted() != nullptr) {
     const SortedScene* sorted = display_file.sorted().get();
@@ -32,7 +32,7 @@ std::vector<ViewedText> seen_texts(const DisplayFile& display_file, bool by_dept
     }
     return seen_texts(ViewedScene(display_file));
   }
-  std::vector<ViewedText> texts;
+  std::vector<DeviceText> texts;
   for (const Segment* segment : display_file.visible_segments()) {
     if (!segment->has_texts()) continue;
     const ViewedScene scene(std::span(&segment, 1));

@@ -12,9 +12,9 @@ namespace displayfile {
 /// left out, unless their style has them seen always. `by_depth` says that an image-space method
 /// removes them; otherwise they are removed where the display file is sorted: by the fills of all
 /// visible segments, or in a segment that is sorted by itself by its own.
-std::vector<ViewedText> seen_texts(const DisplayFile& display_file, bool by_depth);
+std::vector<DeviceText> seen_texts(const DisplayFile& display_file, bool by_depth);
 
 /// Those of a scene whose hidden surfaces are removed.
-std::vector<ViewedText> seen_texts(const ViewedScene& scene);
+std::vector<DeviceText> seen_texts(const ViewedScene& scene);
 
 }  // namespace displayfile

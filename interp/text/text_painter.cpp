@@ -71,7 +71,7 @@ class TextPainter {
   TextPainter(const PictureSize& size, int top, int bottom, Picture& picture)
       : size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
 
-  void paint(const ViewedText& text) const {
+  void paint(const DeviceText& text) const {
     const Rectangle ink = on_page(text, measure_.context()).ink();
     const auto bounded = [](double v, int low, int high) {
       return static_cast<int>(std::clamp(v, static_cast<double>(low), static_cast<double>(high)));
@@ -89,14 +89,14 @@ class TextPainter {
   }
 
  private:
-  CairoText on_page(const ViewedText& text, cairo_t* context) const {
+  CairoText on_page(const DeviceText& text, cairo_t* context) const {
     return {context,
             text,
             {text.anchor.x * size_.width, size_.height - text.anchor.y * size_.height},
             text.style.size * size_.height};
   }
 
-  void paint(const ViewedText& text, const Tile& tile) const {
+  void paint(const DeviceText& text, const Tile& tile) const {
     const LetterCoverage coverage(tile);
     on_page(text, coverage.context()).show();
     const std::uint32_t colour = pixel_of(text.line.colour);
@@ -130,12 +130,12 @@ void require_cairo() {
 
 }  // namespace
 
-void paint_texts(std::span<const ViewedText> texts, const PictureSize& size, int first_row,
+void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
                  int end_row, Picture& rows) {
   if (texts.empty()) return;
   require_cairo();
   const TextPainter painter(size, size.height - end_row, size.height - first_row, rows);
-  for (const ViewedText& text : texts) painter.paint(text);
+  for (const DeviceText& text : texts) painter.paint(text);
 }
 
 }  // namespace displayfile

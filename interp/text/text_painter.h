@@ -13,7 +13,7 @@ namespace displayfile {
 /// changes, nor do identifiers and depths. The pixels are the same whichever rows are in memory.
 /// Throws Error if there is a text and this system has no Cairo; if there is none, it is not
 /// looked for.
-void paint_texts(std::span<const ViewedText> texts, const PictureSize& size, int first_row,
+void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
                  int end_row, Picture& rows);
 
 }  // namespace displayfile

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-void paint_texts(std::span<const ViewedText> texts, const PictureSize&, int, int, Picture&) {
+void paint_texts(std::span<const DeviceText> texts, const PictureSize&, int, int, Picture&) {
   if (texts.empty()) return;
   throw Error(
       "texts in pixels are drawn by Cairo, which this build was made without: expected a drawing "

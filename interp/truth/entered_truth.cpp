@@ -8,7 +8,7 @@
 
 #include "clip/base/budgeted_work.h"
 #include "displayfile/entered/entered_polygons.h"
-#include "interp/truth/exact_view.h"
+#include "interp/truth/exact_projection.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_planes.h"
 
@@ -17,10 +17,10 @@ namespace displayfile {
 namespace {
 
 /// The polygons of one segment, on their way into the picture.
-class EnteredView {
+class EnteredProjection {
  public:
-  EnteredView(const RetainedScene& retained, const TruePlanes& planes, ExactView view,
-              TruePicture& picture)
+  EnteredProjection(const RetainedScene& retained, const TruePlanes& planes, ExactProjection view,
+                    TruePicture& picture)
       : retained_(retained), planes_(planes), exact_(std::move(view)), picture_(picture) {}
 
   void enter(std::uint32_t primitive);
@@ -31,13 +31,13 @@ class EnteredView {
 
   const RetainedScene& retained_;
   const TruePlanes& planes_;
-  ExactView exact_;
+  ExactProjection exact_;
   TruePicture& picture_;
-  std::vector<ExactView::Vertex> viewed_;  // of the polygon on its way
+  std::vector<ExactProjection::Vertex> viewed_;  // of the polygon on its way
   std::vector<TruePoint> points_;
 };
 
-void EnteredView::enter(std::uint32_t primitive) {
+void EnteredProjection::enter(std::uint32_t primitive) {
   viewed_.clear();
   for (std::size_t k = 0; k < retained_[primitive].sides; ++k) {
     viewed_.push_back(exact_.viewed(planes_.vertex(primitive, k)));
@@ -45,19 +45,21 @@ void EnteredView::enter(std::uint32_t primitive) {
   exact_.clip(viewed_);
   if (viewed_.empty()) return;
   // An image transformation may turn polygons over: that does not count.
-  if (retained_.shared_attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+  if (retained_.shared_attributes(primitive).back_face_removal &&
+      !ExactProjection::faces_viewer(viewed_))
     return;
   std::optional<Support> support = support_of(planes_.plane_of(primitive));
   if (!support) support = support_of(primitive);
   if (!support) return;
   points_.clear();
-  for (const ExactView::Vertex& v : viewed_) points_.push_back(exact_.in_picture(v));
+  for (const ExactProjection::Vertex& v : viewed_) points_.push_back(exact_.in_picture(v));
   const auto& [p, q, r] = *support;
   picture_.enter(points_, {&p, &q, &r}, retained_[primitive].pick);
 }
 
 /// Where they are seen; nothing if the polygon has no plane, or it is seen edge-on.
-std::optional<EnteredView::Support> EnteredView::support_of(std::uint32_t primitive) const {
+std::optional<EnteredProjection::Support> EnteredProjection::support_of(
+    std::uint32_t primitive) const {
   const auto plane = planes_.own_plane(primitive);
   if (!plane) return std::nullopt;
   const auto seen = [&](const WholePoint& p) { return exact_.in_picture(exact_.viewed(p)); };
@@ -78,8 +80,8 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
   const TruePlanes planes(visible, touching);
   const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
                            TruePicture& picture) {
-    return EnteredView(visible, planes, ExactView(part.view, segment.image, width, height),
-                       picture);
+    return EnteredProjection(visible, planes,
+                             ExactProjection(part.view, segment.image, width, height), picture);
   };
   return {retained_picture(visible, display_file, width, height, depth, progress, view_of),
           planes.touching()};

@@ -16,11 +16,9 @@ namespace displayfile {
 
 namespace {
 
-SeenLines lines_by(const DisplayFile& display_file, const LineJudging& judging) {
-  SortOptions options;
-  options.precision = judging.precision;
-  options.threads = judging.threads;
-  return find_lines(ViewedScene(display_file), judging.method, options).seen;
+SeenLines lines_by(const DisplayFile& display_file, SurfacePlan plan) {
+  plan.progress = {};  // that of the judgement
+  return find_lines(ViewedScene(display_file), plan).seen;
 }
 
 }  // namespace
@@ -34,21 +32,22 @@ std::vector<LinePiece> claimed_pieces(const SeenLines& seen) {
   return pieces;
 }
 
-JudgedLines judged_lines(const DisplayFile& display_file, const LineJudging& judging) {
-  const std::vector<LinePiece> pieces = claimed_pieces(lines_by(display_file, judging));
+JudgedLines judged_lines(const DisplayFile& display_file, const SurfacePlan& plan,
+                         std::size_t samples) {
+  const std::vector<LinePiece> pieces = claimed_pieces(lines_by(display_file, plan));
   const LineItems items(display_file);
   const std::vector<LineId> lines = items.drawn_lines();
   JudgedLines judged;
   judged.pieces = pieces.size();
   judged.lines = items.shared(lines).size();
-  if (judging.samples == 0) {
-    const auto truth = true_lines(items, lines, judging.threads, judging.progress);
+  if (samples == 0) {
+    const auto truth = true_lines(items, lines, plan.threads, plan.progress);
     judged.errors = compare_lines(items, truth, pieces);
     return judged;
   }
-  const std::size_t of_line = judging.samples / std::max<std::size_t>(1, judged.lines) + 1;
+  const std::size_t of_line = samples / std::max<std::size_t>(1, judged.lines) + 1;
   const LineJudgement judgement =
-      judge_lines(items, lines, pieces, of_line, 1, judging.threads, judging.progress);
+      judge_lines(items, lines, pieces, of_line, 1, plan.threads, plan.progress);
   judged.samples = judgement.samples;
   judged.wrong = judgement.wrong.size();
   judged.errors = judgement.errors;

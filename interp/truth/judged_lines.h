@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/base/work_progress.h"
-#include "clip/surfaces.h"
+#include "clip/surface_plan.h"
 #include "displayfile/segments/display_file.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"
@@ -14,16 +14,6 @@ namespace displayfile {
 
 // The lines of a display file as a method finds them, and as they are: both take the same display
 // file, and nothing else in common. Visible segments together, as with the scope `all`.
-
-/// How a method is judged.
-struct LineJudging {
-  HiddenMethod method;
-  Precision precision = {};
-  /// So many random places at least, if not 0, are judged in place of whole sets: for large scenes.
-  std::size_t samples = 0;
-  int threads = 1;             ///< the judgement is the same for any number
-  WorkProgress progress = {};  ///< told of lines that were judged, if not empty
-};
 
 /// What a method finds of the drawn lines, held against the truth.
 struct JudgedLines {
@@ -36,8 +26,11 @@ struct JudgedLines {
   bool are_right() const { return wrong == 0 && errors.missing == 0.0 && errors.extra == 0.0; }
 };
 
-/// Throws Error as visible_lines does.
-JudgedLines judged_lines(const DisplayFile& display_file, const LineJudging& judging);
+/// Judges what the plan's method finds, on as many threads; its progress is called with the lines
+/// that were judged. At least `samples` random places, if not 0, are judged in place of whole sets:
+/// for large scenes. Throws Error as visible_lines does.
+JudgedLines judged_lines(const DisplayFile& display_file, const SurfacePlan& plan,
+                         std::size_t samples = 0);
 
 /// What a method says is seen, as the truth takes it.
 std::vector<LinePiece> claimed_pieces(const SeenLines& seen);

@@ -36,7 +36,7 @@ Picture truth_as_entered(const DisplayFile&, int, int, bool, const WorkProgress&
 
 std::size_t different_pixels(const Picture&, const Picture&) { refuse_truth(); }
 
-JudgedLines judged_lines(const DisplayFile&, const LineJudging&) { refuse_truth(); }
+JudgedLines judged_lines(const DisplayFile&, const SurfacePlan&, std::size_t) { refuse_truth(); }
 
 std::vector<LinePiece> claimed_pieces(const SeenLines&) { refuse_truth(); }
 

@@ -10,7 +10,7 @@
 #include "clip/base/work_budget.h"
 #include "clip/clip_pipeline.h"
 #include "clip/transformation.h"
-#include "interp/truth/exact_view.h"
+#include "interp/truth/exact_projection.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_picture.h"
 
@@ -50,10 +50,10 @@ Indices exact_support_of(std::span<const TruePoint> polygon, int width, int heig
 }
 
 /// The polygons of one segment, on their way into the picture.
-class SegmentView {
+class SegmentPolygons {
  public:
-  SegmentView(const RetainedScene& retained, const View& view, const ImageTransformation& image,
-              int width, int height, TruePicture& picture)
+  SegmentPolygons(const RetainedScene& retained, const View& view, const ImageTransformation& image,
+                  int width, int height, TruePicture& picture)
       : retained_(retained),
         exact_(view, image, width, height),
         width_(width),
@@ -69,33 +69,34 @@ class SegmentView {
   std::optional<Indices> support_in_display_file(std::span<const Point3> world);
 
   const RetainedScene& retained_;
-  ExactView exact_;
+  ExactProjection exact_;
   int width_, height_;
   ClipPipeline pipeline_;
   ImageMatrix image_;
   bool is_moved_;
   TruePicture& picture_;
   // The polygon on its way:
-  std::vector<ExactView::Vertex> viewed_;
+  std::vector<ExactProjection::Vertex> viewed_;
   std::vector<TruePoint> whole_, points_;
   std::vector<Point3> device_;
 };
 
-void SegmentView::enter(std::uint32_t primitive) {
+void SegmentPolygons::enter(std::uint32_t primitive) {
   const PointRow world = retained_.points(primitive);
   viewed_.clear();
   for (const Point3& p : world) viewed_.push_back(exact_.viewed(whole(p)));
   const bool is_triangle = viewed_.size() == 3;
   const auto in_picture = [&](std::vector<TruePoint>& points) {
     points.clear();
-    for (const ExactView::Vertex& v : viewed_) points.push_back(exact_.in_picture(v));
+    for (const ExactProjection::Vertex& v : viewed_) points.push_back(exact_.in_picture(v));
   };
   if (is_triangle) in_picture(whole_);
   exact_.clip(viewed_);
   if (viewed_.empty()) return;
   in_picture(points_);
   // An image transformation may turn polygons over: that does not count.
-  if (retained_.shared_attributes(primitive).back_face_removal && !ExactView::faces_viewer(viewed_))
+  if (retained_.shared_attributes(primitive).back_face_removal &&
+      !ExactProjection::faces_viewer(viewed_))
     return;
   const std::int32_t pick = retained_[primitive].pick;
   // Whatever clipping leaves of a triangle is in its plane.
@@ -108,7 +109,7 @@ void SegmentView::enter(std::uint32_t primitive) {
 
 /// Which vertices the definition takes of what the display file has of the polygon. Nothing if that
 /// is nothing, or edge-on, or has other vertices: rounding decided what was clipped.
-std::optional<Indices> SegmentView::support_in_display_file(std::span<const Point3> world) {
+std::optional<Indices> SegmentPolygons::support_in_display_file(std::span<const Point3> world) {
   const auto clipped = pipeline_.clip_polygon(world).vertices;
   if (clipped.size() != points_.size()) return std::nullopt;
   device_.assign(clipped.begin(), clipped.end());
@@ -126,7 +127,7 @@ Picture world_truth(const RetainedScene& retained, const DisplayFile& display_fi
   const NamedWork named({"the truth from world coordinates", "a smaller picture"});
   const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
                            TruePicture& picture) {
-    return SegmentView(retained, part.view, segment.image, width, height, picture);
+    return SegmentPolygons(retained, part.view, segment.image, width, height, picture);
   };
   return retained_picture(retained, display_file, width, height, depth, progress, view_of);
 }

@@ -164,7 +164,7 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
   cairo().stroke(context);
 }
 
-void PdfDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {
+void PdfDevice::paint_text(const DeviceText& text, const Point2& anchor, double size) {
   begin_layer({});
   set_colour(text.line.colour);
   CairoText(context_.get(), text, anchor, size).show();

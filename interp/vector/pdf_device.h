@@ -46,7 +46,7 @@ class PdfDevice : public VectorDevice {
   void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
-  void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
+  void paint_text(const DeviceText& text, const Point2& anchor, double size) override;
 
   void begin_layer(std::string_view name);  ///< of what follows; empty: it is in none
   void set_colour(const Colour& colour);

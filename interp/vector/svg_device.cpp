@@ -154,7 +154,7 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
 }
 
 /// Blanks are kept where XML would take several for one.
-void SvgDevice::paint_text(const ViewedText& text, const Point2& anchor, double size) {
+void SvgDevice::paint_text(const DeviceText& text, const Point2& anchor, double size) {
   const TextKey key{pixel_of(text.line.colour), size, text.style.alignment};
   const std::size_t number = text_classes_.try_emplace(key, text_classes_.size() + 1).first->second;
   const std::string& characters = text.characters;

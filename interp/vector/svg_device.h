@@ -51,7 +51,7 @@ class SvgDevice : public VectorDevice {
   void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;  // svg_figure.cpp
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
-  void paint_text(const ViewedText& text, const Point2& anchor, double size) override;
+  void paint_text(const DeviceText& text, const Point2& anchor, double size) override;
 
   std::size_t fill_class(const FillKey& key) {
     return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;

@@ -275,7 +275,7 @@ void VectorDevice::end_line(const DrawnLine& line) {
 
 void VectorDevice::draw_texts(const DisplayFile& display_file) {
   int segment = 0;  // names are 1 or more
-  for (const ViewedText& text : seen_texts(display_file, false)) {
+  for (const DeviceText& text : seen_texts(display_file, false)) {
     const Point2 anchor = to_page(text.anchor);
     if (!finite(anchor) || !near_the_page(anchor, kReach)) continue;
     if (text.segment != segment) {

@@ -95,7 +95,7 @@ class VectorDevice : public OutputDevice {
   virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
                            LineCap cap) = 0;
   /// `anchor` is on or close to the page; `size` of the letters in pixels.
-  virtual void paint_text(const ViewedText& text, const Point2& anchor, double size) = 0;
+  virtual void paint_text(const DeviceText& text, const Point2& anchor, double size) = 0;
 
  private:
   Point2 to_page(const Point3& device) const;

@@ -13,15 +13,15 @@
 namespace displayfile {
 
 /// The ways into the picture of a scene's items, each made when it is first needed.
-class ViewsAsEntered {
+class ProjectionsAsEntered {
  public:
-  EnteredView& of(const ViewedScene::EnteredItem& item, std::uint32_t look) {
+  EnteredProjection& of(const ViewedScene::EnteredItem& item, std::uint32_t look) {
     return views_.try_emplace(look, *item.volume, *item.image).first->second;
   }
   void forget() { views_.clear(); }
 
  private:
-  std::unordered_map<std::uint32_t, EnteredView> views_;  // by look
+  std::unordered_map<std::uint32_t, EnteredProjection> views_;  // by look
 };
 
 /// Which of two fills is nearer, by the planes as they were entered, where viewing's rounding may
@@ -55,7 +55,7 @@ class DepthsAsEntered {
   const PlaneInPicture* plane_of(Fill fill);
 
   const ViewedScene* scene_;
-  ViewsAsEntered views_;
+  ProjectionsAsEntered views_;
   PictureSize size_{0, 0};  // of the depths
   std::unordered_map<Fill, Depth> depths_;
   std::unordered_map<Fill, std::optional<PlaneInPicture>> planes_;

@@ -50,7 +50,7 @@ double distance_from_entered(const ViewedScene& scene, ViewedScene::Item item,
                              const PixelDepth& depth, const PictureSize& size) {
   const ViewedScene::EnteredItem of_plane = scene.plane_as_entered(item);
   if (!of_plane.is_known()) return 0.0;
-  const auto plane = EnteredView(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
+  const auto plane = EnteredProjection(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
   if (!plane || plane->is_edge_on()) return 0.0;  // then it has its own
   PixelDepth entered;
   entered.z0 = rounded_quotient(-plane->d, plane->c);

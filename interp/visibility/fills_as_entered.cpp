@@ -50,7 +50,7 @@ bool FillsAsEntered::is_close(Fill fill, const ScanConverter::Region& region,
   const ViewedScene::Item item = scene_.item_of(fill);
   const auto entered = scene_.as_entered(item);
   if (!entered.is_known()) return false;
-  EnteredView& view = views_.of(entered, scene_.look_of(item));
+  EnteredProjection& view = views_.of(entered, scene_.look_of(item));
   return !view.are_unrounded(entered.polygon, polygon) && view.outline(entered.polygon, outline_);
 }
 

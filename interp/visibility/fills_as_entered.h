@@ -74,7 +74,7 @@ class FillsAsEntered {
 
   const ViewedScene& scene_;
   PictureSize size_;
-  ViewsAsEntered views_;
+  ProjectionsAsEntered views_;
   PairOrders orders_;
   ScanConverter converter_;
   std::vector<Run> runs_;

@@ -12,8 +12,8 @@ bool is_surely_positive(const Ball& a) { return a.middle > a.radius; }
 
 }  // namespace
 
-PolygonViewer::PolygonViewer(const ViewVolume& volume, const ViewRows<Ball>& near,
-                             const ViewRows<ExactNumber>& exact, const Point3& size)
+PolygonViewer::PolygonViewer(const ViewVolume& volume, const MatrixRows<Ball>& near,
+                             const MatrixRows<ExactNumber>& exact, const Point3& size)
     : near_(near),
       exact_(exact),
       perspective_(volume.is_perspective()),

@@ -18,8 +18,8 @@ class PolygonViewer {
  public:
   /// The rows are those of the volume's view, and must live on, as the volume must. No coordinate
   /// of a polygon is larger than `size`.
-  PolygonViewer(const ViewVolume& volume, const in_world::ViewRows<Ball>& near,
-                const in_world::ViewRows<ExactNumber>& exact, const Point3& size);
+  PolygonViewer(const ViewVolume& volume, const in_world::MatrixRows<Ball>& near,
+                const in_world::MatrixRows<ExactNumber>& exact, const Point3& size);
 
   /// Clipping leaves some of it, and that does not turn its back if back faces are removed.
   bool is_seen(std::span<const Point3> polygon, bool both_sides);
@@ -41,8 +41,8 @@ class PolygonViewer {
   Seen seen(const in_world::WorldPoint<Ball>& p) const;
   int turn() const;
 
-  const in_world::ViewRows<Ball>& near_;
-  const in_world::ViewRows<ExactNumber>& exact_;
+  const in_world::MatrixRows<Ball>& near_;
+  const in_world::MatrixRows<ExactNumber>& exact_;
   bool perspective_;
   std::vector<in_world::OverBoxes> clip_;  // as near_.clip
   in_world::OverBoxes x_, y_, z_, w_;

@@ -126,14 +126,14 @@ class OverBoxes {
 /// The rows of the view's matrix, those of x and y to the viewport: a point's device coordinates
 /// are x / w, y / w and z / w.
 template <class Number>
-struct ViewRows {
+struct MatrixRows {
   Linear<Number> x, y, z, w;
   Linear<Number> window_x, window_y;  ///< from 0 to w in the window
   /// Not negative in front of the eye, and between the front plane and the back plane.
   std::vector<Linear<Number>> clip{};
   std::vector<Linear<Number>> sides{};  ///< not negative in the window
 
-  ViewRows(const View& view, const ViewVolume& volume) {
+  MatrixRows(const View& view, const ViewVolume& volume) {
     const glm::dmat4& m = volume.matrix();
     const auto row = [&](int i) -> Linear<Number> {
       return {number<Number>(m[0][i]), number<Number>(m[1][i]), number<Number>(m[2][i]),
@@ -238,7 +238,7 @@ Clipping clip(const std::vector<Linear<Number>>& planes, WorldPoints<Number>& po
 
 /// All that the view leaves of a polygon.
 template <class Number>
-Clipping clip_whole(std::span<const Point3> polygon, const ViewRows<Number>& view,
+Clipping clip_whole(std::span<const Point3> polygon, const MatrixRows<Number>& view,
                     WorldPoints<Number>& points, WorldPoints<Number>& cut) {
   points.clear();
   for (const Point3& v : polygon) points.push_back(world_point<Number>(v));
@@ -277,7 +277,8 @@ struct Place {
   Number x, y, w;
 };
 template <class Number>
-std::vector<Place<Number>> places(const WorldPoints<Number>& points, const ViewRows<Number>& view) {
+std::vector<Place<Number>> places(const WorldPoints<Number>& points,
+                                  const MatrixRows<Number>& view) {
   std::vector<Place<Number>> places;
   places.reserve(points.size());
   for (const WorldPoint<Number>& p : points) {
@@ -289,7 +290,7 @@ std::vector<Place<Number>> places(const WorldPoints<Number>& points, const ViewR
 /// Which way a polygon that is wholly in front of the eye turns in the picture, -1, 0 or 1: the
 /// sign of its area there, of the parts that turn one way less that of the others.
 inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
-                           const ViewRows<ExactNumber>& view) {
+                           const MatrixRows<ExactNumber>& view) {
   const std::vector<Place<ExactNumber>> at = places(points, view);
   ExactNumber sum, below(1.0);  // of quotients
   for (std::size_t i = 2; i < at.size(); ++i) {
@@ -328,7 +329,7 @@ std::array<Number, 3> weights(const WorldPlane<Number>& plane, const Ray<Number>
 }
 template <class Number>
 Hit<Number> hit_of(const WorldPlane<Number>& plane, const Ray<Number>& ray,
-                   const ViewRows<Number>& view, bool perspective) {
+                   const MatrixRows<Number>& view, bool perspective) {
   const std::array<Number, 3> weight = weights(plane, ray);
   Hit<Number> hit{number<Number>(0.0), number<Number>(0.0), number<Number>(0.0),
                   number<Number>(0.0)};

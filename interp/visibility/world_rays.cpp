@@ -294,7 +294,7 @@ class WorldRays::Caster {
 
   /// Clipped but for the sides of the window; false if that is undecided.
   template <class Number>
-  bool vertices_of(const Polygon& polygon, const ViewRows<Number>& view,
+  bool vertices_of(const Polygon& polygon, const MatrixRows<Number>& view,
                    WorldPoints<Number>& points, WorldPoints<Number>& cut) const {
     points.clear();
     for (const Point3& v : world_.points(polygon)) points.push_back(world_point<Number>(v));
@@ -321,8 +321,8 @@ class WorldRays::Caster {
   std::function<bool(std::uint32_t)> is_there_;
   bool perspective_;
   ViewVolume volume_;
-  ViewRows<Ball> near_;
-  ViewRows<ExactNumber> exact_;
+  MatrixRows<Ball> near_;
+  MatrixRows<ExactNumber> exact_;
   OverBoxes nearness_;
   std::vector<std::uint8_t> is_seen_;      // by Polygon::by_view, after view_polygons
   std::vector<std::uint32_t> out_of_box_;  // polygons that may be seen nearer than their boxes

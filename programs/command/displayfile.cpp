@@ -111,7 +111,7 @@ int run(int argc, char** argv) {
   StepsCommand steps;
   PageCommand page;
   check.other = &pictures;
-  draw.options.threads = dump.threads = check.threads = truth.threads = surface.threads =
+  draw.options.surfaces.threads = dump.threads = check.threads = truth.threads = surface.threads =
       sheet.threads = page.threads =
           static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add(draw);

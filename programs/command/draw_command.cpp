@@ -147,7 +147,8 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->type_name(raster_device_words())
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--threads", options.threads, "the picture is the same for any number")
+  command
+      .add_option("--threads", options.surfaces.threads, "the picture is the same for any number")
       ->type_name("N")
       ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
@@ -161,12 +162,12 @@ DrawOptions DrawCommand::all_options() const {
     const NumberRange range = number_range("--rows", *rows, all.height, "rows");
     all.rows = PictureRows{range.first, range.end};
   }
-  set_hidden_surfaces(all, hidden_surfaces.options(options.threads));
+  all.surfaces = hidden_surfaces.options(options.surfaces.threads);
   all.background = background.background();
   all.vectors = vectors.options();
   paper.read(all);
-  if (turntable && all.pens && !all.pens->hatching && !all.hidden) {
-    all.hidden = HiddenMethod::franklin;
+  if (turntable && all.pens && !all.pens->hatching && !all.surfaces.method) {
+    all.surfaces.method = HiddenMethod::franklin;
   }
   require_raster_device(options.device);
   return all;
@@ -321,16 +322,17 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
   // llvmpipe has threads of its own, and the exact stage counts for the whole process.
   const bool several = drawing.device == raster_devices().front().name && !stats;
   const int at_a_time =
-      several ? static_cast<int>(std::min<std::size_t>(
-                    inputs.size(), static_cast<std::size_t>(useful_threads(drawing.threads))))
-              : 1;
+      several
+          ? static_cast<int>(std::min<std::size_t>(
+                inputs.size(), static_cast<std::size_t>(useful_threads(drawing.surfaces.threads))))
+          : 1;
   MadeFolders folders;
   std::vector<std::string> bad;
   for_each_input(
       inputs, at_a_time, fmt::format("drawing {} pictures", inputs.size()),
       [&](std::size_t k) {
         DrawOptions of_one = drawing;
-        of_one.threads = std::max(1, drawing.threads / at_a_time);
+        of_one.surfaces.threads = std::max(1, drawing.surfaces.threads / at_a_time);
         of_one.ids = outputs[k].ids;
         of_one.depth = outputs[k].depth;
         return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders, left_out);

@@ -83,26 +83,26 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
     system.set_hidden_surfaces({.lines = *lines});
   if (const auto touching = hidden_surfaces.touching_in_force())
     system.set_hidden_surfaces({.touching = *touching});
-  enter_inputs(inputs, system, meshes, size.aspect(), hidden_surface_options(options));
+  enter_inputs(inputs, system, meshes, size.aspect(), options.surfaces);
   const std::string name = std::filesystem::path(input_name(inputs.front())).filename().string();
   data["scenes"].push_back(scene_data(name, program.str()));
-  if (options.hidden) data["method"] = name_of(*options.hidden);
+  if (options.surfaces.method) data["method"] = name_of(*options.surfaces.method);
   for (const auto& [key, word] : {std::pair{"precision", hidden_surfaces.precision},
                                   {"scope", hidden_surfaces.scope},
                                   {"hiddenLines", hidden_surfaces.hidden_lines}}) {
     if (!word.empty()) data[key] = word;
   }
   Progress progress("drawing " + output);
-  options.progress = progress.told();
+  options.surfaces.progress = progress.told();
   return {title_or_name(title, name), text_of(data), draw_as(system, "svg", options)};
 }
 
 DrawOptions PageCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
-  set_hidden_surfaces(drawing, hidden_surfaces.options(threads));
-  if (!drawing.hidden && std::ranges::none_of(inputs, is_drawing_program)) {
-    drawing.hidden = HiddenMethod::automatic;  // as `draw` draws bare meshes
+  drawing.surfaces = hidden_surfaces.options(threads);
+  if (!drawing.surfaces.method && std::ranges::none_of(inputs, is_drawing_program)) {
+    drawing.surfaces.method = HiddenMethod::automatic;  // as `draw` draws bare meshes
   }
   return drawing;
 }

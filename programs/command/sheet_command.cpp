@@ -236,7 +236,7 @@ int SheetCommand::run() {
                                 inputs.front(), *positions[k]);
     }
   }
-  std::array<PartView, 4> views;
+  std::array<PartDrawing, 4> views;
   {
     Progress progress("finding the lines of four views");
     const WithoutChoice by_this_method_alone;
@@ -245,7 +245,7 @@ int SheetCommand::run() {
       progress.update(k + 1, 4);
     }
   }
-  if (!std::ranges::all_of(views, &PartView::closed)) {
+  if (!std::ranges::all_of(views, &PartDrawing::closed)) {
     warnings() << fmt::format(
         "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",
         inputs.front());

@@ -67,9 +67,9 @@ int StepsCommand::run() {
   OutputFile file(output);
   GraphicsSystem system;
   // Methods of lines draw the sides of bare meshes.
-  HiddenSurfaceOptions asked;
-  if (finds_lines(options.method)) asked.method = options.method;
-  enter_inputs(inputs, system, meshes, size.aspect(), asked);
+  HiddenSurfaceOptions surfaces;
+  if (finds_lines(options.method)) surfaces.method = options.method;
+  enter_inputs(inputs, system, meshes, size.aspect(), surfaces);
   const Progress progress(fmt::format("the steps of {}", hidden));
   std::string text = steps_as_json(system, options);
   if (is_page) {

@@ -76,10 +76,12 @@ void record_drawing(Recorder& recorder, const DrawOptions& options,
   said.set_recorder(&recorder);
   said.set_hidden_surfaces({.removal = true});
   said.set_back_face_removal(false);
-  said.set_hidden_surfaces({.method = *options.hidden});
-  said.set_hidden_surfaces({.scope = *options.scope});
-  if (options.precision) said.set_hidden_surfaces({.precision = *options.precision});
-  if (options.hidden_lines) said.set_hidden_surfaces({.hidden_lines = *options.hidden_lines});
+  said.set_hidden_surfaces({.method = *options.surfaces.method});
+  said.set_hidden_surfaces({.scope = *options.surfaces.scope});
+  if (options.surfaces.precision)
+    said.set_hidden_surfaces({.precision = *options.surfaces.precision});
+  if (options.surfaces.hidden_lines)
+    said.set_hidden_surfaces({.hidden_lines = *options.surfaces.hidden_lines});
   if (options.background) said.set_background(*options.background);
   if (lines) said.set_hidden_surfaces({.lines = *lines});
 }
@@ -177,8 +179,8 @@ SurfaceLook SurfaceCommand::look() const {
 DrawOptions SurfaceCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
-  set_hidden_surfaces(drawing, hidden_surfaces.options(threads));
-  if (!drawing.scope) drawing.scope = HiddenScope::all;
+  drawing.surfaces = hidden_surfaces.options(threads);
+  if (!drawing.surfaces.scope) drawing.surfaces.scope = HiddenScope::all;
   drawing.samples = samples;
   drawing.background = background.background();
   drawing.vectors = vectors.options();
@@ -195,7 +197,7 @@ int SurfaceCommand::run() const {
   require_files_of_their_own({output, program}, surfaces);
   const bool in_curves =
       surfaces.size() == 1 && !shown.coloured &&
-      options.hidden.value_or(HiddenMethod::perimeter) == HiddenMethod::perimeter;
+      options.surfaces.method.value_or(HiddenMethod::perimeter) == HiddenMethod::perimeter;
   const double bytes_of_cell = in_curves ? kBytesOfCurves : kBytesOfOthers;
   std::vector<SurfaceData> data;
   double entered = 0.0;
@@ -213,17 +215,17 @@ int SurfaceCommand::run() const {
     entered += static_cast<double>(data.back().range.points());
     require_memory(entered, surface, has_holes(data.back()) ? kBytesOfOthers : bytes_of_cell);
   }
-  if (!options.hidden) options.hidden = usual_method(data, shown.coloured);
-  if (shown.coloured && finds_lines(*options.hidden)) {
+  if (!options.surfaces.method) options.surfaces.method = usual_method(data, shown.coloured);
+  if (shown.coloured && finds_lines(*options.surfaces.method)) {
     throw Error(
         fmt::format("--colour height: {} draws lines alone, which have no colours of heights: "
                     "expected a method "
                     "that draws surfaces, as map or z-buffer",
-                    name_of(*options.hidden)));
+                    name_of(*options.surfaces.method)));
   }
   GraphicsSystem system;
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
-  if (surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) system.retain();
+  if (surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast) system.retain();
   const auto lines = hidden_surfaces.line_selection();
   const auto touching = hidden_surfaces.touching_in_force();
   std::optional<OutputFile> recorded;
@@ -237,7 +239,7 @@ int SurfaceCommand::run() const {
   if (touching) system.set_hidden_surfaces({.touching = *touching});  // the program has it too
   if (lines) {
     SystemInside::replace_lines(system, *lines);
-  } else if (data.size() > 1 && !needs_surface(*options.hidden)) {
+  } else if (data.size() > 1 && !needs_surface(*options.surfaces.method)) {
     system.set_hidden_surfaces({.lines = line_selection("all,intersection")});
   }
   {
@@ -246,7 +248,7 @@ int SurfaceCommand::run() const {
   }
   if (recorded) recorded->finish();
   Progress progress("drawing " + output);
-  options.progress = progress.told();
+  options.surfaces.progress = progress.told();
   draw(system, output, options);
   NotInPicture left_out;
   left_out.note(system, options, picture_kind(output, options));

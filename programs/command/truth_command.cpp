@@ -101,14 +101,14 @@ int TruthCommand::run() {
     throw Error("--line-samples and --precision: expected --hidden and a method of lines too");
   }
   require_files_of_their_own({ids, depth, seen_lines}, inputs, lists);
-  const LineJudging judging = this->judging();
+  const SurfacePlan judged = judged_method();
   int width = 0, height = 0;
   size.read(width, height);
   RetainedScene retained;
   GraphicsSystem system;
   if (retains) system.retain(&retained);
   // Methods of lines draw the sides of bare meshes.
-  const auto drawn_by = wants_lines() ? std::optional(judging.method) : std::nullopt;
+  const auto drawn_by = wants_lines() ? std::optional(judged.method) : std::nullopt;
   enter_inputs(inputs, system, meshes, size.aspect(), {.method = drawn_by});
   // Every output must be writable before the long work, and all are written before any is there.
   std::optional<OutputFile> lines_file;
@@ -121,7 +121,7 @@ int TruthCommand::run() {
   std::string report;
   int status = 0;
   if (lines_file) write_seen_lines(file, lines_file->stream());
-  if (!hidden.empty()) status = judge_lines(file, judging, report);
+  if (!hidden.empty()) status = judge_lines(file, judged, report);
   if (!ids.empty() || (!from.empty() && retains)) {
     const Picture picture = true_picture(system, retained, from_what, report);
     for (const auto& array : arrays) array->write(picture);
@@ -173,14 +173,13 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
 }
 
 /// By Franklin's method if none is judged.
-LineJudging TruthCommand::judging() const {
-  LineJudging judging{.method = HiddenMethod::franklin,
-                      .precision = displayfile::precision(precision),
-                      .samples = line_samples,
-                      .threads = threads};
-  if (hidden.empty()) return judging;
-  judging.method = hidden_method(hidden);
-  if (finds_lines(judging.method)) return judging;
+SurfacePlan TruthCommand::judged_method() const {
+  SurfacePlan plan{.method = HiddenMethod::franklin,
+                   .precision = displayfile::precision(precision),
+                   .threads = threads};
+  if (hidden.empty()) return plan;
+  plan.method = hidden_method(hidden);
+  if (finds_lines(plan.method)) return plan;
   std::string methods;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
     if (finds_lines(entry.method)) methods.append(" ").append(entry.name);
@@ -196,13 +195,13 @@ void TruthCommand::write_seen_lines(const DisplayFile& file, std::ostream& to) c
   dump(true_line_drawing(file, threads, progress.told()), to);
 }
 
-int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_asked,
+int TruthCommand::judge_lines(const DisplayFile& file, const SurfacePlan& judged_by,
                               std::string& report) const {
   Progress progress("the truth of lines");
-  LineJudging judging = as_asked;
-  judging.progress = progress.told();
-  const JudgedLines judged = judged_lines(file, judging);
-  const std::string judged_by =
+  SurfacePlan plan = judged_by;
+  plan.progress = progress.told();
+  const JudgedLines judged = judged_lines(file, plan, line_samples);
+  const std::string places =
       judged.samples == 0 ? "whole"
                           : fmt::format("at {} points, {} wrong", judged.samples, judged.wrong);
   report += fmt::format(
@@ -211,7 +210,7 @@ int TruthCommand::judge_lines(const DisplayFile& file, const LineJudging& as_ask
       "total length    {} of the picture's side\n"
       "missing length  {}\n"
       "extra length    {}\n",
-      judged.lines, judged_by, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
+      judged.lines, places, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
       judged.errors.extra);
   return judged.are_right() ? 0 : 1;
 }

@@ -42,10 +42,10 @@ struct TruthCommand {
   enum class From { display_file, world, entered };
   From judged_from() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
-  LineJudging judging() const;
+  SurfacePlan judged_method() const;
   std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
-  int judge_lines(const DisplayFile& file, const LineJudging& judging, std::string& report) const;
+  int judge_lines(const DisplayFile& file, const SurfacePlan& judged_by, std::string& report) const;
   Picture true_picture(const GraphicsSystem& system, const RetainedScene& retained,
                        From judged_from, std::string& report) const;
 };

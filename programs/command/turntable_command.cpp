@@ -45,7 +45,7 @@ std::string statistics(const GraphicsSystem& system, const Renderer& renderer, i
 }
 
 std::string explanation(const DrawOptions& options) {
-  const HiddenMethod method = options.hidden.value_or(HiddenMethod::automatic);
+  const HiddenMethod method = options.surfaces.method.value_or(HiddenMethod::automatic);
   if (is_colour_rule(method)) {
     return fmt::format("{}: the rule's colours, by one BSP tree in world coordinates\n",
                        name_of(method));
@@ -86,15 +86,15 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   require_views_drawable(views, output, options);
   GraphicsSystem system;
   RetainedScene scene;
-  system.set_threads(options.threads);
+  system.set_threads(options.surfaces.threads);
   system.set_shading(shading);
   system.retain(&scene);
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;
   turning.turning = true;
-  const std::optional<Upright> fitted =
-      enter_inputs(inputs, system, turning, aspect,
-                   {.method = options.hidden, .hidden_lines = options.hidden_lines});
+  const std::optional<Upright> fitted = enter_inputs(
+      inputs, system, turning, aspect,
+      {.method = options.surfaces.method, .hidden_lines = options.surfaces.hidden_lines});
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system, options, picture_kind(output, options));
   const Camera looking = meshes.camera();

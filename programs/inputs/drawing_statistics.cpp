@@ -104,10 +104,10 @@ std::string touching_counts(const DisplayFile& file) {
 std::string text_counts(const DisplayFile& file, HiddenMethod method) {
   if (!file.has_texts()) return "";
   const ViewedScene scene(file);
-  const std::vector<ViewedText> seen = seen_texts(file, is_image_space(method));
+  const std::vector<DeviceText> seen = seen_texts(file, is_image_space(method));
   std::string hidden;
   auto next = seen.begin();  // both are in order of entry
-  for (const ViewedText& text : scene.texts()) {
+  for (const DeviceText& text : scene.texts()) {
     const bool is_next = next != seen.end() && next->anchor == text.anchor &&
                          next->characters == text.characters && next->segment == text.segment;
     if (is_next) {

@@ -26,8 +26,8 @@ constexpr const char* kNoReason = "why would take more to find than the limits a
 
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {
-  return options.hidden && is_image_space(*options.hidden) &&
-         surfaces_of(*options.hidden) != HiddenMethod::world_ray_cast &&
+  return options.surfaces.method && is_image_space(*options.surfaces.method) &&
+         surfaces_of(*options.surfaces.method) != HiddenMethod::world_ray_cast &&
          options.device == raster_devices().front().name;
 }
 
@@ -36,8 +36,10 @@ bool draws_views(const DrawOptions& options) {
 DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
                          const MeshWords& meshes, Shading shading, Use use)
     : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
-  if (!options_.hidden && are_bare_meshes()) options_.hidden = HiddenMethod::automatic;
-  if (options.hidden && surfaces_of(*options.hidden) == HiddenMethod::world_ray_cast) {
+  if (!options_.surfaces.method && are_bare_meshes())
+    options_.surfaces.method = HiddenMethod::automatic;
+  if (options.surfaces.method &&
+      surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast) {
     system_.retain(&scene_);
   } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
     SystemInside::retain_alone(system_, scene_);
@@ -59,7 +61,7 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
                                            const WorkProgress& progress) const {
   std::vector<DrawWarning> warned;
   DrawOptions options = options_;
-  options.progress = progress;
+  options.surfaces.progress = progress;
   options.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
   if (!SystemInside::retains_alone(system_)) {
     displayfile::draw(system_, file, options, kept);
@@ -71,10 +73,10 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
 }
 
 void DrawnInputs::enter(GraphicsSystem& system) const {
-  system.set_threads(options_.threads);
+  system.set_threads(options_.surfaces.threads);
   system.set_shading(shading_);
   const double aspect = static_cast<double>(options_.width) / options_.height;
-  enter_inputs(inputs_, system, meshes_, aspect, hidden_surface_options(options_));
+  enter_inputs(inputs_, system, meshes_, aspect, options_.surfaces);
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.

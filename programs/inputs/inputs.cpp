@@ -49,7 +49,7 @@ struct InputsRead {
   /// World coordinates of meshes before which no program sets the window, and of what programs draw
   /// in the same view.
   std::vector<Point3> bare;
-  SaidView said;          ///< before the first of them
+  CameraAsSet said;       ///< before the first of them
   CommonUpright upright;  ///< of those meshes
 };
 
@@ -123,9 +123,9 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
     if (smooth) complete_normals(mesh);
     enter_ahead(mesh, ahead);
-    const GraphicsSystem& before = system.said().contains_view() ? system : ahead;
-    if (before.said().contains(Setting::window)) continue;
-    if (read.bare.empty()) read.said = {before.view(), before.said()};
+    const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
+    if (before.explicit_settings().contains(Setting::window)) continue;
+    if (read.bare.empty()) read.said = {before.view(), before.explicit_settings()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
     read.upright.add(mesh, ahead.modelling_transformation());
   }
@@ -279,8 +279,8 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   require_hidden_lines_found(plan.hidden_lines, method);
   Progress progress(
       fmt::format("hidden surfaces of {} polygons", system.display_file().polygons()));
-  plan.options.progress = progress.told();
-  DrawnFile drawn{SortedDisplayFile{}.update(system, plan, unsorted_if_automatic(method)),
+  plan.progress = progress.told();
+  DrawnFile drawn{SortedDisplayFile{}.update(system, options, plan, unsorted_if_automatic(method)),
                   std::nullopt};
   require_hidden_lines_dumped(drawn.file, method, options);
   if (!is_colour_rule(method)) return drawn;

@@ -28,48 +28,49 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options,
                         PictureKind kind) {
   if (kind == PictureKind::raster) {
-    if (options.vectors.pick_ids) elements_ = true;
-    if (options.vectors.seams != VectorOptions().seams) seams_ = true;
-    if (options.vectors.precision != VectorOptions().precision) precision_ = true;
+    if (options.vectors.pick_ids) add(kElements);
+    if (options.vectors.seams != VectorOptions().seams) add(kSeams);
+    if (options.vectors.precision != VectorOptions().precision) add(kPrecision);
   }
   if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
-  if (options.pens && drawn.has_texts()) texts_ = true;
+  if (options.pens && drawn.has_texts()) add(kTexts);
   const HiddenMethod by = drawing_method(system, options, kind);
   const bool fills = !finds_lines(by) && (!options.pens || options.pens->hatching);
-  if (fills && has_stored(drawn, &Instructions::stored_normals)) phong_ = true;
+  if (fills && has_stored(drawn, &Instructions::stored_normals)) add(kPhong);
   const bool by_map = by == HiddenMethod::map || is_image_space(by);
-  const bool each_segment = options.scope == HiddenScope::segment && by == HiddenMethod::map;
-  if (fills && drawn.has_shadows() && (!by_map || each_segment)) shadows_ = true;
-  if (options.samples.value_or(1) > 1) samples_ = true;
-  if (options.vectors.pick_ids && !by_map) pick_ids_ = true;
+  const bool each_segment =
+      options.surfaces.scope == HiddenScope::segment && by == HiddenMethod::map;
+  if (fills && drawn.has_shadows() && (!by_map || each_segment)) add(kShadows);
+  if (options.samples.value_or(1) > 1) add(kSamples);
+  if (options.vectors.pick_ids && !by_map) add(kPickIds);
 }
 
 void NotInPicture::note(const std::vector<DrawWarning>& warned) {
   for (const DrawWarning& warning : warned) {
-    if (warning.kind == DrawWarning::Kind::hidden_lines) hidden_lines_ = true;
+    if (warning.kind == DrawWarning::Kind::hidden_lines) add(kHiddenLines);
   }
 }
 
 void NotInPicture::warn(const std::string& output) const {
-  if (hidden_lines_) {
+  if (has(kHiddenLines)) {
     warnings()
         << output
         << ": left out: set-hidden-lines dashed, as nothing finds hidden lines in order of entry\n";
   }
   std::vector<std::string_view> left_out;
-  if (phong_) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
-  if (shadows_) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
-  if (samples_) left_out.emplace_back("--samples");
-  if (texts_) left_out.emplace_back("texts, whose letters no pen draws");
-  if (pick_ids_) left_out.emplace_back("--pick-ids, which name fills of map");
+  if (has(kPhong)) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
+  if (has(kShadows)) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
+  if (has(kSamples)) left_out.emplace_back("--samples");
+  if (has(kTexts)) left_out.emplace_back("texts, whose letters no pen draws");
+  if (has(kPickIds)) left_out.emplace_back("--pick-ids, which name fills of map");
   if (!left_out.empty()) {
     warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
   }
   std::vector<std::string_view> not_in_pixels;
-  if (elements_) not_in_pixels.emplace_back("--pick-ids");
-  if (seams_) not_in_pixels.emplace_back("--seams");
-  if (precision_) not_in_pixels.emplace_back("--vector-precision");
+  if (has(kElements)) not_in_pixels.emplace_back("--pick-ids");
+  if (has(kSeams)) not_in_pixels.emplace_back("--seams");
+  if (has(kPrecision)) not_in_pixels.emplace_back("--vector-precision");
   if (not_in_pixels.empty()) return;
   warnings() << fmt::format("{}: pixels leave out {}\n", output, fmt::join(not_in_pixels, ", "));
 }

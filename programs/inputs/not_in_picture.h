@@ -22,10 +22,21 @@ class NotInPicture {
   void warn(const std::string& output) const;
 
  private:
-  std::atomic<bool> phong_ = false, shadows_ = false, samples_ = false, texts_ = false;
-  std::atomic<bool> pick_ids_ = false;      // of vectors by other methods
-  std::atomic<bool> hidden_lines_ = false;  // that a program set
-  std::atomic<bool> elements_ = false, seams_ = false, precision_ = false;  // in pixels
+  enum LeftOut : unsigned {
+    kPhong = 1,
+    kShadows = 2,
+    kSamples = 4,
+    kTexts = 8,
+    kPickIds = 16,      // of vectors by other methods
+    kHiddenLines = 32,  // that a program set
+    kElements = 64,     // these three in pixels
+    kSeams = 128,
+    kPrecision = 256,
+  };
+  void add(LeftOut what) { left_out_ |= what; }
+  bool has(LeftOut what) const { return (left_out_ & what) != 0; }
+
+  std::atomic<unsigned> left_out_ = 0;
 };
 
 }  // namespace displayfile

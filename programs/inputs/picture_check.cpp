@@ -36,7 +36,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   if (has_size_) inputs.size.read(options_.width, options_.height);
   options_.samples = 1;  // a golden picture has each pixel decided at its centre
   meshes_ = inputs.meshes;
-  set_hidden_surfaces(options_, inputs.hidden_surfaces);
+  options_.surfaces = inputs.hidden_surfaces;
   return true;
 }
 

@@ -46,12 +46,12 @@ CollectedWarnings::CollectedWarnings(std::ostream& into) {
 CollectedWarnings::~CollectedWarnings() { collected = before_; }
 
 NamedWarnings::NamedWarnings(std::string name) : name_(std::move(name)) {
-  collected_.emplace(said_);
+  collected_.emplace(made_);
 }
 
 NamedWarnings::~NamedWarnings() {
   collected_.reset();
-  for (std::string line; std::getline(said_, line);) {
+  for (std::string line; std::getline(made_, line);) {
     if (!line.empty()) warnings() << name_ << ": " << line << '\n';
   }
 }

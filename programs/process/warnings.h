@@ -34,7 +34,7 @@ class NamedWarnings {
 
  private:
   std::string name_;
-  std::stringstream said_;
+  std::stringstream made_;
   std::optional<CollectedWarnings> collected_;
 };
 

@@ -26,7 +26,7 @@ struct Cells {
   double first_column, second_column, front_row, other_row;
 };
 
-Cells cells_of(const std::array<PartView, 4>& views) {
+Cells cells_of(const std::array<PartDrawing, 4>& views) {
   const auto size = [&](std::size_t k) { return views[k].high - views[k].low; };
   Cells cells{};
   cells.first_column = size(0).x;
@@ -55,11 +55,11 @@ bool has_area(const std::vector<Point2>& loop) {
   return std::abs(twice_area) > kLeastLength * around;
 }
 
-void add_view(const PartView& view, const Point2& at, double mm, double hatch,
+void add_view(const PartDrawing& view, const Point2& at, double mm, double hatch,
               DrawingSheet& sheet) {
   const auto on_paper = [&](const Point2& p) { return at + mm * (p - view.low); };
-  std::vector<PartView::Line> lines;
-  for (const PartView::Line& line : view.lines) {
+  std::vector<PartDrawing::Line> lines;
+  for (const PartDrawing::Line& line : view.lines) {
     const Point2 from = on_paper(line.from), to = on_paper(line.to);
     if (line.is_alone && glm::distance(from, to) < pen_of(SheetLayer::visible).width) continue;
     lines.push_back({from, to, line.hidden});
@@ -90,7 +90,7 @@ std::array<ViewKind, 4> views_of_sheet(SheetProjection projection) {
   return {ViewKind::front, ViewKind::top, side, ViewKind::isometric};
 }
 
-DrawingScale scale_of_sheet(const std::array<PartView, 4>& views, const SheetWords& words,
+DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked) {
   const Cells cells = cells_of(views);
   const Point2 room = room_for_views(words) - Point2(3.0 * kLeastGap);
@@ -110,7 +110,7 @@ DrawingScale scale_of_sheet(const std::array<PartView, 4>& views, const SheetWor
   return *asked;
 }
 
-DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& words,
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                      const DrawingScale& scale) {
   DrawingSheet sheet;
   sheet.width = words.width;
@@ -135,7 +135,7 @@ DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& wor
       mm * (cells.other_row - (views[3].high.y - views[3].low.y)) / 2.0);
   const std::array<Point2, 4> at{Point2(left, front), Point2(left, in_other_row(1)),
                                  Point2(right, front), Point2(right, other) + free_of_isometric};
-  std::array<PlacedView, 4> placed;
+  std::array<PlacedDrawing, 4> placed;
   for (std::size_t k = 0; k < 4; ++k) {
     add_view(views[k], at[k], mm, words.hatch, sheet);
     placed[k] = {&views[k], at[k], at[k] + mm * (views[k].high - views[k].low)};

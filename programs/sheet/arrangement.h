@@ -6,7 +6,7 @@
 
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"
-#include "programs/sheet/part_view.h"
+#include "programs/sheet/part_drawing.h"
 
 namespace displayfile {
 
@@ -26,11 +26,11 @@ std::array<ViewKind, 4> views_of_sheet(SheetProjection projection);
 
 /// The largest standard scale in which the views fit, or the one asked for (null: none is). Throws
 /// Error if they do not fit.
-DrawingScale scale_of_sheet(const std::array<PartView, 4>& views, const SheetWords& words,
+DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked);
 
 /// The sheet of four views: the same point of the part stands above, below or beside itself.
-DrawingSheet arrange(const std::array<PartView, 4>& views, const SheetWords& words,
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                      const DrawingScale& scale);
 
 /// Frame, title block and the symbol of the projection.

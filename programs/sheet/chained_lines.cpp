@@ -17,7 +17,7 @@ constexpr double kSamePoint = 1e-5;  // mm: ends this near are one point
 /// The lines of one kind, and which of them end at each point.
 class LineChains {
  public:
-  explicit LineChains(std::vector<PartView::Line> lines) : lines_(std::move(lines)) {
+  explicit LineChains(std::vector<PartDrawing::Line> lines) : lines_(std::move(lines)) {
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
       at_[key(lines_[i].from)].push_back(i);
       at_[key(lines_[i].to)].push_back(i);
@@ -62,19 +62,19 @@ class LineChains {
     }
   }
 
-  std::vector<PartView::Line> lines_;
+  std::vector<PartDrawing::Line> lines_;
   std::map<Key, std::vector<std::uint32_t>> at_;
   std::vector<bool> taken_;
 };
 
 }  // namespace
 
-std::vector<DrawingSheet::Line> chained_lines(const std::vector<PartView::Line>& lines) {
+std::vector<DrawingSheet::Line> chained_lines(const std::vector<PartDrawing::Line>& lines) {
   std::vector<DrawingSheet::Line> out;
   for (const bool hidden : {true, false}) {
-    std::vector<PartView::Line> kind;
+    std::vector<PartDrawing::Line> kind;
     std::ranges::copy_if(lines, std::back_inserter(kind),
-                         [&](const PartView::Line& line) { return line.hidden == hidden; });
+                         [&](const PartDrawing::Line& line) { return line.hidden == hidden; });
     LineChains(std::move(kind)).for_each([&](std::vector<Point2> points) {
       const SheetLayer layer = hidden ? SheetLayer::hidden : SheetLayer::visible;
       const Point2 gap = glm::abs(points.front() - points.back());

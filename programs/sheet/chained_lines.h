@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "programs/sheet/drawing_sheet.h"
-#include "programs/sheet/part_view.h"
+#include "programs/sheet/part_drawing.h"
 
 namespace displayfile {
 
 /// Lines in millimetres as polylines of the layers visible and hidden: two that end at the same
 /// point, where no third of their kind does, are drawn in one, so that dashes run on through the
 /// sides of a curve.
-std::vector<DrawingSheet::Line> chained_lines(const std::vector<PartView::Line>& lines);
+std::vector<DrawingSheet::Line> chained_lines(const std::vector<PartDrawing::Line>& lines);
 
 }  // namespace displayfile

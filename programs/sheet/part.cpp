@@ -45,7 +45,7 @@ std::optional<Upright> upright_of(const View& view) {
 /// The camera of what a program has drawn, or else the one that it leaves in force.
 std::optional<Upright> upright_of(const GraphicsSystem& system, const RetainedScene& scene,
                                   std::size_t segments_before) {
-  if (!system.said().contains(Setting::camera)) return std::nullopt;
+  if (!system.explicit_settings().contains(Setting::camera)) return std::nullopt;
   const auto drawn = std::span(scene.segments()).subspan(segments_before);
   return upright_of(drawn.empty() ? system.view() : drawn.front().view);
 }

@@ -8,9 +8,9 @@
 #include "clip/planarity.h"
 #include "clip/surfaces.h"
 #include "displayfile/segments/display_file.h"
+#include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/segments/sorted_display_file.h"
-#include "displayfile/segments/view_stage.h"
 #include "hidden/triangles/triangulation.h"
 
 namespace displayfile {
@@ -120,7 +120,7 @@ RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> ca
 /// As the application would have drawn it in the view.
 DisplayFile in_view(const RetainedScene& scene, const View& view) {
   DisplayFile file;
-  ViewStage stage{ViewVolume(view)};
+  PolygonStage stage{ViewVolume(view)};
   for (const RetainedScene::Segment& part : scene.segments()) {
     Segment& segment = file.create(part.name);
     scene.enter_viewed(part, Eye::of(view), stage, glm::dmat3(1.0), segment, [](std::uint32_t) {});
@@ -133,7 +133,7 @@ DisplayFile in_view(const RetainedScene& scene, const View& view) {
 struct LineCollector {
   Point2 corner;
   double side;
-  std::vector<PartView::Line> lines{};
+  std::vector<PartDrawing::Line> lines{};
   bool hidden = false;
   mutable bool next_is_alone = false;
   Point2 pen{0.0};
@@ -158,9 +158,9 @@ struct LineCollector {
 
 }  // namespace
 
-std::vector<PartView::Line> lines_of_part(const Part& part,
-                                          std::span<const std::vector<Point3>> caps,
-                                          const LinesWanted& wanted) {
+std::vector<PartDrawing::Line> lines_of_part(const Part& part,
+                                             std::span<const std::vector<Point3>> caps,
+                                             const LinesWanted& wanted) {
   Bounds box = bounds_of_used(part.mesh);
   for (const auto& cap : caps) {
     for (const Point3& p : cap) box.include(p);
@@ -169,13 +169,13 @@ std::vector<PartView::Line> lines_of_part(const Part& part,
   const SquareWindow window = exact_window(box);
   const View view = window.view();
   const RetainedScene scene = scene_of(part, caps, wanted.selection, view);
-  HiddenSurfaceOptions options;
-  options.scope = HiddenScope::all;
-  options.threads = wanted.threads;
-  options.hidden_lines = HiddenLines::dashed;
-  options.intersections = contains(wanted.selection.kinds, LineKind::intersection);
+  const SurfacePlan plan{.method = HiddenMethod::franklin,
+                         .hidden_lines = HiddenLines::dashed,
+                         .intersections = contains(wanted.selection.kinds, LineKind::intersection),
+                         .scope = HiddenScope::all,
+                         .threads = wanted.threads};
   SortedDisplayFile sorted;
-  const DisplayFile& file = sorted.update(in_view(scene, view), HiddenMethod::franklin, options);
+  const DisplayFile& file = sorted.update(in_view(scene, view), plan);
   LineCollector collector{Point2(window.middle) - window.half, 2.0 * window.half};
   if (file.sorted()) {
     file.sorted()->walk(collector);

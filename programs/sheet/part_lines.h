@@ -6,7 +6,7 @@
 #include "clip/bounds.h"
 #include "clip/surfaces.h"
 #include "programs/sheet/part.h"
-#include "programs/sheet/part_view.h"
+#include "programs/sheet/part_drawing.h"
 
 namespace displayfile {
 
@@ -19,8 +19,8 @@ struct LinesWanted {
 };
 /// The lines of a part in a view's coordinates, which the part is in already; `caps` are polygons
 /// that hide what lies behind them, and have no lines.
-std::vector<PartView::Line> lines_of_part(const Part& part,
-                                          std::span<const std::vector<Point3>> caps,
-                                          const LinesWanted& wanted);
+std::vector<PartDrawing::Line> lines_of_part(const Part& part,
+                                             std::span<const std::vector<Point3>> caps,
+                                             const LinesWanted& wanted);
 
 }  // namespace displayfile

@@ -28,7 +28,7 @@ double distance(const PaperBox& a, const PaperBox& b) {
   return glm::length(glm::max(apart, Point2(0.0)));
 }
 
-PaperBox box_of(const PlacedView& view) { return {view.low, view.high}; }
+PaperBox box_of(const PlacedDrawing& view) { return {view.low, view.high}; }
 
 PaperBox box_of_text(const Point2& middle_of_baseline, const std::string& text) {
   const double half = text_width(text, kLetter) / 2.0;
@@ -38,13 +38,13 @@ PaperBox box_of_text(const Point2& middle_of_baseline, const std::string& text) 
 /// What of the paper is drawn on.
 class Taken {
  public:
-  Taken(const std::array<PlacedView, 4>& views, const SheetWords& words) {
+  Taken(const std::array<PlacedDrawing, 4>& views, const SheetWords& words) {
     const Point2 paper(words.width, words.height);
     frame_ = {Point2(words.margin), paper - words.margin};
     const double block = std::min(kTitleWidth, words.width - 2.0 * words.margin);
     boxes_.push_back(
         {{frame_.high.x - block, frame_.low.y}, {frame_.high.x, frame_.low.y + kTitleHeight}});
-    for (const PlacedView& view : views) boxes_.push_back(box_of(view));
+    for (const PlacedDrawing& view : views) boxes_.push_back(box_of(view));
   }
   void add(const PaperBox& box) { boxes_.push_back(box); }
   bool is_free(const PaperBox& box) const {
@@ -108,9 +108,9 @@ struct CuttingLine {
   }
 };
 
-CuttingLine cutting_line(const PlacedView& other, const PartView& cut, double mm_of_unit,
+CuttingLine cutting_line(const PlacedDrawing& other, const PartDrawing& cut, double mm_of_unit,
                          const std::string& letter, double beyond) {
-  const PartView& view = *other.view;
+  const PartDrawing& view = *other.view;
   const Point3 p = in_view(view.kind, *cut.position * toward_viewer(cut.kind));
   const Point2 seen(in_view(view.kind, -toward_viewer(cut.kind)));
   const bool upright = toward_viewer(cut.kind).x != 0.0;
@@ -126,8 +126,8 @@ CuttingLine cutting_line(const PlacedView& other, const PartView& cut, double mm
 
 /// What is cut, with its letter, and the view in which a line shows where.
 struct ShownCut {
-  const PartView* cut;
-  const PlacedView* shown_in;
+  const PartDrawing* cut;
+  const PlacedDrawing* shown_in;
   std::string letter;
 
   CuttingLine line(double mm_of_unit, double beyond) const {
@@ -174,7 +174,7 @@ std::vector<CuttingLine> cutting_lines(std::span<const ShownCut> cuts, double mm
 
 /// Where the letters of a cut view may stand, the best first: below or above its middle, and
 /// otherwise beside that. The middles of baselines.
-std::vector<Point2> caption_places(const PlacedView& view) {
+std::vector<Point2> caption_places(const PlacedDrawing& view) {
   constexpr double kBelow = 7.0, kAbove = 3.5, kRow = 5.0, kStep = 1.0;
   const double middle = 0.5 * (view.low.x + view.high.x);
   const double farthest = 0.5 * (view.high.x - view.low.x) + 30.0;
@@ -191,8 +191,8 @@ std::vector<Point2> caption_places(const PlacedView& view) {
 }
 
 /// The first place that is free, and nearer to its view than to any other.
-void add_caption(std::size_t k, const std::array<PlacedView, 4>& views, const std::string& letters,
-                 Taken& taken, DrawingSheet& sheet) {
+void add_caption(std::size_t k, const std::array<PlacedDrawing, 4>& views,
+                 const std::string& letters, Taken& taken, DrawingSheet& sheet) {
   constexpr Point2 kClear(2.5, 1.5);
   const std::vector<Point2> places = caption_places(views[k]);
   const auto fits = [&](const Point2& place) {
@@ -211,7 +211,7 @@ void add_caption(std::size_t k, const std::array<PlacedView, 4>& views, const st
 
 }  // namespace
 
-void add_section_marks(const std::array<PlacedView, 4>& views, const SheetWords& words,
+void add_section_marks(const std::array<PlacedDrawing, 4>& views, const SheetWords& words,
                        double mm_of_unit, DrawingSheet& sheet) {
   Taken taken(views, words);
   std::array<std::string, 4> letters;

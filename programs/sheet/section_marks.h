@@ -7,14 +7,14 @@
 namespace displayfile {
 
 /// A view on the paper, and the rectangle that the whole part takes there.
-struct PlacedView {
-  const PartView* view;
+struct PlacedDrawing {
+  const PartDrawing* view;
   Point2 low, high;
 };
 
 /// For each view that is cut: in another view a line where, with arrows and letters, and the
 /// letters at the view itself. They keep clear of the views, of the title block and of each other.
-void add_section_marks(const std::array<PlacedView, 4>& views, const SheetWords& words,
+void add_section_marks(const std::array<PlacedDrawing, 4>& views, const SheetWords& words,
                        double mm_of_unit, DrawingSheet& sheet);
 
 }  // namespace displayfile

@@ -20,7 +20,7 @@ struct PlacedLine {
   bool hidden;
 };
 
-PlacedLine placed(const PartView::Line& line) {
+PlacedLine placed(const PartDrawing::Line& line) {
   PlacedLine out{line.from, line.to, 0.0, 0.0, 0.0, 0.0, line.hidden};
   const Point2 d = line.to - line.from;
   if (d.x < 0.0 || (d.x == 0.0 && d.y < 0.0)) std::swap(out.from, out.to);
@@ -34,7 +34,7 @@ PlacedLine placed(const PartView::Line& line) {
 }
 
 /// Those of one line: visible ones united, then hidden ones less them.
-void unite(std::span<PlacedLine> group, std::vector<PartView::Line>& out) {
+void unite(std::span<PlacedLine> group, std::vector<PartDrawing::Line>& out) {
   std::ranges::sort(group, {}, &PlacedLine::begin);
   std::vector<PlacedLine> seen;
   for (const bool hidden : {false, true}) {
@@ -83,12 +83,12 @@ void for_each_run(std::span<PlacedLine> lines, Key key, double close, const Visi
 
 }  // namespace
 
-std::vector<PartView::Line> unique_lines(const std::vector<PartView::Line>& lines) {
+std::vector<PartDrawing::Line> unique_lines(const std::vector<PartDrawing::Line>& lines) {
   std::vector<PlacedLine> all;
-  for (const PartView::Line& line : lines) {
+  for (const PartDrawing::Line& line : lines) {
     if (glm::distance(line.from, line.to) > kSamePlace) all.push_back(placed(line));
   }
-  std::vector<PartView::Line> out;
+  std::vector<PartDrawing::Line> out;
   for_each_run(std::span(all), &PlacedLine::angle, kSameAngle, [&](std::span<PlacedLine> parallel) {
     const double angle = parallel[0].angle;
     const Point2 along(std::cos(angle), std::sin(angle));

@@ -32,7 +32,7 @@ bool draws_pixels(HiddenMethod method) {
 double time_of(const GraphicsSystem& system, HiddenMethod method) {
   DrawOptions options{.samples = 1};
   options.width = options.height = kSide;
-  options.hidden = method;
+  options.surfaces.method = method;
   std::vector<double> times;
   for (int k = 0; k < kRepetitions; ++k) {
     const auto start = std::chrono::steady_clock::now();

@@ -84,8 +84,8 @@ class Bench {
     turntable_.emplace(scene_, system_.display_file(), system_.view());
     if (!mesh.empty()) turntable_->fit_window(8);
     request_.width = request_.height = options.size;
-    request_.threads = options.threads;
-    request_.method = HiddenMethod::z_buffer;
+    request_.surfaces.threads = options.threads;
+    request_.surfaces.method = HiddenMethod::z_buffer;
     row_["polygons"] = system_.counts().polygons;
   }
 
@@ -130,8 +130,8 @@ class Bench {
     SoftwareRenderer renderer, renderer_of_files;
     DrawOptions drawn{.samples = 1};
     drawn.width = drawn.height = options_.size;
-    drawn.threads = options_.threads;
-    drawn.hidden = request_.method;
+    drawn.surfaces.threads = options_.threads;
+    drawn.surfaces.method = request_.surfaces.method;
     Times of_kept, of_memory, anew;
     int same = 0;
     for (int k = -kWarm; k < kViews; ++k) {

@@ -111,8 +111,9 @@ Ways lines(const DeviceScene& scene, const Options& options) {
   const auto shared = std::make_shared<SharedScene>(scene);
   const auto by = [=](HiddenMethod method, bool exact, int threads) {
     return [=] {
-      const SeenLines seen = visible_lines(shared->items(), shared->lines, method,
-                                           {.precision = {.exact = exact}, .threads = threads});
+      const SeenLines seen =
+          visible_lines(shared->items(), shared->lines,
+                        {.method = method, .precision = {.exact = exact}, .threads = threads});
       return Json{{"lines", shared->lines.size()}, {"pieces", seen.pieces.size()}};
     };
   };
@@ -135,8 +136,8 @@ Ways intersections(const DeviceScene& scene, const Options& options) {
   const int threads = options.threads;
   const auto found = intersection_lines(shared->items(), threads);
   const auto seen = [=](const std::vector<LineName>& of, const std::vector<IntersectionLine>& at) {
-    const SeenLines all = visible_lines(shared->items(), of, HiddenMethod::franklin,
-                                        {.precision = {}, .threads = threads}, at);
+    const SeenLines all = visible_lines(shared->items(), of,
+                                        {.method = HiddenMethod::franklin, .threads = threads}, at);
     return Json{{"lines", of.size()}, {"pieces of intersections", all.intersections.size()}};
   };
   return {{"hidden lines", [=] { return seen(shared->lines, {}); }},
@@ -186,8 +187,7 @@ DisplayFile entered(const DeviceScene& scene) {
 Ways map_and_sorts(const DeviceScene& scene, const Options& options) {
   const auto file = std::make_shared<DisplayFile>(entered(scene));
   const auto find = [=](HiddenMethod method, int threads) {
-    return hidden_surface_check(file->visible_segments(), method,
-                                {.precision = {}, .threads = threads});
+    return hidden_surface_check(file->visible_segments(), {.method = method, .threads = threads});
   };
   const auto by = [=](HiddenMethod method, int threads) {
     return [=] { return Json{{"pieces", find(method, threads)->counts.pieces}}; };
@@ -214,8 +214,8 @@ Ways map_alone(const DeviceScene& scene, const Options& options) {
 }
 
 /// Counts of a sort, for each polygon.
-Json sorted(const DeviceScene& scene, HiddenMethod method, const SortOptions& options) {
-  const SortedPieces made = sort_hidden_surfaces(scene.items(), method, options);
+Json sorted(const DeviceScene& scene, HiddenMethod method, const SurfacePlan& options) {
+  const SortedPieces made = sort_hidden_surfaces(scene.items(), options.by(method));
   const auto n = static_cast<double>(scene.size());
   return {{"pieces a polygon", figure(static_cast<double>(made.pieces.size()) / n)},
           {"comparisons a polygon", figure(static_cast<double>(made.comparisons) / n)},
@@ -257,8 +257,7 @@ Ways roots(const DeviceScene& scene, const Options& options) {
     // The textbook's choice costs n^2 on what is convex: beyond this it is left out.
     if (root == RootChoice::last && scene.size() > 100'000) continue;
     ways.push_back({name, [&scene, root = root, threads = options.threads] {
-                      return sorted(scene, HiddenMethod::bsp,
-                                    {.precision = {}, .root = root, .threads = threads});
+                      return sorted(scene, HiddenMethod::bsp, {.root = root, .threads = threads});
                     }});
   }
   return ways;

@@ -58,8 +58,9 @@ void compare(const std::string& name, const Options& options, const auto& enter)
   const auto file = [&](Shading shading) -> const DisplayFile& {
     return systems[static_cast<std::size_t>(shading)].display_file();
   };
-  const RasterRequest request{
-      .width = options.size, .height = options.size, .method = HiddenMethod::z_buffer};
+  const RasterRequest request{.width = options.size,
+                              .height = options.size,
+                              .surfaces = {.method = HiddenMethod::z_buffer}};
   const auto ratio = [&](const auto& a, const auto& b) {
     return figures(ratio_of_seconds(
         options.rounds, [&] { return seconds_each(Clock::processor, 1, a); },

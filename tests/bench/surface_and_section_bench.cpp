@@ -107,10 +107,10 @@ void compare_methods(const Options& options) {
   g.close_segment();
   const ViewedScene scene(g.display_file());
   const auto seconds = [&](HiddenMethod method, const Precision& precision) {
-    SortOptions sort;
+    SurfacePlan sort;
     sort.precision = precision;
     return least_seconds_each(Clock::processor, options.rounds,
-                              [&] { find_lines(scene, method, sort); });
+                              [&] { find_lines(scene, sort.by(method)); });
   };
   const double exact = seconds(HiddenMethod::perimeter, {});
   const double rounded = seconds(HiddenMethod::perimeter, {.exact = false, .roundoff = 1e-9});

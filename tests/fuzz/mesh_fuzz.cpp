@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const DisplayFile& file = system.display_file();
   if (file.polygons() > kMostPolygons) return 0;
   const RasterRequest request{
-      .width = kSize, .height = kSize, .method = HiddenMethod::z_buffer, .ids = true};
+      .width = kSize, .height = kSize, .surfaces = {.method = HiddenMethod::z_buffer}, .ids = true};
   if (draw_with_software(file, request).ids != truth(file, kSize, kSize, false).ids) {
     fuzz::failed("the picture is not the truth's");
   }

@@ -378,11 +378,11 @@ TEST(PlainZBuffer, IsAMethodOfPicturesAtEachDepthFormat) {
     request.width = request.height = 64;
     request.ids = true;
     const Picture alone = draw_with_plain_z_buffer(system.display_file(), request, format);
-    request.method = hidden_method(name);
-    request.threads = 2;
+    request.surfaces.method = hidden_method(name);
+    request.surfaces.threads = 2;
     const Picture picture = draw_with_software(system.display_file(), request);
     EXPECT_EQ(picture.ids, alone.ids) << name;
-    EXPECT_TRUE(is_image_space(request.method)) << name;
+    EXPECT_TRUE(is_image_space(request.surfaces.method)) << name;
     const bool wrong = draw_with_software(sheets.display_file(), request).ids[0] != 0;
     EXPECT_EQ(wrong, format == DepthFormat::integer_16) << name;
   }

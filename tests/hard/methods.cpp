@@ -21,7 +21,7 @@ namespace {
 RasterRequest request_ids(int size, HiddenMethod method) {
   RasterRequest request;
   request.width = request.height = size;
-  request.method = method;
+  request.surfaces.method = method;
   request.ids = true;
   return request;
 }
@@ -33,7 +33,7 @@ Picture painter(const DisplayFile& display_file, int size) {
 auto image_space(HiddenMethod method, std::optional<double> roundoff) {
   return [=](const DisplayFile& display_file, int size) {
     RasterRequest request = request_ids(size, method);
-    request.roundoff = roundoff;
+    if (roundoff) request.surfaces.precision = {.exact = false, .roundoff = *roundoff};
     return draw_with_software(display_file, request);
   };
 }
@@ -41,10 +41,10 @@ auto image_space(HiddenMethod method, std::optional<double> roundoff) {
 /// All segments sorted together, and painted back to front.
 auto sorted(HiddenMethod method, const Precision& precision) {
   return [=](const DisplayFile& display_file, int size) {
-    SortOptions options;
+    SurfacePlan options;
     options.precision = precision;
     DisplayFile file = display_file;
-    file.set_sorted(hidden_surface_check(display_file.visible_segments(), method, options));
+    file.set_sorted(hidden_surface_check(display_file.visible_segments(), options.by(method)));
     RasterRequest request = request_ids(size, HiddenMethod::none);
     request.sorted = precision.exact;
     return draw_with_software(file, request);
@@ -64,7 +64,7 @@ using Granted = std::map<int, int>;
 Method osmesa(int depth_bits) {
   const auto granted = std::make_shared<Granted>();
   const auto draw = [=](const DisplayFile& display_file, int size) {
-    OsmesaScene scene(display_file, request_ids(size, HiddenMethod::z_buffer), depth_bits);
+    OsmesaBuffers scene(display_file, request_ids(size, HiddenMethod::z_buffer), depth_bits);
     ++(*granted)[scene.depth_bits()];
     return scene.picture();
   };

@@ -77,7 +77,7 @@ DisplayFile two_sheets(double gap) {
 RasterRequest request(int size) {
   RasterRequest r;
   r.width = r.height = size;
-  r.method = HiddenMethod::z_buffer;
+  r.surfaces.method = HiddenMethod::z_buffer;
   r.ids = true;
   return r;
 }
@@ -118,7 +118,7 @@ int run(const Options& options) {
           draw_with_plain_z_buffer(sheets, large, entry.format), expected);
   }
   if (osmesa_available()) {
-    OsmesaScene peer(sheets, large);
+    OsmesaBuffers peer(sheets, large);
     print(fmt::format("OSMesa, {} depth bits", peer.depth_bits()), peer.picture(), expected);
   }
   if (!options.picture.empty()) {

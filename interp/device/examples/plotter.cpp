@@ -60,7 +60,7 @@ int main(int count, char** arguments) try {
   displayfile::GraphicsSystem system;
   displayfile::replay_file(arguments[1], system);
   Plotter plotter(std::cout);
-  displayfile::draw(system, plotter, {.hidden = displayfile::HiddenMethod::franklin});
+  displayfile::draw(system, plotter, {.surfaces = {.method = displayfile::HiddenMethod::franklin}});
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

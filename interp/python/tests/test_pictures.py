@@ -287,7 +287,7 @@ def test_a_picture_of_another_shape_is_told():
         lambda s: s.svg((640, 480)),
         lambda s: s.png((640, 480)),
     ):
-        with pytest.warns(UserWarning, match=r"1.33 times as wide.*aspect=1.333"):
+        with pytest.warns(UserWarning, match=r"1.33 times as wide.*set_aspect_ratio\(1.333\)"):
             draw(drawn())
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -36,8 +36,8 @@ PictureSize size_of(const BenchScene& scene) { return {scene.size, scene.size}; 
 DrawOptions by_z_buffer(const BesideTask& task) {
   DrawOptions options{.samples = 1};
   options.width = options.height = task.scene.size;
-  options.threads = task.threads;
-  options.hidden = HiddenMethod::z_buffer;
+  options.surfaces.threads = task.threads;
+  options.surfaces.method = HiddenMethod::z_buffer;
   return options;
 }
 
@@ -146,7 +146,7 @@ void compare_with_embree(Comparison& comparison) {
 /// From the polygons to the points of their pieces, exact, on one thread.
 SortedPieces pieces_by(HiddenMethod method, const Primitives& polygons) {
   if (method == HiddenMethod::map) return pieces_of_map(polygons, visible_map(polygons, {}));
-  return sort_hidden_surfaces(polygons, method, SortOptions{});
+  return sort_hidden_surfaces(polygons, {.method = method});
 }
 
 void compare_with_gl2ps(Comparison& comparison) {

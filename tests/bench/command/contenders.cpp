@@ -20,8 +20,8 @@ RasterRequest request_of(const Frame& frame, HiddenMethod method) {
   RasterRequest request;
   request.width = frame.width;
   request.height = frame.height;
-  request.threads = frame.threads;
-  request.method = method;
+  request.surfaces.threads = frame.threads;
+  request.surfaces.method = method;
   return request;
 }
 
@@ -56,13 +56,13 @@ class SortedDrawing : public Drawing {
                 const Precision& precision)
       : file_(file), request_(request), method_(method) {
     options_.precision = precision;
-    options_.threads = request.threads;
+    options_.threads = request.surfaces.threads;
     request_.sorted = precision.exact;
   }
   void draw_anew() override {
     renderer_.emplace();
     sorted_ = file_;
-    sorted_.set_sorted(hidden_surface_check(file_.visible_segments(), method_, options_));
+    sorted_.set_sorted(hidden_surface_check(file_.visible_segments(), options_.by(method_)));
     renderer_->draw(sorted_, request_);
   }
   void draw_again() override { renderer_->draw(sorted_, request_); }
@@ -75,7 +75,7 @@ class SortedDrawing : public Drawing {
   const DisplayFile& file_;
   RasterRequest request_;
   HiddenMethod method_;
-  SortOptions options_;
+  SurfacePlan options_;
   DisplayFile sorted_;
   std::optional<SoftwareRenderer> renderer_;
 };
@@ -115,7 +115,7 @@ Contender image_space(HiddenMethod method, const Precision& precision) {
           true,
           [=](const DisplayFile& file, const Frame& frame) {
             RasterRequest request = request_of(frame, method);
-            if (!precision.exact) request.roundoff = precision.roundoff;
+            request.surfaces.precision = precision;
             return std::make_unique<SoftwareDrawing>(file, request);
           }};
 }

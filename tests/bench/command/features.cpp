@@ -37,7 +37,7 @@ Names both(Names a, const Names& b) {
 
 std::vector<Feature> table() {
   using enum HiddenMethod;
-  const Names sort{"hidden_surface_check", "SortScene",   "ComparePolys",
+  const Names sort{"hidden_surface_check", "SortTables",  "ComparePolys",
                    "SideBuffer",           "VertexTable", "separated_by_side_of",
                    "overlapping_pairs",    "Extent",      "FlatBoxes"};
   // Not all that is compiled for Exact: where it is the same code as that for Roundoff, compilers
@@ -311,7 +311,7 @@ DrawOptions draw_options(const FeatureUse& use) {
   if (use.depth) options.depth = "depth.npy";
   if (use.osmesa) options.device = "osmesa";
   options.samples = use.samples;
-  options.threads = use.threads;
+  options.surfaces.threads = use.threads;
   return options;
 }
 

@@ -56,8 +56,9 @@ struct LineMeasurer::Scene {
   }
 
   SeenLines find(const LineContender& contender, int threads) const {
-    return visible_lines(viewed.primitives(), names, contender.method,
-                         {.precision = contender.precision, .threads = threads});
+    return visible_lines(
+        viewed.primitives(), names,
+        {.method = contender.method, .precision = contender.precision, .threads = threads});
   }
   void reference() const { find({HiddenMethod::franklin, {}}, 1); }
 };

@@ -27,8 +27,8 @@ NewViews::NewViews(const ApplicationMesh& mesh, const PictureSize& size, int thr
     : kept_(std::make_unique<Kept>()) {
   kept_->request.width = size.width;
   kept_->request.height = size.height;
-  kept_->request.threads = threads;
-  kept_->request.method = HiddenMethod::z_buffer;
+  kept_->request.surfaces.threads = threads;
+  kept_->request.surfaces.method = HiddenMethod::z_buffer;
   kept_->system.set_threads(threads);
   SystemInside::retain_alone(kept_->system, kept_->scene);
   enter(mesh, kept_->system);
@@ -39,7 +39,7 @@ NewViews::~NewViews() = default;
 const ViewedScene& NewViews::new_view(const View& view) {
   const PictureSize size{kept_->request.width, kept_->request.height};
   return kept_->made_ready().view(
-      {.view = view, .centres_of = size, .threads = kept_->request.threads});
+      {.view = view, .centres_of = size, .threads = kept_->request.surfaces.threads});
 }
 
 const Picture& NewViews::draw_new_view(const View& view) {

@@ -48,7 +48,7 @@ class OsmesaDrawing : public Drawing {
       : file_(file), frame_(frame), depth_bits_(depth_bits) {
     const ViewedScene scene(file);
     if (scene.has_lines() || scene.end() == 1) {
-      device_ = std::make_unique<OsmesaScene>(file, request(), depth_bits);
+      device_ = std::make_unique<OsmesaBuffers>(file, request(), depth_bits);
       return;
     }
     triangles_ = indexed_triangles(scene);
@@ -69,7 +69,7 @@ class OsmesaDrawing : public Drawing {
   Picture judged() override {
     RasterRequest judged = request();
     judged.ids = judged.depth = true;
-    return OsmesaScene(file_, judged, depth_bits_).picture();
+    return OsmesaBuffers(file_, judged, depth_bits_).picture();
   }
 
  private:
@@ -77,7 +77,7 @@ class OsmesaDrawing : public Drawing {
     RasterRequest request;
     request.width = frame_.width;
     request.height = frame_.height;
-    request.method = HiddenMethod::z_buffer;
+    request.surfaces.method = HiddenMethod::z_buffer;
     return request;
   }
 
@@ -86,7 +86,7 @@ class OsmesaDrawing : public Drawing {
   int depth_bits_;
   IndexedTriangles triangles_;
   std::unique_ptr<OpenGlMesh> mesh_;
-  std::unique_ptr<OsmesaScene> device_;
+  std::unique_ptr<OsmesaBuffers> device_;
   bool resident_ = false;
 };
 

@@ -45,13 +45,13 @@ class TreeWalkDrawing : public Drawing {
   TreeWalkDrawing(const std::vector<Scene>& views, const Frame& frame) : views_(views) {
     request_.width = frame.width;
     request_.height = frame.height;
-    request_.threads = frame.threads;
+    request_.surfaces.threads = frame.threads;
     request_.sorted = true;
     system_.retain(&scene_);
     enter(views.front(), system_);
   }
   void draw_anew() override {
-    trees_ = std::make_unique<RetainedViews>(scene_, system_.display_file(), SortOptions{});
+    trees_ = std::make_unique<RetainedViews>(scene_, system_.display_file(), SurfacePlan{});
     draw_again();
   }
   void draw_again() override {

@@ -45,8 +45,8 @@ SeenLines found(const EnteredMesh& entered, int threads) {
   const Primitives items = entered.scene->primitives();
   std::vector<IntersectionLine> intersections;
   if (entered.intersections) intersections = intersection_lines(items, threads);
-  return visible_lines(items, entered.lines, HiddenMethod::franklin,
-                       {.precision = {}, .threads = threads}, intersections);
+  return visible_lines(items, entered.lines, {.method = HiddenMethod::franklin, .threads = threads},
+                       intersections);
 }
 
 class OurLines {

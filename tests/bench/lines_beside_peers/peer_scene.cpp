@@ -267,10 +267,11 @@ RetainedMesh::RetainedMesh(const PeerScene& scene, const LineKinds& kinds)
 
 SortedPieces RetainedMesh::draw(int threads) {
   const ViewedScene& seen = viewer_->view({.view = view_, .threads = threads});
-  SortOptions options;
+  SurfacePlan options;
   options.threads = threads;
   options.intersections = intersections_;
-  return lines_in_order(seen, find_lines(seen, HiddenMethod::franklin, options), HiddenLines::none);
+  return lines_in_order(seen, find_lines(seen, options.by(HiddenMethod::franklin)),
+                        HiddenLines::none);
 }
 
 void RetainedMesh::look_elsewhere() {

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   const Mesh mesh = read_mesh(argv[1]);
   const int rounds = std::atoi(argv[2]);
   const DrawOptions options{
-      .width = 1024, .height = 1024, .hidden = HiddenMethod::z_buffer, .samples = 1};
+      .width = 1024, .height = 1024, .surfaces = {.method = HiddenMethod::z_buffer}, .samples = 1};
   double entering = std::numeric_limits<double>::infinity(), anew = entering, again = entering;
   for (int k = 0; k < rounds; ++k) {
     GraphicsSystem system;

@@ -15,7 +15,7 @@ namespace displayfile {
 /// A view in whole numbers: world coordinates to the points of a picture, and the clipping between
 /// them, for world_truth alone. The doubles of the view's matrix, of the viewport and of the image
 /// transformation's matrix are taken as they are, and nothing is rounded.
-class ExactView {
+class ExactProjection {
  public:
   /// A point in the homogeneous coordinates of the view volume, 0 <= x, y, z <= w, and the z of its
   /// view-plane coordinates, all times `unit`, which is positive: true coordinates are those over
@@ -25,7 +25,7 @@ class ExactView {
   };
 
   /// Throws what ViewVolume throws.
-  ExactView(const View& view, const ImageTransformation& image, int width, int height);
+  ExactProjection(const View& view, const ImageTransformation& image, int width, int height);
 
   Vertex viewed(const WholePoint& world) const;
   /// Clips the polygon in place against all planes of the view volume; empty if nothing is inside.

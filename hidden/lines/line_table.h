@@ -19,13 +19,13 @@ namespace displayfile {
 /// What the hidden-line methods work on: the items with their planes' vertices and extents, and the
 /// lines that are looked at. Numbers and contiguous arrays; what an item's points are is the
 /// items' own.
-class LineScene {
+class LineTable {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   /// The names are in order, each once. Throws Error for one that names no line. Intersections are
   /// looked at beside them; what is given must outlive the scene.
-  LineScene(const Primitives& items, std::span<const LineName> names, int threads,
+  LineTable(const Primitives& items, std::span<const LineName> names, int threads,
             std::span<const IntersectionLine> intersections = {});
 
   /// Throws Error for a name of no line.

@@ -1,4 +1,4 @@
-#include "programs/sheet/part_view.h"
+#include "programs/sheet/part_drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -94,9 +94,9 @@ Part part_behind(const Part& part, Section& cut) {
 
 }  // namespace
 
-PartView view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
-                      std::optional<double> position, int threads) {
-  PartView view;
+PartDrawing view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
+                         std::optional<double> position, int threads) {
+  PartDrawing view;
   view.kind = kind;
   view.position = position;
   Part turned = part;

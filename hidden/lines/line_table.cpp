@@ -1,4 +1,4 @@
-#include "hidden/lines/line_scene.h"
+#include "hidden/lines/line_table.h"
 
 #include <algorithm>
 #include <atomic>
@@ -53,7 +53,7 @@ double most_shares_of(const Primitives& items) {
 
 }  // namespace
 
-LineScene::LineScene(const Primitives& items, std::span<const LineName> names, int threads,
+LineTable::LineTable(const Primitives& items, std::span<const LineName> names, int threads,
                      std::span<const IntersectionLine> intersections)
     : items_(items),
       names_(names),
@@ -74,7 +74,7 @@ LineScene::LineScene(const Primitives& items, std::span<const LineName> names, i
 }
 
 /// Lines are compared with polygons beside which they are so close.
-void LineScene::widen(Extent& box) const {
+void LineTable::widen(Extent& box) const {
   const double off = std::max(off_lines().in_picture, off_lines().touching);
   if (!(off > 0.0)) return;
   box.x_min = rounded_down(box.x_min - off);
@@ -83,11 +83,11 @@ void LineScene::widen(Extent& box) const {
   box.y_max = -rounded_down(-(box.y_max + off));
 }
 
-void LineScene::require_names(const Primitives& items, std::span<const LineName> names) {
+void LineTable::require_names(const Primitives& items, std::span<const LineName> names) {
   for (const LineName& name : names) check_name(items, name);
 }
 
-LineScene::Support LineScene::support_of(std::uint32_t number) const {
+LineTable::Support LineTable::support_of(std::uint32_t number) const {
   const Primitives::Item& item = items_.items[number];
   if (item.kind == Primitives::Kind::line) return {};
   Support support;
@@ -109,7 +109,7 @@ LineScene::Support LineScene::support_of(std::uint32_t number) const {
   return support;
 }
 
-void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {
+void LineTable::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {
   const PlaneValue slope = slope_value(plane, {at.x, at.y, 0.0});
   const Ball depth =
       Ball{plane.p.z} - Ball{slope.value, slope.bound} / Ball{plane.normal.z, plane.bound.z};
@@ -118,7 +118,7 @@ void LineScene::include_on_plane(Extent& box, const Point3& at, const Plane& pla
   box.include(Point3(at.x, at.y, depth.middle + more));
 }
 
-Extent LineScene::extent_of(std::uint32_t item) const {
+Extent LineTable::extent_of(std::uint32_t item) const {
   const Primitives::Item& polygon = items_.items[item];
   Extent box = Extent::nothing();
   if (polygon.sides == 3 && items_.has_own_plane(item)) {
@@ -132,7 +132,7 @@ Extent LineScene::extent_of(std::uint32_t item) const {
   return box;
 }
 
-Extent LineScene::extent(const Line& line) const {
+Extent LineTable::extent(const Line& line) const {
   Extent box = Extent::nothing();
   const Point3 &a = point(line.a), &b = point(line.b);
   if (const IntersectionLine* intersection = this->intersection(line)) {
@@ -149,7 +149,7 @@ Extent LineScene::extent(const Line& line) const {
 }
 
 /// A polygon of more than three sides need not be flat. Most are, but for rounding.
-void LineScene::find_uneven(int threads) {
+void LineTable::find_uneven(int threads) {
   first_corner_.reserve(items_.items.size() + 1);
   std::uint32_t corners = 0;
   bool all_flat = true;
@@ -181,13 +181,13 @@ void LineScene::find_uneven(int threads) {
   if (!is_any) off_plane_.clear();
 }
 
-bool LineScene::is_uneven(const LineName& side) const {
+bool LineTable::is_uneven(const LineName& side) const {
   if (items_.items[side.item].kind == Primitives::Kind::line) return false;
   return is_uneven_at(side.item, side.corner) || is_uneven_at(side.item, corner_before(side));
 }
 
 /// A side has as many depths as the polygons that share it give it.
-void LineScene::add_lines() {
+void LineTable::add_lines() {
   std::optional<SideTable> shared;
   if (!off_plane_.empty() && !names_.empty()) shared.emplace(items_);
   lines_.reserve(names_.size() + intersections_.size());
@@ -218,7 +218,7 @@ void LineScene::add_lines() {
   }
 }
 
-void LineScene::add_intersections() {
+void LineTable::add_intersections() {
   if (items_.points.size() + 2 * intersections_.size() >= kNone ||
       names_.size() + intersections_.size() >= kNone) {
     throw Error("too many intersection lines: " + std::to_string(intersections_.size()));

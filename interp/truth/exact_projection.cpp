@@ -1,4 +1,4 @@
-#include "interp/truth/exact_view.h"
+#include "interp/truth/exact_projection.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +21,8 @@ void shorten(std::initializer_list<Integer*> numbers) {
 
 }  // namespace
 
-ExactView::ExactView(const View& view, const ImageTransformation& image, int width, int height) {
+ExactProjection::ExactProjection(const View& view, const ImageTransformation& image, int width,
+                                 int height) {
   const ViewVolume volume(view);
   const glm::dmat4 &m = volume.matrix(), &plane = volume.view_plane();
   std::array<double, 4> toward{};
@@ -72,7 +73,7 @@ ExactView::ExactView(const View& view, const ImageTransformation& image, int wid
   picture_places_ = viewport_places + image_places;
 }
 
-ExactView::Vertex ExactView::viewed(const WholePoint& world) const {
+ExactProjection::Vertex ExactProjection::viewed(const WholePoint& world) const {
   const Integer one = Integer(1) << bits(world.places);
   const auto along = [&](const Row& row) -> Integer {
     return row[0] * world.x + row[1] * world.y + row[2] * world.z + row[3] * one;
@@ -83,15 +84,15 @@ ExactView::Vertex ExactView::viewed(const WholePoint& world) const {
 
 // ---- The view volume ---------------------------------------------------------------------
 
-ExactView::Limit::Limit(double value)
+ExactProjection::Limit::Limit(double value)
     : at(scaled(value, binary_places(value))), places(binary_places(value)) {}
 
-Integer ExactView::Limit::exceeded_by(const Integer& coordinate, const Integer& unit) const {
+Integer ExactProjection::Limit::exceeded_by(const Integer& coordinate, const Integer& unit) const {
   return (coordinate << bits(places)) - at * unit;
 }
 
 /// 0 on the plane, negative outside.
-Integer ExactView::inside(Side side, const Vertex& v) const {
+Integer ExactProjection::inside(Side side, const Vertex& v) const {
   switch (side) {
     case Side::back: return back_.exceeded_by(v.toward, v.unit);
     case Side::front: return -front_.exceeded_by(v.toward, v.unit);
@@ -105,8 +106,8 @@ Integer ExactView::inside(Side side, const Vertex& v) const {
 }
 
 /// Both weights are positive, and so is the unit of what they give.
-ExactView::Vertex ExactView::cut(const Vertex& in, const Integer& d_in, const Vertex& out,
-                                 const Integer& d_out) const {
+ExactProjection::Vertex ExactProjection::cut(const Vertex& in, const Integer& d_in,
+                                             const Vertex& out, const Integer& d_out) const {
   const auto between = [&](const Integer& a, const Integer& b) -> Integer {
     return d_in * b - d_out * a;
   };
@@ -117,7 +118,7 @@ ExactView::Vertex ExactView::cut(const Vertex& in, const Integer& d_in, const Ve
 }
 
 /// A vertex on the plane is inside: an edge is cut only from strictly inside to outside.
-void ExactView::clip(Side side, std::vector<Vertex>& polygon) {
+void ExactProjection::clip(Side side, std::vector<Vertex>& polygon) {
   distances_.clear();
   bool any_outside = false, any_inside = false;
   for (const Vertex& v : polygon) {
@@ -138,7 +139,7 @@ void ExactView::clip(Side side, std::vector<Vertex>& polygon) {
   polygon.swap(clipped_);
 }
 
-void ExactView::clip(std::vector<Vertex>& polygon) {
+void ExactProjection::clip(std::vector<Vertex>& polygon) {
   for (const Side side : sides_) {
     if (!polygon.empty()) clip(side, polygon);
   }
@@ -152,7 +153,7 @@ void ExactView::clip(std::vector<Vertex>& polygon) {
 
 // ---- The picture -------------------------------------------------------------------------
 
-TruePoint ExactView::in_picture(const Vertex& v) const {
+TruePoint ExactProjection::in_picture(const Vertex& v) const {
   const auto row = [&](std::size_t i) -> Integer {
     return picture_[i][0] * v.x + picture_[i][1] * v.y + picture_[i][2] * v.w;
   };
@@ -164,15 +165,15 @@ TruePoint ExactView::in_picture(const Vertex& v) const {
 namespace {
 
 /// Twice the signed area of a triangle, times the product of the three w.
-Integer doubled_area(const ExactView::Vertex& p, const ExactView::Vertex& q,
-                     const ExactView::Vertex& r) {
+Integer doubled_area(const ExactProjection::Vertex& p, const ExactProjection::Vertex& q,
+                     const ExactProjection::Vertex& r) {
   return p.x * (q.y * r.w - q.w * r.y) - p.y * (q.x * r.w - q.w * r.x) +
          p.w * (q.x * r.y - q.y * r.x);
 }
 
 }  // namespace
 
-bool ExactView::faces_viewer(std::span<const Vertex> polygon) {
+bool ExactProjection::faces_viewer(std::span<const Vertex> polygon) {
   bool any_left = false, any_right = false;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const int turn = sgn(doubled_area(polygon[0], polygon[i - 1], polygon[i]));

@@ -1,4 +1,4 @@
-#include "displayfile/segments/light_view.h"
+#include "displayfile/segments/light_projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,14 @@ struct Axes {
 
 /// A light whose picture is a point far away, or infinitely far: the directions toward it from the
 /// points of the scene are nearly the same. W vanishes at the light and is 1 in the middle.
-LightView LightView::from_afar(const HomogeneousPoint& light) {
+LightProjection LightProjection::from_afar(const HomogeneousPoint& light) {
   const Point3 middle(kMiddle);
   const Point3 toward = Point3(light) - light.w * middle;
   const Axes axes(unit(toward));
   const auto along = [&](const Point3& direction) {
     return Row(direction, -glm::dot(direction, middle));
   };
-  LightView view;
+  LightProjection view;
   view.across_ = along(axes.across);
   view.up_ = along(axes.up);
   view.depth_ = along(unit(toward));
@@ -46,9 +46,9 @@ LightView LightView::from_afar(const HomogeneousPoint& light) {
 
 /// For perspective views. What is infinitely far in the world is a plane of equal depth, on which
 /// the light is, and before which everything lies.
-LightView LightView::from_nearby(const HomogeneousPoint& light) {
+LightProjection LightProjection::from_nearby(const HomogeneousPoint& light) {
   const Point3 at = Point3(light) / light.w;
-  LightView view;
+  LightProjection view;
   view.across_ = {1.0, 0.0, 0.0, -at.x};
   view.up_ = {0.0, 1.0, 0.0, -at.y};
   view.depth_ = {0.0, 0.0, 0.0, light.w > 0.0 ? 1.0 : -1.0};
@@ -56,29 +56,29 @@ LightView LightView::from_nearby(const HomogeneousPoint& light) {
   return view;
 }
 
-bool LightView::is_before(std::span<const Point3> points) const {
+bool LightProjection::is_before(std::span<const Point3> points) const {
   return std::ranges::all_of(points, [&](const Point3& p) {
     const Point3 seen = (*this)(p);
     return weight(p) > 0.0 && in_range(seen);
   });
 }
 
-std::optional<LightView> LightView::of(const HomogeneousPoint& light,
-                                       std::span<const Point3> points) {
+std::optional<LightProjection> LightProjection::of(const HomogeneousPoint& light,
+                                                   std::span<const Point3> points) {
   constexpr double kFar = 4.0;  // pictures are 1 wide
   const double size = glm::length(Point3(light));
   if (!(size > 0.0)) return std::nullopt;
   if (size > kFar * std::abs(light.w)) {
-    const LightView view = from_afar(light);
+    const LightProjection view = from_afar(light);
     if (view.is_before(points)) return view;
   }
   if (light.w == 0.0) return std::nullopt;
-  const LightView view = from_nearby(light);
+  const LightProjection view = from_nearby(light);
   if (view.is_before(points)) return view;
   return std::nullopt;
 }
 
-Point3 LightView::operator()(const Point3& p) const {
+Point3 LightProjection::operator()(const Point3& p) const {
   const double w = weight(p);
   return Point3(value(across_, p), value(up_, p), value(depth_, p)) / w;
 }

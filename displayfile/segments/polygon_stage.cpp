@@ -1,4 +1,4 @@
-#include "displayfile/segments/view_stage.h"
+#include "displayfile/segments/polygon_stage.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,8 @@
 
 namespace displayfile {
 
-ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attributes& attributes) {
+StagedPolygon PolygonStage::view_polygon(const WorldPolygon& polygon,
+                                         const Attributes& attributes) {
   const ClippedPolygon clipped =
       polygon.vertex_normals.empty()
           ? pipeline_.clip_polygon(polygon.vertices, polygon.edge_visible)
@@ -16,7 +17,8 @@ ViewedPolygon ViewStage::view_polygon(const WorldPolygon& polygon, const Attribu
 }
 
 /// With what is interpolated over it; equal normals, whatever their length, need nothing.
-ClippedPolygon ViewStage::clip_smooth(const WorldPolygon& polygon, const Attributes& attributes) {
+ClippedPolygon PolygonStage::clip_smooth(const WorldPolygon& polygon,
+                                         const Attributes& attributes) {
   const auto& vertices = polygon.vertices;
   const auto& edge_visible = polygon.edge_visible;
   const auto& normals = polygon.vertex_normals;
@@ -45,15 +47,15 @@ void keep_entered(const WorldPolygon& polygon, bool is_seen, Segment& segment) {
 
 }  // namespace
 
-bool ViewStage::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
-                              Segment& segment) {
+bool PolygonStage::enter_polygon(const WorldPolygon& polygon, const Attributes& attributes,
+                                 Segment& segment) {
   const bool is_seen = enter(view_polygon(polygon, attributes), attributes, polygon.pick, segment);
   keep_entered(polygon, is_seen, segment);
   return is_seen;
 }
 
-void ViewStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
-                             Segment& segment) {
+void PolygonStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
+                                Segment& segment) {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept == nullptr) return;
   kept->begin_shared(vertices.size());
@@ -61,8 +63,8 @@ void ViewStage::note_entered(std::span<const Point3> vertices, const glm::dmat4x
   modelling_of_shared_ = modelling;
 }
 
-void ViewStage::keep_shared(std::span<const std::uint32_t> corners, bool is_seen,
-                            Segment& segment) const {
+void PolygonStage::keep_shared(std::span<const std::uint32_t> corners, bool is_seen,
+                               Segment& segment) const {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept == nullptr) return;
   for (const std::uint32_t corner : corners) kept->include(entered_shared_[corner]);
@@ -70,7 +72,7 @@ void ViewStage::keep_shared(std::span<const std::uint32_t> corners, bool is_seen
   if (!is_seen) kept->note_not_seen();
 }
 
-void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
+void PolygonStage::view_vertices(std::span<const Point3> world, std::uint32_t first) {
   first_shared_ = first;
   entered_shared_ = {};
   shared_.clear();
@@ -78,7 +80,7 @@ void ViewStage::view_vertices(std::span<const Point3> world, std::uint32_t first
   for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
 }
 
-ViewStage::Outcodes ViewStage::outcodes(std::span<const std::uint32_t> corners) const {
+PolygonStage::Outcodes PolygonStage::outcodes(std::span<const std::uint32_t> corners) const {
   Outcodes codes{0, ~0u};
   for (const std::uint32_t corner : corners) {
     codes.any |= viewed(corner).outcode;
@@ -87,9 +89,9 @@ ViewStage::Outcodes ViewStage::outcodes(std::span<const std::uint32_t> corners) 
   return codes;
 }
 
-std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
-                                              const SharedTriangle& triangle,
-                                              const Attributes& attributes, Segment& segment) {
+std::optional<bool> PolygonStage::enter_triangle(std::span<const Point3> world,
+                                                 const SharedTriangle& triangle,
+                                                 const Attributes& attributes, Segment& segment) {
   const auto& corners = triangle.corners;
   const auto is_not_seen = [&] {
     keep_shared(corners, false, segment);
@@ -119,8 +121,8 @@ std::optional<bool> ViewStage::enter_triangle(std::span<const Point3> world,
   return true;
 }
 
-bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
-                             const Attributes& attributes, Segment& segment) {
+bool PolygonStage::enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
+                                const Attributes& attributes, Segment& segment) {
   const auto keep = [&](bool is_seen) {
     if (entered_shared_.empty()) {
       keep_entered(polygon, is_seen, segment);
@@ -140,13 +142,13 @@ bool ViewStage::enter_shared(std::span<const std::uint32_t> corners, const World
   if (all_edges_.size() < corners.size()) all_edges_.resize(corners.size(), 1);
   const ClippedPolygon whole{
       device_, all_drawn ? std::span(all_edges_).first(corners.size()) : polygon.edge_visible};
-  const ViewedPolygon drawn = view_clipped(whole, polygon, attributes);
+  const StagedPolygon drawn = view_clipped(whole, polygon, attributes);
   return keep(enter(drawn, attributes, polygon.pick, segment));
 }
 
 /// BACK-FACE-CHECK (algorithm 9.3) and the light.
-ViewedPolygon ViewStage::view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
-                                      const Attributes& attributes) {
+StagedPolygon PolygonStage::view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
+                                         const Attributes& attributes) {
   if (clipped.vertices.size() < 3) return {};
   if (attributes.back_face_removal && is_back_face(clipped.vertices)) return {};
   const LineStyle* const line = &line_of(attributes, clipped);
@@ -157,7 +159,7 @@ ViewedPolygon ViewStage::view_clipped(ClippedPolygon clipped, const WorldPolygon
 
 /// A hollow polygon that draws none of its sides in this view stays, with invisible sides: what is
 /// in a scene does not depend on the view.
-const LineStyle& ViewStage::line_of(const Attributes& attributes, ClippedPolygon& clipped) {
+const LineStyle& PolygonStage::line_of(const Attributes& attributes, ClippedPolygon& clipped) {
   if (!attributes.dark_line) return attributes.line;
   const bool dark = newell_c(clipped.vertices) < 0.0;
   const LineStyle& line = attributes.line_of(dark);
@@ -169,8 +171,8 @@ const LineStyle& ViewStage::line_of(const Attributes& attributes, ClippedPolygon
   return attributes.line_of(!dark);
 }
 
-bool ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
-                      Segment& segment) {
+bool PolygonStage::enter(const StagedPolygon& viewed, const Attributes& attributes,
+                         std::int32_t pick, Segment& segment) {
   const ClippedPolygon& polygon = viewed.polygon;
   if (viewed.fill == nullptr || viewed.line == nullptr) return false;  // nothing of it is drawn
   enter_styles(*viewed.fill, *viewed.line, attributes, segment);
@@ -179,8 +181,8 @@ bool ViewStage::enter(const ViewedPolygon& viewed, const Attributes& attributes,
   return true;
 }
 
-void ViewStage::enter_styles(const FillStyle& fill, const LineStyle& line,
-                             const Attributes& attributes, Segment& segment) {
+void PolygonStage::enter_styles(const FillStyle& fill, const LineStyle& line,
+                                const Attributes& attributes, Segment& segment) {
   if (!fill_entered_) segment.set_style(fill);
   if (!line_entered_) segment.set_style(line);
   fill_entered_ = !attributes.light;
@@ -188,8 +190,8 @@ void ViewStage::enter_styles(const FillStyle& fill, const LineStyle& line,
 }
 
 /// The intensities or normals of a polygon that is lit evenly after all are taken away.
-FillStyle ViewStage::lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
-                              ClippedPolygon& clipped) const {
+FillStyle PolygonStage::lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
+                                 ClippedPolygon& clipped) const {
   const Light& light = *attributes.light;
   const auto of_normal = [&](const Point3& normal) {
     const bool turned_away = !attributes.back_face_removal && newell_c(clipped.vertices) < 0.0;
@@ -205,8 +207,8 @@ FillStyle ViewStage::lit_fill(const WorldPolygon& polygon, const Attributes& att
   return fill;
 }
 
-bool ViewStage::enter_line(const Point3& from, const Point3& to, const LineStyle& style,
-                           Segment& segment) {
+bool PolygonStage::enter_line(const Point3& from, const Point3& to, const LineStyle& style,
+                              Segment& segment) {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept != nullptr) {
     for (const Point3& end : {from, to}) kept->include(end);
@@ -219,9 +221,9 @@ bool ViewStage::enter_line(const Point3& from, const Point3& to, const LineStyle
   return true;
 }
 
-bool ViewStage::enter_text(const Point3& anchor, std::string_view characters,
-                           const Attributes& attributes, Segment& segment) {
-  const ViewedVertex viewed = pipeline_.view(anchor);
+bool PolygonStage::enter_text(const Point3& anchor, std::string_view characters,
+                              const Attributes& attributes, Segment& segment) {
+  const PipelineVertex viewed = pipeline_.view(anchor);
   if (viewed.outcode != 0) return false;
   segment.set_style(attributes.line);
   segment.set_style(attributes.text);

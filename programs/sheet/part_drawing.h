@@ -20,7 +20,7 @@ Point3 in_view(ViewKind view, const Point3& p);
 Point3 toward_viewer(ViewKind view);
 
 /// What a view shows, in the part's unit.
-struct PartView {
+struct PartDrawing {
   struct Line {
     Point2 from, to;
     bool hidden;
@@ -38,7 +38,7 @@ struct PartView {
 /// view depths that rounding may have parted are the same. With a position the part is cut there,
 /// and what is nearer to the viewer taken away; if the part is not closed there, the cut face is
 /// open.
-PartView view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
-                      std::optional<double> position, int threads);
+PartDrawing view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
+                         std::optional<double> position, int threads);
 
 }  // namespace displayfile

@@ -21,10 +21,10 @@ enum class SortSpace : std::uint8_t { device, world };
 /// coordinates the planes are turned so that the front is the viewer's side; in world coordinates
 /// there is no viewer yet.
 template <class Policy>
-struct SortScene {
+struct SortTables {
   using Index = PolygonTable::Index;
 
-  SortScene(const Primitives& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
+  SortTables(const Primitives& items_, const Policy& policy, SortSpace space_ = SortSpace::device)
       : items(items_), space(space_), vertices(items_.points, planes_of(items_, space_), policy) {
     if (vertices_touch(items_.touching)) vertices.set_touching(items_.touching);
     save_items();
@@ -179,7 +179,7 @@ inline std::uint32_t corner_of_side(const Primitives& items, const Primitives::I
 
 /// The pieces of the entries, in that order, as the display file takes them.
 template <class Policy>
-SortedPieces sorted_pieces(const SortScene<Policy>& scene,
+SortedPieces sorted_pieces(const SortTables<Policy>& scene,
                            std::span<const PolygonTable::Index> order, bool names_sides = false) {
   SortedPieces sorted;
   sorted.pieces.reserve(order.size() + scene.degenerate.size());

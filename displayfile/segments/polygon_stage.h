@@ -20,7 +20,7 @@ namespace displayfile {
 
 /// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the
 /// attributes that it was viewed with.
-struct ViewedPolygon {
+struct StagedPolygon {
   ClippedPolygon polygon;  ///< no vertices: nothing is drawn
   const FillStyle* fill = nullptr;
   const LineStyle* line = nullptr;  ///< of its sides
@@ -32,13 +32,13 @@ struct ViewedPolygon {
 /// The one way from world coordinates to a view, for polygons as they are entered and for a
 /// retained scene in a new view: through the clip pipeline, checked for a back face (the end of
 /// algorithm 9.2) and lit; and from there into the instructions of a segment.
-class ViewStage {
+class PolygonStage {
  public:
-  explicit ViewStage(const ViewVolume& volume) : pipeline_(volume) {}
+  explicit PolygonStage(const ViewVolume& volume) : pipeline_(volume) {}
   /// From here on in another view.
   void set_volume(const ViewVolume& volume) { pipeline_.set_volume(volume); }
 
-  ViewedPolygon view_polygon(const WorldPolygon& polygon, const Attributes& attributes);
+  StagedPolygon view_polygon(const WorldPolygon& polygon, const Attributes& attributes);
 
   /// To be called when another segment is entered into or the attributes are others than in the
   /// last call: a style is entered only then, but for fills where there is light.
@@ -84,11 +84,13 @@ class ViewStage {
     Outcode any, all;  ///< of corners: the bits of one, and those of each
   };
   Outcodes outcodes(std::span<const std::uint32_t> corners) const;
-  const ViewedVertex& viewed(std::uint32_t corner) const { return shared_[corner - first_shared_]; }
+  const PipelineVertex& viewed(std::uint32_t corner) const {
+    return shared_[corner - first_shared_];
+  }
   ClippedPolygon clip_smooth(const WorldPolygon& polygon, const Attributes& attributes);
-  ViewedPolygon view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
+  StagedPolygon view_clipped(ClippedPolygon clipped, const WorldPolygon& polygon,
                              const Attributes& attributes);
-  bool enter(const ViewedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
+  bool enter(const StagedPolygon& viewed, const Attributes& attributes, std::int32_t pick,
              Segment& segment);
   void keep_shared(std::span<const std::uint32_t> corners, bool is_seen, Segment& segment) const;
   void enter_styles(const FillStyle& fill, const LineStyle& line, const Attributes& attributes,
@@ -103,7 +105,7 @@ class ViewStage {
   FillStyle lit_;
   // The segment has these styles of the attributes; where there is light, each polygon's own fill.
   bool fill_entered_ = false, line_entered_ = false;
-  std::vector<ViewedVertex> shared_;
+  std::vector<PipelineVertex> shared_;
   std::uint32_t first_shared_ = 0;
   std::span<const Point3> entered_shared_;  // the same vertices, if they were noted
   const glm::dmat4x3* modelling_of_shared_ = nullptr;

@@ -1,4 +1,4 @@
-#include "interp/steps/step_scene.h"
+#include "interp/steps/step_items.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-StepScene::StepScene(const DisplayFile& file, const PictureSize& size) : scene_(file), size_(size) {
+StepItems::StepItems(const DisplayFile& file, const PictureSize& size) : scene_(file), size_(size) {
   planes_.resize(scene_.items());
   for (ViewedScene::Fill fill = 1; fill < scene_.end(); ++fill) {
     const Polygon polygon = scene_.item_of(fill);
@@ -18,16 +18,16 @@ StepScene::StepScene(const DisplayFile& file, const PictureSize& size) : scene_(
   }
 }
 
-std::vector<Point3> StepScene::vertices(Polygon polygon) const {
+std::vector<Point3> StepItems::vertices(Polygon polygon) const {
   const PointRow points = scene_.points(polygon);
   return {points.begin(), points.end()};
 }
 
-std::vector<StepRun> StepScene::coverage(Polygon polygon) const {
+std::vector<StepRun> StepItems::coverage(Polygon polygon) const {
   return coverage(polygon, {0, size_.width, 0, size_.height});
 }
 
-std::vector<StepRun> StepScene::coverage(Polygon polygon, const PixelBox& within) const {
+std::vector<StepRun> StepItems::coverage(Polygon polygon, const PixelBox& within) const {
   std::vector<StepRun> runs;
   ScanConverter converter;
   const std::vector<Point3> outline = vertices(polygon);
@@ -40,11 +40,11 @@ std::vector<StepRun> StepScene::coverage(Polygon polygon, const PixelBox& within
   return runs;
 }
 
-int StepScene::depth_order(Polygon a, Polygon b, int column, int row) const {
+int StepItems::depth_order(Polygon a, Polygon b, int column, int row) const {
   return displayfile::depth_order(planes_[a], planes_[b], PixelCentre(column, row, size_));
 }
 
-double StepScene::depth(Polygon polygon, int column, int row) const {
+double StepItems::depth(Polygon polygon, int column, int row) const {
   const PixelDepth depth(planes_[polygon], size_.width, size_.height);
   return depth.at(depth.row(row), column);
 }

@@ -14,11 +14,11 @@ namespace displayfile {
 
 /// What algorithms ask of a scene while they tell steps: polygons by the number of their item,
 /// which cover what and which is nearer where, decided exactly and one at a time. Slow, and plain.
-class StepScene {
+class StepItems {
  public:
   using Polygon = std::uint32_t;
 
-  StepScene(const DisplayFile& file, const PictureSize& size);
+  StepItems(const DisplayFile& file, const PictureSize& size);
 
   const ViewedScene& viewed() const { return scene_; }
   const PictureSize& size() const { return size_; }

@@ -111,6 +111,7 @@ class AppelSteps {
 
   void noted(const Line& line, const std::vector<double>& shares) {
     std::vector<Point2> points;
+    points.reserve(shares.size());
     for (const double share : shares) points.push_back(lines_.at(line, share));
     record_.step(at("end"),
                  fmt::format("The count is noted at {} of {}, without the polygons around it.",

@@ -17,10 +17,10 @@ namespace displayfile {
 namespace {
 
 /// The polygons of one segment, on their way into the picture.
-class EnteredProjection {
+class SegmentAsEntered {
  public:
-  EnteredProjection(const RetainedScene& retained, const TruePlanes& planes, ExactProjection view,
-                    TruePicture& picture)
+  SegmentAsEntered(const RetainedScene& retained, const TruePlanes& planes, ExactProjection view,
+                   TruePicture& picture)
       : retained_(retained), planes_(planes), exact_(std::move(view)), picture_(picture) {}
 
   void enter(std::uint32_t primitive);
@@ -37,7 +37,7 @@ class EnteredProjection {
   std::vector<TruePoint> points_;
 };
 
-void EnteredProjection::enter(std::uint32_t primitive) {
+void SegmentAsEntered::enter(std::uint32_t primitive) {
   viewed_.clear();
   for (std::size_t k = 0; k < retained_[primitive].sides; ++k) {
     viewed_.push_back(exact_.viewed(planes_.vertex(primitive, k)));
@@ -58,7 +58,7 @@ void EnteredProjection::enter(std::uint32_t primitive) {
 }
 
 /// Where they are seen; nothing if the polygon has no plane, or it is seen edge-on.
-std::optional<EnteredProjection::Support> EnteredProjection::support_of(
+std::optional<SegmentAsEntered::Support> SegmentAsEntered::support_of(
     std::uint32_t primitive) const {
   const auto plane = planes_.own_plane(primitive);
   if (!plane) return std::nullopt;
@@ -80,8 +80,8 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
   const TruePlanes planes(visible, touching);
   const auto view_of = [&](const RetainedScene::Segment& part, const Segment& segment,
                            TruePicture& picture) {
-    return EnteredProjection(visible, planes,
-                             ExactProjection(part.view, segment.image, width, height), picture);
+    return SegmentAsEntered(visible, planes,
+                            ExactProjection(part.view, segment.image, width, height), picture);
   };
   return {retained_picture(visible, display_file, width, height, depth, progress, view_of),
           planes.touching()};

@@ -95,6 +95,7 @@ std::vector<OrderMade> orders_of(const DisplayFile& file) {
   if (visible.empty()) return {};
   if (file.sorted() != nullptr) return {{file.sorted().get(), HiddenScope::all}};
   std::vector<OrderMade> orders;
+  orders.reserve(visible.size());
   for (const Segment* segment : visible) {
     orders.push_back({segment->sorted().get(), HiddenScope::segment});
   }

@@ -8,11 +8,11 @@
 
 namespace displayfile {
 
-/// How the hidden surfaces and lines of one picture are found. It leaves nothing open: made once
-/// for a picture, of a call's HiddenSurfaceOptions and what the application set
-/// (displayfile/segments/surface_plan.h), and read by all that finds surfaces or lines.
+/// How the hidden surfaces and lines of one picture are found: made once for a picture, of a call's
+/// HiddenSurfaceOptions and what the application set (displayfile/segments/surface_plan.h), and
+/// read by all that finds surfaces or lines.
 struct SurfacePlan {
-  HiddenMethod method = HiddenMethod::automatic;
+  HiddenMethod method = HiddenMethod::automatic;  ///< `automatic` until one is picked
   Precision precision = {};
   RootChoice root = RootChoice::free;
   /// The methods that find lines draw them too where they are hidden

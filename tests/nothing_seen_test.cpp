@@ -114,7 +114,7 @@ TEST(NothingSeen, TellsWhatIsSeenEdgeOn) {
 
 TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
   const std::string words =
-      "the only polygon or line is smaller or thinner than a pixel, over no sample of one";
+      "the only polygon or line is smaller or thinner than a pixel, over no sample of a pixel";
   EXPECT_EQ(why(triangle(kSmall), pixels(100)), words);
   EXPECT_EQ(why(triangle(kSmall), pixels(4000)), "");
   EXPECT_EQ(why(triangle(kSmall)), "");  // vectors
@@ -238,7 +238,7 @@ TEST(NothingSeen, IsToldByWhateverDraws) {
   const std::string edge_on = only + "seen edge-on, with no line style";
   WarnedPictures(triangle(kEdgeOn)).expect(edge_on, edge_on);
   WarnedPictures(triangle(kSmall))
-      .expect(only + "smaller or thinner than a pixel, over no sample of one", "");
+      .expect(only + "smaller or thinner than a pixel, over no sample of a pixel", "");
   const std::string right = only + "to the right of the window";
   WarnedPictures(triangle("5 0 0  6 0 0  5 1 0")).expect(right, right);
   WarnedPictures(triangle("0 0 0  0.5 0 0  0 0.5 0")).expect("", "");

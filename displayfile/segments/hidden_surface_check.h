@@ -13,11 +13,11 @@ namespace displayfile {
 /// polygons and the map, also for the colour rule, and those that find lines.
 bool is_object_space(HiddenMethod by);
 
-/// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`
-/// or `depth_sort`; by `map` the parts of polygons that are seen, which do not overlap, and after
-/// all of them what is seen of lines and sides; or by `roberts`, `appel` or `franklin` what is seen
-/// of its lines and its polygons' sides, and no fills. If the plan has hidden lines, these
-/// are drawn dashed: before the visible ones, or after all fills. Points are those after the image
+/// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`,
+/// `plain_bsp` or `depth_sort`; by `map` the parts of polygons that are seen, which do not overlap,
+/// and after all of them what is seen of lines and sides; or by a method of lines what is seen of
+/// its lines and its polygons' sides, and no fills. If the plan has hidden lines, these are drawn
+/// dashed: before the visible ones, or after all fills. Points are those after the image
 /// transformation, and so are those of the result. Each piece of a polygon that was cut keeps its
 /// styles and its pick identifier, and if the polygon is shaded its place in the shade; sides that
 /// cuts made are invisible. A polygon that draws nothing, hollow and of line style none, is left

@@ -216,7 +216,7 @@ class RetainedViews::Part {
 
 RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
                              const SurfacePlan& plan)
-    : taken_(scene, attributes), plan_(plan) {
+    : taken_(scene, attributes), plan_(plan.kept()) {
   take();
 }
 

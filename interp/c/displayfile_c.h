@@ -125,8 +125,8 @@ enum { DF_BACKGROUND_AS_SET = 0, DF_BACKGROUND_SOLID = 1, DF_BACKGROUND_NONE = 2
         0, 0, 0                                                                                  \
   }
 
-/* Colours are antialiased: the mean of 4 x 4 samples of a pixel unless `samples` says otherwise, or
- * 1 by "osmesa" and "plain-z-buffer"; ids and depth are those of the pixel's centre.
+/* Colours are antialiased: the mean of 4 x 4 samples of a pixel unless `samples` has another
+ * number, or 1 by "osmesa" and "plain-z-buffer"; ids and depth are those of the pixel's centre.
  *
  * Options may be null here as below. Into the caller's memory, top row first: rgba has room for
  * 4 * pixels bytes; ids (pick identifier of the fill seen, -1 for none) and depth (minus infinity

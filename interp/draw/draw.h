@@ -23,7 +23,7 @@ struct DrawWarning {
   enum class Kind {
     nothing_seen,  ///< there is nothing but the background, and why
     hidden_lines,  ///< those that the application set to be drawn dashed: nothing finds them
-    stretched,     ///< the picture has another shape than the system's pictures
+    stretched,     ///< a system's picture has another shape than its pictures have; not of InView
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -62,7 +62,8 @@ struct DrawOptions {
   std::string depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
-  /// Called, if not empty, once the picture is drawn, in the thread that draws. Nothing is written
+  /// Called, if not empty, once the picture is drawn, or where it is stretched before anything is
+  /// drawn, in the thread that draws. Nothing is written
   /// or looked for otherwise. The reason why nothing is seen is closer where the scene is retained.
   Warn warn = {};
 

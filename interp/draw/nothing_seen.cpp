@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, 14> kWords{
     "hollow, with no line style",
     "hollow, with no side that is drawn in the view volume",
     "seen edge-on, with no line style",
-    "smaller or thinner than a pixel, over no sample of one",
+    "smaller or thinner than a pixel, over no sample of a pixel",
     "moved out of the picture by image transformations",
 };
 using Counts = std::array<std::size_t, kWords.size()>;

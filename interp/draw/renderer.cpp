@@ -268,10 +268,9 @@ Picture draw_in_memory(const GraphicsSystem& system, const PicturePlan& plan,
                        const KeptForPictures& kept) {
   const BudgetInForce in_force(plan.options.surfaces.budget);
   const NamedWork named(kDrawing);
-  Picture picture = with_memory_of_picture(
-      plan, kept.software, [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
   warn_if_stretched(system, plan.options);
-  return picture;
+  return with_memory_of_picture(plan, kept.software,
+                                [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
 }
 
 void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
@@ -281,12 +280,12 @@ void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOpti
   const PicturePlan plan = resolve(system, options, &to);
   require_writable(to, plan);
   if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+  warn_if_stretched(system, options);
   with_memory_of_drawing(system.display_file().bytes(), to, plan, [&] {
     draw_up_to_date(system, plan, kept,
                     [&](const PictureSource& source, const RasterRequest& request,
                         const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
   });
-  warn_if_stretched(system, options);
 }
 
 const glm::dmat3& lights_of(const InView& scene) {
@@ -486,7 +485,7 @@ const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.draw
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
-  resolve(options);  // refuses
+  resolve(system, options);  // refuses
   const BudgetInForce in_force(options.surfaces.budget);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;

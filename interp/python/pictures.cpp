@@ -239,11 +239,16 @@ void warn(const std::string& message) {
   }
 }
 
-/// What drawing warns of, without the interpreter's lock, until it is told with it.
+/// What drawing warns of, without the interpreter's lock: collected for tell(), but that a picture
+/// is stretched, which is known before anything is drawn or written.
 class Warned {
  public:
   explicit Warned(DrawOptions& options) {
-    options.warn = [this](const DrawWarning& warning) { texts_.push_back(warning.text); };
+    options.warn = [this](const DrawWarning& warning) {
+      if (warning.kind != DrawWarning::Kind::stretched) return texts_.push_back(warning.text);
+      const py::gil_scoped_acquire lock;
+      warn(warning.text);
+    };
   }
   Warned(const Warned&) = delete;
   Warned& operator=(const Warned&) = delete;

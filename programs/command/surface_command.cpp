@@ -129,7 +129,8 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       ->transform(any_number<int>());
   command
       .add_option("--samples", samples,
-                  "antialiasing: the mean of N x N samples for each pixel; 1 for none")
+                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, as by "
+                  "plain-z-buffer where nothing is set")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str(fmt::format("{}", kUsualSamples));

@@ -49,7 +49,7 @@ struct InputsRead {
   /// World coordinates of meshes before which no program sets the window, and of what programs draw
   /// in the same view.
   std::vector<Point3> bare;
-  CameraAsSet said;       ///< before the first of them
+  CameraAsSet before;     ///< before the first of them
   CommonUpright upright;  ///< of those meshes
 };
 
@@ -125,14 +125,14 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     enter_ahead(mesh, ahead);
     const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
     if (before.explicit_settings().contains(Setting::window)) continue;
-    if (read.bare.empty()) read.said = {before.view(), before.explicit_settings()};
+    if (read.bare.empty()) read.before = {before.view(), before.explicit_settings()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
     read.upright.add(mesh, ahead.modelling_transformation());
   }
   if (read.upright.differ()) {
     read.meshes.front().skipped.warnings.emplace_back(kStandDifferently);
   }
-  if (!read.bare.empty()) append_drawn(read.said.view, drawn, ahead, read.bare);
+  if (!read.bare.empty()) append_drawn(read.before.view, drawn, ahead, read.bare);
   return read;
 }
 
@@ -148,7 +148,7 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   GraphicsSystem fitted;
   fitted.retain(&drawn);
   fitted.set_aspect_ratio(system.aspect_ratio());
-  fit_view(read.bare, fitted, read.upright.camera(), read.said);
+  fit_view(read.bare, fitted, read.upright.camera(), read.before);
   View shared = fitted.view();
   bool is_before_meshes = true;
   auto program = read.programs.begin();
@@ -209,7 +209,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   naming_mesh(first_mesh, [&] {
     if (read.bare.empty()) return;
     append_axes(inputs, system, read);
-    fit_view(read.bare, system, read.upright.camera(), read.said);
+    fit_view(read.bare, system, read.upright.camera(), read.before);
   });
   Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   const ToldOfClosing told(system, progress);
@@ -230,7 +230,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     }
     meshes = meshes.subspan(i - begin);
   }
-  if (read.bare.empty() || read.said.settings.contains(Setting::camera)) return std::nullopt;
+  if (read.bare.empty() || read.before.settings.contains(Setting::camera)) return std::nullopt;
   return read.upright.upright();
 }
 

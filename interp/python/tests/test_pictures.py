@@ -270,7 +270,7 @@ def test_the_version_is_the_commands_and_the_licence_what_it_is_built_with_makes
     assert licence == ("GPL-3.0-or-later" if has_cgal else "MIT")
 
 
-def test_a_picture_of_another_shape_is_told():
+def test_a_picture_of_another_shape_is_told(tmp_path):
     def drawn(aspect=None, window=None, fit=None):
         system = System(aspect=aspect)
         if fit:
@@ -289,6 +289,11 @@ def test_a_picture_of_another_shape_is_told():
     ):
         with pytest.warns(UserWarning, match=r"1.33 times as wide.*set_aspect_ratio\(1.333\)"):
             draw(drawn())
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning, match="times as wide"):
+            drawn().save(tmp_path / "stretched.png", (640, 480))
+        assert not list(tmp_path.iterdir())
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         drawn().draw(100)

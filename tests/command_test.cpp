@@ -436,7 +436,7 @@ TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
       "edge.draw: nothing is seen: the only polygon or line is seen edge-on, with no line style\n";
   const std::string thin =
       ": nothing is seen: the only polygon or line is smaller or thinner than a pixel, over no "
-      "sample of one\n";
+      "sample of a pixel\n";
   for (const std::string hidden : {"", " --hidden z-buffer", " --hidden map"}) {
     for (const std::string file : {"t.png", "t.svg"}) {
       EXPECT_EQ(run("draw edge.draw -o " + file + hidden), 0);

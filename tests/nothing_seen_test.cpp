@@ -123,7 +123,7 @@ TEST(NothingSeen, TellsWhatIsSmallerThanAPixel) {
   EXPECT_EQ(
       why_by_display_file(triangle(kSmall), pixels(100)),
       "the only polygon or line in the view volume is smaller or thinner than a pixel, over no "
-      "sample of one");
+      "sample of a pixel");
 }
 
 /// No side of a hollow polygon around the window is seen.
@@ -160,7 +160,7 @@ TEST(NothingSeen, TellsLessWhereNothingIsRetained) {
                                 pixels(50)),
             "of 3 polygons and lines in the view volume 1 is hollow, with no line style, 1 is seen "
             "edge-on, with no line style, 1 is smaller or thinner than a pixel, over no sample of "
-            "one");
+            "a pixel");
 }
 
 /// Every way to draw tells it, once, and only where there is nothing to be seen.

@@ -54,7 +54,7 @@ class StepsPage(PageTest):
         plain.write_text("\n".join(["set-line-style none", *fills, ""]))
         ids, picture = self.folder / "ids.npy", self.folder / "picture.ppm"
         run("truth", plain, "--size", "36x36", "--ids", ids)
-        run("draw", plain, "--size", "36x36", "--hidden", "z-buffer", "-o", picture)
+        run("draw", plain, "--size", "36x36", "--hidden", "z-buffer", "--samples", "1", "-o", picture)
         for method in SURFACES:
             with self.subTest(method):
                 self.open_steps(plain, method)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/scan_line.h"

@@ -165,6 +165,44 @@ TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
   EXPECT_EQ(other.options.background->colour, Colour(1, 1, 1));
 }
 
+/// The options first, then what the application set.
+TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
+  GraphicsSystem g;
+  g.set_hidden_surfaces({.z_buffer = true, .scope = HiddenScope::segment});
+  g.set_hidden_surfaces({.lines = line_selection("all,intersection")});
+  const SurfacePlan set = resolve_surfaces(g, {});
+  EXPECT_EQ(set.method, HiddenMethod::z_buffer);
+  EXPECT_EQ(set.scope, HiddenScope::segment);
+  EXPECT_TRUE(set.intersections);
+  const SurfacePlan asked =
+      resolve_surfaces(g, {.method = HiddenMethod::bsp, .scope = HiddenScope::all});
+  EXPECT_EQ(asked.method, HiddenMethod::bsp);
+  EXPECT_EQ(asked.scope, HiddenScope::all);
+  EXPECT_FALSE(resolve_surfaces(GraphicsSystem(), {}).intersections);
+}
+
+/// In another view a method of the application acts on each segment, any other on all together.
+TEST(PicturePlan, OfAnotherViewHasAScope) {
+  GraphicsSystem g;
+  g.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
+  EXPECT_EQ(resolve_in_view(&g, {}).surfaces.scope, HiddenScope::segment);
+  const DrawOptions by_map{.surfaces = {.method = HiddenMethod::map}};
+  EXPECT_EQ(resolve_in_view(&g, by_map).surfaces.scope, HiddenScope::all);
+  EXPECT_EQ(resolve_in_view(nullptr, {}).surfaces.scope, HiddenScope::all);
+}
+
+/// Pens draw lines, or hatch what is seen; pixels have shadows of their own.
+TEST(PicturePlan, OfPensAndOfShadows) {
+  const Destination vectors("a.svg");
+  DrawOptions options{.pens = Pens{}};
+  EXPECT_EQ(resolve_in_view(nullptr, options, &vectors).method, HiddenMethod::franklin);
+  options.pens->hatching.emplace();
+  EXPECT_EQ(resolve_in_view(nullptr, options, &vectors).method, HiddenMethod::map);
+  const GraphicsSystem g;
+  EXPECT_TRUE(resolve(g, {}, &vectors).surfaces.shadows);
+  EXPECT_FALSE(resolve(g, {}).surfaces.shadows);
+}
+
 TEST(PicturePlan, RefusesWhatCannotBe) {
   const Destination vectors("a.svg"), pixels("a.png"), unknown("a.gif");
   EXPECT_NO_THROW(resolve(DrawOptions{}, &vectors));

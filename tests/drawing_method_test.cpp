@@ -165,6 +165,24 @@ TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
   EXPECT_EQ(other.options.background->colour, Colour(1, 1, 1));
 }
 
+/// A segment stays as it was sorted when it was closed, but for what the options set.
+TEST(DrawingMethod, OfTheApplicationWithAnotherPrecisionSortsAgain) {
+  GraphicsSystem g;
+  g.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
+  g.open_segment(1);
+  g.polygon_abs_3({{-0.5, -0.5, 0.5}, {0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}});
+  g.close_segment();
+  SortedDisplayFile kept;
+  const auto precision_by = [&](const HiddenSurfaceOptions& options) {
+    return kept.update(g, HiddenMethod::bsp, options).segment(1).sorted()->plan.precision;
+  };
+  EXPECT_TRUE(precision_by({}).exact);
+  EXPECT_EQ(precision_by({.precision = Precision{.exact = false, .roundoff = 1e-3}}).roundoff,
+            1e-3);
+  EXPECT_FALSE(precision_by({.precision = Precision{.exact = false, .roundoff = 1e-3}}).exact);
+  EXPECT_TRUE(precision_by({}).exact);
+}
+
 /// The options first, then what the application set.
 TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
   GraphicsSystem g;

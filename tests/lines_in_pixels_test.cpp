@@ -122,8 +122,8 @@ Picture drawn(const DisplayFile& file, HiddenMethod method, const Size& size, in
   request.crumbs = true;  // all that is seen
   if (!is_object_space(method)) return draw_with_software(file, request);
   DisplayFile sorted = file;
-  sorted.set_sorted(hidden_surface_check(file.visible_segments(),
-                                         {.method = method, .precision = precision}));
+  sorted.set_sorted(
+      hidden_surface_check(file.visible_segments(), {.method = method, .precision = precision}));
   request.sorted = precision.exact;
   return draw_with_software(sorted, request);
 }

@@ -192,10 +192,10 @@ TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
   EXPECT_EQ(set.method, HiddenMethod::z_buffer);
   EXPECT_EQ(set.scope, HiddenScope::segment);
   EXPECT_TRUE(set.intersections);
-  const SurfacePlan asked =
+  const SurfacePlan by_call =
       resolve_surfaces(g, {.method = HiddenMethod::bsp, .scope = HiddenScope::all});
-  EXPECT_EQ(asked.method, HiddenMethod::bsp);
-  EXPECT_EQ(asked.scope, HiddenScope::all);
+  EXPECT_EQ(by_call.method, HiddenMethod::bsp);
+  EXPECT_EQ(by_call.scope, HiddenScope::all);
   EXPECT_FALSE(resolve_surfaces(GraphicsSystem(), {}).intersections);
 }
 

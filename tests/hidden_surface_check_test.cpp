@@ -366,7 +366,7 @@ TEST_P(HiddenSurfaceCheck, ScopeOfAllSegments) {
   EXPECT_NE(drawn_ids(g), true_ids(g));
   EXPECT_EQ(drawn_ids(g, {.surfaces = {.scope = HiddenScope::all}}), true_ids(g));
   EXPECT_EQ(drawn_ids(g, {.surfaces = {.method = GetParam()}}),
-            true_ids(g));  // asked for from outside
+            true_ids(g));  // set by the call
   EXPECT_EQ(drawn_ids(g, {.surfaces = {.method = GetParam(), .scope = HiddenScope::segment}}),
             drawn_ids(g));
   g.set_hidden_surfaces({.scope = HiddenScope::segment});

@@ -56,7 +56,7 @@ class PieceTable {
   Cut note_cut(Index test, std::uint32_t plane, const Comparing::Halves& halves);
 
   /// The plane through a side of a polygon and the viewer, its front to the right of the side; the
-  /// same if it is asked for again.
+  /// same on every call.
   std::uint32_t upright_plane(StepItems::Polygon polygon, std::uint32_t corner);
 
  private:

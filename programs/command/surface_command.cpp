@@ -68,22 +68,20 @@ HiddenMethod usual_method(std::span<const SurfaceData> surfaces, bool coloured) 
   return has_holes(surfaces[0]) ? HiddenMethod::franklin : HiddenMethod::perimeter;
 }
 
-/// The user routines by which a program says what the options say of hidden surfaces, so that it
+/// The user routines by which a program sets what the options set of hidden surfaces, so that it
 /// draws the same without them. A surface is open: its back faces are seen.
 void record_drawing(Recorder& recorder, const DrawOptions& options,
                     const std::optional<LineSelection>& lines) {
-  GraphicsSystem said;
-  said.set_recorder(&recorder);
-  said.set_hidden_surfaces({.removal = true});
-  said.set_back_face_removal(false);
-  said.set_hidden_surfaces({.method = *options.surfaces.method});
-  said.set_hidden_surfaces({.scope = *options.surfaces.scope});
-  if (options.surfaces.precision)
-    said.set_hidden_surfaces({.precision = *options.surfaces.precision});
-  if (options.surfaces.hidden_lines)
-    said.set_hidden_surfaces({.hidden_lines = *options.surfaces.hidden_lines});
-  if (options.background) said.set_background(*options.background);
-  if (lines) said.set_hidden_surfaces({.lines = *lines});
+  GraphicsSystem system;
+  system.set_recorder(&recorder);
+  system.set_hidden_surfaces({.removal = true});
+  system.set_back_face_removal(false);
+  system.set_hidden_surfaces({.method = options.surfaces.method,
+                              .scope = options.surfaces.scope,
+                              .precision = options.surfaces.precision,
+                              .hidden_lines = options.surfaces.hidden_lines});
+  if (options.background) system.set_background(*options.background);
+  if (lines) system.set_hidden_surfaces({.lines = *lines});
 }
 
 }  // namespace

@@ -77,8 +77,13 @@ inline std::vector<std::string> fields(const std::string& row) {
   return texts;
 }
 
-/// So that a half is rounded up, as scripts round.
-inline double up(double value) { return value == 0.0 ? value : std::nextafter(value, 1e300); }
+/// A number that lies halfway between two decimals, as binary fractions of few digits do, made the
+/// least bit larger: JavaScript rounds such a half away from zero, the formatting here to even. Any
+/// other number is rounded alike by both and is left as it is.
+inline double up(double value) {
+  const bool may_be_half = value * 1024.0 == std::floor(value * 1024.0);
+  return value == 0.0 || !may_be_half ? value : std::nextafter(value, 1e300);
+}
 
 /// A ratio as the tables have it.
 inline std::string in_table(double ratio) {

@@ -368,27 +368,47 @@ TEST_F(Command, VersionIsTheProjectsAndTellsLibraries) {
   EXPECT_NE(out_.find("\nOSMesa  "), std::string::npos) << out_;
 }
 
-/// CGAL and dxflib are under the GPL, and so is what is built with them.
-TEST_F(Command, VersionSaysTheLicenceOfThisBuild) {
+/// CGAL and dxflib are under the GPL, and so are the modules that are compiled with them.
+TEST_F(Command, VersionAndManualPagesHaveTheLicencesOfThisBuild) {
   EXPECT_EQ(run("--version"), 0) << err_;
   const std::size_t at = out_.find("\nbuilt without ");
   const std::string without = at == out_.npos ? "" : out_.substr(at);
-  const bool cgal = without.find("CGAL") == without.npos;
-  const bool dxflib = without.find("dxflib") == without.npos;
-  const std::string licence = cgal     ? "GPL-3.0-or-later, because of CGAL"
-                              : dxflib ? "GPL-2.0-or-later, because of dxflib"
-                                       : "MIT";
-  const std::string why = std::string(cgal && dxflib ? " and dxflib" : "") +
-                          (cgal || dxflib ? "; the source is under MIT" : "");
-  EXPECT_NE(out_.find("\nlicence                  " + licence + why + "\n"), out_.npos) << out_;
+  const auto has = [&](const char* library) { return without.find(library) == without.npos; };
+  std::string modules;
+  if (has("CGAL")) modules += "; modules: displayfile-solids (CGAL) GPL-3.0-or-later";
+  if (has("dxflib")) {
+    modules += modules.empty() ? "; modules: " : ", ";
+    modules += "displayfile-dxf (dxflib) GPL-2.0-or-later";
+  }
+  EXPECT_NE(out_.find("\nlicence                  MIT" + modules + "\n"), out_.npos) << out_;
   for (const char* page : {"--manual", "--manual draw", "--manual bench"}) {
     EXPECT_EQ(run(page), 0) << err_;
-    EXPECT_NE(out_.find(".SH LICENCE\n"), out_.npos) << page << out_;
-    EXPECT_NE(out_.find(cgal     ? "\nGPL\\-3.0\\-or\\-later, because of CGAL"
-                        : dxflib ? "\nGPL\\-2.0\\-or\\-later, because of dxflib"
-                                 : "\nMIT."),
-              out_.npos)
+    EXPECT_NE(out_.find(".SH LICENCE\nMIT"), out_.npos) << page << out_;
+    EXPECT_EQ(out_.find("displayfile\\-solids (CGAL) GPL\\-3.0\\-or\\-later") != out_.npos,
+              has("CGAL"))
         << page << out_;
+  }
+}
+
+/// What is under the GPL is in no file but the modules.
+TEST_F(Command, WithoutItsModulesTheCommandNamesThem) {
+  const std::string folder = "DISPLAYFILE_MODULES=/nonexistent ";
+  EXPECT_EQ(run("--version"), 0) << err_;
+  if (out_.find("displayfile-solids") != out_.npos) {
+    write("solid.draw",
+          "open-segment 1\nbegin-solid difference\nbox-3 0 1 0 1 0 1\n"
+          "box-3 0.5 2 0.5 2 0.5 2\nend-solid\nclose-segment\n");
+    before_ = folder;
+    expect_error("draw solid.draw -o x.png", "displayfile-solids.so." DISPLAYFILE_VERSION);
+    expect_error("draw solid.draw -o x.png", "/nonexistent/displayfile-solids.so");
+    before_.clear();
+  }
+  EXPECT_EQ(run("--version"), 0) << err_;
+  if (out_.find("displayfile-dxf") != out_.npos) {
+    write("part.draw", "open-segment 1\nbox-3 0 1 0 1 0 1\nclose-segment\n");
+    before_ = folder;
+    expect_error("sheet part.draw -o x.dxf", "/nonexistent/displayfile-dxf.so");
+    before_.clear();
   }
 }
 

@@ -46,7 +46,7 @@ constexpr auto kIntersection = SolidOperation::intersect;
 constexpr auto kDifference = SolidOperation::difference;
 
 TEST(TouchingSolids, WhatTakesTooManyStepsIsAnErrorThatNamesTheParts) {
-  CombiningSteps steps("the union with part 2 of 3 of the solid", 2);
+  CountedSteps steps("the union with part 2 of 3 of the solid", 2);
   steps.step();
   steps.step();
   test::expect_error([&] { steps.step(); }, "the union with part 2 of 3 of the solid");

@@ -1,6 +1,5 @@
 #include "displayfile/mesh/import_process.h"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -24,6 +23,7 @@
 #include <vector>
 
 #include "clip/base/budgeted_work.h"
+#include "clip/base/companion_file.h"
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/work_budget.h"
@@ -171,43 +171,11 @@ Pipe make_pipe(const std::string& path) {
 
 // ---- The program -----------------------------------------------------------------------
 
-/// The folder of the program or shared library that this code is in; empty if it is not known.
-std::filesystem::path folder_of_this_code() {
-  Dl_info found{};
-  static const char here = 0;
-  if (dladdr(&here, &found) == 0 || found.dli_fname == nullptr) return {};
-  return std::filesystem::path(found.dli_fname).parent_path();
-}
-
-/// Where the import program may stand: beside this program, where an installation has it, beside
-/// the shared library that has this code, and where it was built. DISPLAYFILE_IMPORT_PROGRAM names
-/// another one in place of all.
-std::vector<std::filesystem::path> places_of_program() {
-  constexpr const char* kName = "displayfile-import";
-  if (const char* named = std::getenv("DISPLAYFILE_IMPORT_PROGRAM")) return {named};
-  std::vector<std::filesystem::path> places;
-  std::error_code unknown;
-  const auto own = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) {
-    const auto folder = own.parent_path();
-    places.push_back(folder / kName);
-    places.push_back((folder / DISPLAYFILE_IMPORT_FOLDER / kName).lexically_normal());
-  }
-  const auto beside = folder_of_this_code() / kName;
-  if (beside.is_absolute() && std::ranges::find(places, beside) == places.end()) {
-    places.push_back(beside);
-  }
-#ifdef DISPLAYFILE_IMPORT_BUILT
-  places.emplace_back(DISPLAYFILE_IMPORT_BUILT);
-#endif
-  places.push_back(std::filesystem::path(DISPLAYFILE_IMPORT_INSTALLED) / kName);
-  return places;
-}
-
 std::string import_program(const std::string& path) {
   std::string looked_at;
   int why = ENOENT;
-  for (const auto& place : places_of_program()) {
+  const char* const named = std::getenv("DISPLAYFILE_IMPORT_PROGRAM");
+  for (const auto& place : places_of_companion("displayfile-import", named)) {
     if (access(place.c_str(), X_OK) == 0) return place.string();
     if (errno != ENOENT && errno != ENOTDIR) why = errno;
     looked_at += (looked_at.empty() ? "" : ", ") + place.string();

@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-void CombiningSteps::fail() const {
+void CountedSteps::fail() const {
   throw Error(
       fmt::format("{} is not found in {} steps: expected parts that meet in fewer places, or of "
                   "fewer polygons",

@@ -9,21 +9,31 @@
 
 namespace displayfile {
 
+/// Called by the module that combines two solids, at each step of it.
+class CombiningSteps {
+ public:
+  /// Throws where the work is to end.
+  virtual void step() = 0;
+
+ protected:
+  ~CombiningSteps() = default;
+};
+
 /// Counts the steps in which two solids are combined. They count as comparisons of the budget in
 /// force. There is a limit without a budget, too, so that each combination ends.
-class CombiningSteps {
+class CountedSteps final : public CombiningSteps {
  public:
   /// Where no other limit is set.
   static constexpr std::uint64_t kMost = 100'000'000;
 
   /// `what` names the combination in messages, such as "the union with part 2 of 3".
-  explicit CombiningSteps(std::string what, std::uint64_t most = kMost)
+  explicit CountedSteps(std::string what, std::uint64_t most = kMost)
       : what_(std::move(what)), most_(most) {}
-  CombiningSteps(const CombiningSteps&) = delete;
-  CombiningSteps& operator=(const CombiningSteps&) = delete;
+  CountedSteps(const CountedSteps&) = delete;
+  CountedSteps& operator=(const CountedSteps&) = delete;
 
   /// Throws Error beyond the limit, and LimitReached if the budget in force does not allow more.
-  void step() {
+  void step() override {
     if (taken_ == most_) fail();
     ++taken_;
     steps_.step();

@@ -25,12 +25,11 @@ struct BoundingTriangles {
   std::vector<std::uint8_t> is_between;
 };
 
-/// A solid whose vertices are where they are, not rounded. Made by the library that combines solids
-/// (exact_solid.cpp), or, where there was none when this was built, by none
-/// (exact_solid_absent.cpp).
+/// A solid whose vertices are where they are, not rounded. Made by the module of solids
+/// (solids_module.h): Error where it is not installed, or was not built (exact_solid_absent.cpp).
 class ExactSolid {
  public:
-  struct Body;  ///< the library's
+  struct Body;  ///< the module's
 
   /// Triangles that are closed: turned so that they bound a volume, a shell within another being a
   /// hollow. Throws Error if they are not closed, pass through each other, or touch each other
@@ -49,7 +48,7 @@ class ExactSolid {
  private:
   explicit ExactSolid(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
 
-  std::shared_ptr<const Body> body_;
+  std::shared_ptr<const Body> body_;  // null: empty
 };
 
 }  // namespace displayfile

@@ -7,7 +7,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -16,10 +15,10 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <unordered_map>
 #include <variant>
 
-#include "clip/base/error.h"
 #include "clip/point.h"
 
 namespace displayfile {
@@ -74,7 +73,8 @@ class Plane {
     for (int k : {1, 2}) {
       if (size(left_out_) < size(k)) left_out_ = k;
     }
-    if (CGAL::is_zero(normal_[left_out_])) throw Error("a triangle of no area: expected none");
+    if (CGAL::is_zero(normal_[left_out_]))
+      throw std::runtime_error("a triangle of no area: expected none");
   }
 
   ExactKernel::Point_2 within(const ExactPoint& p) const { return {p[u()], p[v()]}; }
@@ -378,7 +378,7 @@ bool Arrangement::is_inside(const ExactPoint& p, std::size_t solid) {
                     low.y + y * (high.y - low.y), low.z + z * (high.z - low.z));
     if (const auto odd = crosses_oddly(p, ExactPoint(to.x, to.y, to.z), solid)) return *odd;
   }
-  throw Error(fmt::format("{} was not found: expected other parts", steps_.what()));
+  throw std::runtime_error("expected other parts");
 }
 
 std::array<bool, 2> Arrangement::beside(std::uint32_t piece, std::size_t solid) {

@@ -18,18 +18,18 @@ def version() -> str:
     return ".".join(re.findall(r"#define DISPLAYFILE_VERSION_\w+ ([0-9]+)", header))
 
 
-def licence_of(build: Path) -> str:
-    """What CMake says that the extension in a build folder is under: CGAL makes it the GPL."""
-    metadata = (build / "interp" / "python" / "METADATA").read_text()
-    return re.search("^License: (.*)$", metadata, re.MULTILINE)[1]
+def licence_of(folder: Path) -> str:
+    """Of the package in a folder: the module that combines solids, by CGAL, is under the GPL."""
+    has_module = any(folder.glob("displayfile-solids.so.*"))
+    return "MIT AND GPL-3.0-or-later" if has_module else "MIT"
 
 
 class CMakeBuild(build_ext):
     """Builds the extension and what it starts, and puts them where setuptools wants them.
 
     Where CMake has built them already (the target displayfile_python), the environment variable
-    DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there. From then on the
-    package has the licence of what was built.
+    DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there. The package's metadata
+    have the licences of what is in it.
     """
 
     def build_extension(self, ext: Extension) -> None:
@@ -37,10 +37,12 @@ class CMakeBuild(build_ext):
         built = os.environ.get("DISPLAYFILE_PYTHON_BUILT")
         if built:
             folder.mkdir(parents=True, exist_ok=True)
+            for old in folder.glob("displayfile-*"):  # of an earlier build
+                old.unlink()
             for file in Path(built).iterdir():
-                if file.name.startswith(("_displayfile.", "displayfile-import")):
+                if file.name.startswith(("_displayfile.", "displayfile-")):
                     shutil.copy2(file, folder)
-            self.distribution.metadata.license = licence_of(Path(built).resolve().parents[2])
+            self.distribution.metadata.license = licence_of(folder)
             return
         build = Path(self.build_temp).resolve()
         build.mkdir(parents=True, exist_ok=True)
@@ -61,7 +63,7 @@ class CMakeBuild(build_ext):
             ["cmake", "--build", ".", "--target", "displayfile_python", "--parallel", jobs],
             cwd=build,
         )
-        self.distribution.metadata.license = licence_of(build)
+        self.distribution.metadata.license = licence_of(folder)
 
 
 setup(

@@ -12,12 +12,17 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-displayfile)
 if(DISPLAYFILE_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
+set(CPACK_DEBIAN_MODULES_PACKAGE_NAME displayfile-modules)
+if(DISPLAYFILE_MODULE_LICENCES)
+  list(APPEND CPACK_COMPONENTS_ALL modules)
+endif()
 
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_BENCH_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_MODULES_PACKAGE_SECTION graphics)
 
 set(about
 "Display File is a display-file, retained-mode 3D graphics system in the
@@ -36,6 +41,9 @@ meshes, and a gallery of drawing programs.")
 describe(bench "speed against error of methods for hidden surfaces"
 "This package has what the command displayfile starts for its subcommand bench:
 it measures the methods side by side, beside OSMesa, Embree and gl2ps.")
+describe(modules "exact pictures of 3D scenes: solids combined, sheets in DXF"
+"This package has the modules that are compiled with libraries under the GPL:
+they combine solids, by CGAL, and write sheets in DXF, by dxflib.")
 describe(library "exact pictures of 3D scenes (library for C)"
 "This package has the shared library that C programs use.")
 describe(development "exact pictures of 3D scenes (development files)"
@@ -60,9 +68,14 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_BENCH_PACKAGE_DEPENDS "displayfile ${same}")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "displayfile-bench ${same}")
+set(and_modules)
+if(DISPLAYFILE_MODULE_LICENCES)
+  set(and_modules ", displayfile-modules ${same}")
+  set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "displayfile-modules ${same}")
+endif()
 # The program that reads foreign formats is in the command's package.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS displayfile)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "displayfile, python3-matplotlib, python3-dask, python3-distributed")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "displayfile${and_modules}")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "displayfile${and_modules}, python3-matplotlib, python3-dask, python3-distributed")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} ${same}")
 if(DISPLAYFILE_PYTHON)
@@ -111,22 +124,8 @@ string(REGEX REPLACE "^.*\n\n(Permission.*)$" "\\1" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence "${licence}")
-# With one of these libraries the packages as a whole are under another licence than the source.
-set(licence_of_all "")
-if(NOT DISPLAYFILE_LICENCE STREQUAL MIT)
-  string(REGEX MATCH "[23]" gpl ${DISPLAYFILE_LICENCE})
-  string(REPLACE CGAL "CGAL (GPL, version 3 or later)" with "${DISPLAYFILE_LICENCE_BECAUSE_OF}")
-  string(REPLACE dxflib "dxflib (GPL, version 2 or later)" with "${with}")
-  set(licence_of_all "License: GPL-${gpl}+
- The source is under the Expat licence, which is also called the MIT licence. These
- packages are compiled with ${with}.
- So, as a whole, they are under the GNU General Public License, version ${gpl} or later.
- .
- On Debian systems, the complete text of the GNU General Public License, version ${gpl}, is in
- /usr/share/common-licenses/GPL-${gpl}.
-")
-endif()
-file(CONFIGURE OUTPUT debian/copyright CONTENT [[
+function(write_copyright file licence_of_all)
+  file(CONFIGURE OUTPUT debian/${file} CONTENT [[
 Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: Display File
 @licence_of_all@
@@ -137,6 +136,24 @@ License: Expat
 License: Expat
  @licence@
 ]] @ONLY)
+endfunction()
+write_copyright(copyright "")
+# The modules as a whole are under another licence than the source.
+set(gpl 2)
+if(DISPLAYFILE_MODULE_LICENCES MATCHES CGAL)
+  set(gpl 3)
+endif()
+string(REPLACE "CGAL) GPL-3.0-or-later" "CGAL: GPL, version 3 or later)" with
+       "${DISPLAYFILE_MODULE_LICENCES}")
+string(REPLACE "dxflib) GPL-2.0-or-later" "dxflib: GPL, version 2 or later)" with "${with}")
+write_copyright(copyright-modules "License: GPL-${gpl}+
+ The source is under the Expat licence, which is also called the MIT licence. These
+ modules are compiled with libraries under the GNU General Public License, and are
+ under it too: ${with}.
+ .
+ On Debian systems, the complete text of the GNU General Public License, version ${gpl}, is in
+ /usr/share/common-licenses/GPL-${gpl}.
+")
 find_program(GZIP gzip REQUIRED)
 execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/programs/debian/changelog
                 OUTPUT_FILE ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz
@@ -144,8 +161,13 @@ execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/programs/debian/chang
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
-  install(FILES ${PROJECT_BINARY_DIR}/debian/copyright
-                ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz
+  set(licence_file copyright)
+  if("${component}" STREQUAL "modules")
+    set(licence_file copyright-modules)
+  endif()
+  install(FILES ${PROJECT_BINARY_DIR}/debian/${licence_file} RENAME copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
   configure_file(programs/debian/lintian-overrides.in debian/lintian/${package} @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/debian/lintian/${package}

@@ -4,9 +4,8 @@
 
 namespace displayfile {
 
-/// The licence that this build as a whole is under, as SPDX names it, and why: one line, which
-/// --version and the manual pages print. The source's is MIT; CGAL and dxflib, where they are in
-/// the build, make it the GPL.
+/// One line for --version and the manual pages: the licence of this build, which is the source's,
+/// and those of the modules that were built, as SPDX names them.
 std::string licence_text();
 
 }  // namespace displayfile

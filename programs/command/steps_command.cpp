@@ -42,7 +42,7 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
       ->required()
       ->group(kHiddenSurfaceOptions);
   size.add_to(command);
-  command.add_option("--limit-steps", most_steps, "tell so many steps at most")
+  command.add_option("--limit-steps", most_steps, "show at most this number of steps")
       ->type_name("N")
       ->transform(any_number<std::size_t>())
       ->capture_default_str()

@@ -109,7 +109,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command.add_option("--colour", colour, "cells in colours by their height, and a legend")
       ->type_name("height");
   command
-      .add_option("--contours", contours, "so many lines of equal height, at the base of the box")
+      .add_option("--contours", contours, "number of lines of equal height, at the base of the box")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str("0");

@@ -67,7 +67,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       ->capture_default_str();
   command
       .add_option("--line-samples", line_samples,
-                  "judge so many random points of the lines at least, not whole lines: for many")
+                  "judge at least N random points of the lines, not whole lines: for many")
       ->type_name("N")
       ->transform(any_number<std::size_t>());
   command.add_option("--threads", threads, "for lines; the answer is the same for any number")

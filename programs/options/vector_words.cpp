@@ -10,9 +10,10 @@ namespace displayfile {
 
 void VectorWords::add_to(CLI::App& command) {
   command
-      .add_option("--vector-precision", precision,
-                  "visible surfaces in vectors: vertices are rounded to so many pixels, 0.001 to 1 "
-                  "[0.01]")
+      .add_option(
+          "--vector-precision", precision,
+          "visible surfaces in vectors: vertices are rounded to this part of a pixel, 0.001 "
+          "to 1 [0.01]")
       ->type_name("PIXELS")
       ->group(kVectorOptions);
   command

@@ -100,7 +100,7 @@ constexpr auto kShapes = std::to_array<Routine>({
                   "A profile at x of 0 or more in the x-z plane, turned about the z axis."),
     fixed<&G::begin_solid>(
         "begin-solid", "union|intersection|difference",
-        "What is entered from here to end-solid is one solid: its parts combined, in their order. "
+        "The primitives from here to end-solid are one solid: its parts combined, in their order. "
         "A part is a shape, a solid, or closed polygons."),
     fixed<&G::end_solid>("end-solid", "", "The innermost solid is combined and entered."),
     fixed<&G::discard_solid>("discard-solid", "", "The innermost solid is as if it had not begun."),
@@ -142,7 +142,7 @@ constexpr auto kAttributes = std::to_array<Routine>({
                        "How the faces are drawn where planes cut closed solids that follow. "
                        "Spacing is in world units, the angle in degrees [open]."),
     varying<background>("set-background", "r g b | none",
-                        "What pictures show where nothing is drawn, of all segments [1 1 1]."),
+                        "The colour of pictures where nothing is drawn, for all segments [1 1 1]."),
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both",
                                   "Which curves of surfaces that follow are drawn [both]."),
     fixed<&G::set_surface_sides>(
@@ -231,7 +231,7 @@ constexpr auto kView = std::to_array<Routine>({
     fixed<&G::set_back_plane_clipping>("set-back-plane-clipping", "on|off",
                                        "Whether what is behind the back plane is cut away [off]."),
     fixed<&G::set_window>("set-window", "x-min x-max y-min y-max",
-                          "What is seen, in view-plane coordinates [-1 1 -1 1]."),
+                          "The visible part of the view plane, in its coordinates [-1 1 -1 1]."),
     fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max",
                             "Where in the picture it is seen, within 0 to 1 [0 1 0 1]."),
     fixed<&G::set_window_fit>("set-window-fit", "widen|stretch",

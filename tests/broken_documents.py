@@ -73,12 +73,42 @@ BROKEN = [
     (3, "beside an apostrophe", "# Title\n\nThe polygon' s plane.\n"),
     (3, "beside an apostrophe", "# Title\n\nThe planes ' order.\n"),
     (3, "before a link in parentheses", "# Title\n\nThe truth([tests](README.md)).\n"),
+    # Idioms. Each of plain_words.py is tried by its example, too.
+    (3, "such as: the number", "# Title\n\nThis process has no memory beyond so\nmany bytes.\n"),
+    (5, "such as: the number", "# Title\n\n| a |\n|---|\n| so many threads |\n"),
+    (4, "such as: a noun", "# Title\n\nRows are kept.\nWhat is left is freed.\n"),
+    (3, "such as: a caller that", "# Title\n\n- Rows: one each. Who reads them\n  waits.\n"),
+    (1, "such as: is requested", "# A picture that is asked for\n"),
     # Lines.
     (3, "blanks at the end", "# Title\n\nText. \n"),
     (3, "a tab", "# Title\n\nText\tand more.\n"),
     (3, "one newline at the end", "# Title\n\nText."),
     (4, "one newline at the end", "# Title\n\nText.\n\n"),
 ]
+
+# Likewise of comments of headers, and of strings of sources.
+BROKEN_HEADERS = [
+    (1, "such as: the number", "int a;  // of so many bytes\n"),
+    (1, "such as: the number", "/// At most so\n/// many bytes.\nint a;\n"),
+    (3, "such as: compared with", "/* Rows.\n *\n * They are held\n * against others. */\n"),
+    (2, "such as: a noun", "int a;\n/// What is drawn stays.\nint b;\n"),
+    (1, "such as: is requested", "const char* a = \"//\";  ///< when it is asked for\n"),
+]
+BROKEN_SOURCES = [
+    (1, "such as: the number", 'const char* a = "at most so many bytes";\n'),
+    (1, "such as: the number", 'const char* a = "at most so "\n                "many bytes";\n'),
+    (1, "such as: the number", 'const char a = \'"\', b[] = "so many bytes";\n'),
+    (2, "such as: a noun", 'const char* a = R"(Rows are kept.\nWhat is left is freed.)";\n'),
+]
+
+# No fault in comments or in strings.
+WHOLE_SOURCE = r"""#include "what/is/said/so/many.h"
+int is_said, held_against;  // so
+int many;                   // bytes, so many
+                            // that none is left
+const char* a = "so", *b = "many", c = '"';  // "
+const char* d = R"(Is what is left freed? No.)";
+"""
 
 # No fault: what looks like one, and is none.
 WHOLE = r"""<!-- A comment. -->
@@ -90,6 +120,7 @@ See [the title](#code-emphasis-and-a-link-the-title), [the second idea](#the-ide
 
 ## The idea
 
+What is it? Who knows? So many things that none is left, `so many`, are told apart, who says what.
 `[no link](at all)`, `a | b`, ``a ` b``, 1.5, 2 * x * y, \[no link\](at all), f([a, b]) of x,
 |a| + |b|, e.g. this... and the users' own: a.b.C, std::vector.
 |a| may begin a line, and 0.5 too,

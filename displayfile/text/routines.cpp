@@ -89,9 +89,10 @@ constexpr auto kShapes = std::to_array<Routine>({
     counted<sphere>("sphere-3", "x y z radius facets",
                     "A sphere about its centre, of 3 to 1000 facets around and half as many from "
                     "pole to pole, along z."),
-    counted<of_lengths<torus_3>>("torus-3", "x y z radius tube-radius facets",
-                                 "A ring about a line along z through its centre, of so many "
-                                 "facets around and half as many around the tube."),
+    counted<of_lengths<torus_3>>(
+        "torus-3", "x y z radius tube-radius facets",
+        "A ring about a line along z through its centre, with half as many "
+        "facets around the tube."),
     varying<extrude>("extrude-3", "2 and a multiple of 2: z-min z-max  x y ...",
                      "A profile in the x-y plane, extruded along z. It has 3 points or more, may "
                      "be concave, runs either way around and does not cross itself."),
@@ -99,7 +100,7 @@ constexpr auto kShapes = std::to_array<Routine>({
                   "A profile at x of 0 or more in the x-z plane, turned about the z axis."),
     fixed<&G::begin_solid>(
         "begin-solid", "union|intersection|difference",
-        "What is entered from here to end-solid is one solid: its parts combined, in their order. "
+        "The primitives from here to end-solid are one solid: its parts combined, in their order. "
         "A part is a shape, a solid, or closed polygons."),
     fixed<&G::end_solid>("end-solid", "", "The innermost solid is combined and entered."),
     fixed<&G::discard_solid>("discard-solid", "", "The innermost solid is as if it had not begun."),
@@ -138,10 +139,10 @@ constexpr auto kAttributes = std::to_array<Routine>({
                            "Plane n, from 1 to 6: what has a x + b y + c z + d < 0 in world "
                            "coordinates is cut away from all that follows [off]."),
     varying<cut_faces>("set-cut-faces", "open | closed | hatched [spacing|usual [angle]]",
-                       "What becomes of the faces where planes cut closed solids that follow. "
+                       "How the faces are drawn where planes cut closed solids that follow. "
                        "Spacing is in world units, the angle in degrees [open]."),
     varying<background>("set-background", "r g b | none",
-                        "What pictures show where nothing is drawn, of all segments [1 1 1]."),
+                        "The colour of pictures where nothing is drawn, for all segments [1 1 1]."),
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both",
                                   "Which curves of surfaces that follow are drawn [both]."),
     fixed<&G::set_surface_sides>(
@@ -230,12 +231,12 @@ constexpr auto kView = std::to_array<Routine>({
     fixed<&G::set_back_plane_clipping>("set-back-plane-clipping", "on|off",
                                        "Whether what is behind the back plane is cut away [off]."),
     fixed<&G::set_window>("set-window", "x-min x-max y-min y-max",
-                          "What is seen, in view-plane coordinates [-1 1 -1 1]."),
+                          "The visible part of the view plane, in its coordinates [-1 1 -1 1]."),
     fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max",
                             "Where in the picture it is seen, within 0 to 1 [0 1 0 1]."),
     fixed<&G::set_window_fit>("set-window-fit", "widen|stretch",
-                              "What becomes of a window whose shape is not that of its viewport in "
-                              "the picture [widen, unless window or viewport were set]."),
+                              "How a window fits a viewport of another shape in the picture "
+                              "[widen, unless window or viewport were set]."),
 });
 
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({

@@ -108,7 +108,7 @@ class RobertsSteps {
         record_.step(
             at("some"),
             fmt::format(
-                "The line may be behind a part of {}: it is held against each of its polygons.",
+                "The line may be behind a part of {}: it is compared with each of its polygons.",
                 name(object)));
         mark_object(StepRole::compared, object);
         break;

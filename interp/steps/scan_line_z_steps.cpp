@@ -27,7 +27,7 @@ class ScanLineZSteps {
   });
   static constexpr auto kPanels = std::to_array<PanelEntry>({
       {"edges", "Active edge list", PanelEntry::Kind::table, kEdgeColumns},
-      {"depths", "The row's z-buffer, and what is held against it", PanelEntry::Kind::profile},
+      {"depths", "The row's z-buffer, and the depths compared with it", PanelEntry::Kind::profile},
   });
   static consteval int at(std::string_view name) { return number_named(kListing, name); }
   static consteval int panel(std::string_view name) { return number_named(kPanels, name); }

@@ -130,24 +130,22 @@ std::string without_name(const std::string& message, const std::string& input) {
 }  // namespace
 
 CLI::App& CheckCommand::add_to(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand(
-      "check",
-      "Compare each input's dump with a golden file; exit 1 and the first difference of each that "
-      "differs");
+  CLI::App& command = *app.add_subcommand("check",
+                                          "Compare each input's dump with a golden file; print the "
+                                          "first difference of each, and exit 1 if there is one");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command
-      .add_option(
-          "--golden", golden,
-          "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
-          "of several folders have one name; or one file that all inputs are compared with: "
-          "a golden file or a drawing program")
+      .add_option("--golden", golden,
+                  "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
+                  "of several folders have one name; or one file that all inputs are compared "
+                  "with: a golden file or a drawing program")
       ->type_name("FOLDER|FILE")
       ->required()
       ->group(kGoldenOptions);
   command.add_flag("--update", update, "write the golden files")->group(kGoldenOptions);
   command
       .add_flag("--summary", summary,
-                "a table of all inputs: passed, differs and how, or bad; and how many of each")
+                "a table of all inputs: passed, differs and how, or bad; and the number of each")
       ->group(kReportOptions);
   command
       .add_flag("--quiet", quiet,
@@ -158,8 +156,8 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
   hidden_surfaces.add_to(command);
   command
       .add_option("--size", size.size,
-                  "in pixels; if not given, for pictures that of the golden picture, "
-                  "and 512x512 for --update; for instructions a square")
+                  "in pixels; if not given, for pictures that of the golden picture, and 512x512 "
+                  "for --update; for instructions a square")
       ->type_name("WIDTHxHEIGHT")
       ->group(kPictureOptions);
   meshes.add_to(command);

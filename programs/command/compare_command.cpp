@@ -43,13 +43,13 @@ std::string measures(const PictureDifference& d) {
 CLI::App& CompareCommand::add_to(CLI::App& app) {
   CLI::App& command =
       *app.add_subcommand("compare",
-                          "Wrong pixels and largest difference of two pictures or .npy files, "
-                          "or the first difference of two dumps; exit 1 if they differ");
+                          "Wrong pixels and largest difference of two pictures or .npy files, or "
+                          "the first difference of two dumps; exit 1 if they differ");
   command.add_option("A", a)->type_name("FILE")->required();
   command.add_option("B", b)->type_name("FILE")->required();
   command
       .add_option("--marks", marks,
-                  "picture (.png) of where: wrong pixels red, the rest light grey")
+                  "picture (.png) of the places: wrong pixels red, the rest light grey")
       ->type_name("MARKS.png");
   tolerance.add_to(command);
   return command;

@@ -63,21 +63,21 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   vectors.add_to(command);
   command
       .add_flag("--crumbs", options.crumbs,
-                "draw pieces of lines too that are shorter than they are wide and join no other")
+                "also draw pieces of lines that are shorter than wide and join no other")
       ->group(kHiddenSurfaceOptions);
   command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
   command
       .add_option("--pick", pick,
-                  "print what is seen at a pixel, counted from the upper left corner: a polygon, "
-                  "or a line or edge within REACH of it")
+                  "print the visible item at a pixel, counted from the upper left corner: a "
+                  "polygon, or a line or edge within REACH of it")
       ->type_name("X,Y[,REACH]")
       ->group(kReportOptions);
   command
       .add_flag("--quiet", quiet,
-                "no warnings and no progress; of many inputs, which were not drawn and why stands "
-                "in one list at the end")
+                "no warnings and no progress; of many inputs, a list at the end of those that were "
+                "not drawn, with reasons")
       ->group(kReportOptions);
-  command.add_flag("--explain", explain, "say which method auto picked, and why")
+  command.add_flag("--explain", explain, "print the method that auto picked, and the reason")
       ->group(kReportOptions);
   return command;
 }
@@ -93,18 +93,17 @@ void DrawCommand::add_output_options(CLI::App& command) {
       ->required()
       ->group(kOutputOptions);
   command
-      .add_option(
-          "--format", options.format,
-          "of the picture, if it is not what its name ends in; png on standard output, or ppm "
-          "without libpng")
+      .add_option("--format", options.format,
+                  "of the picture, if its name does not end in it; png on standard output, or ppm "
+                  "without libpng")
       ->type_name(picture_format_words())
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,
-                  "item buffer as .npy: the pick identifier seen, -1 for none")
+                  "item buffer as .npy: the visible pick identifier, -1 for none")
       ->type_name("IDS.npy")
       ->group(kOutputOptions);
-  command.add_option("--depth", options.depth, "depth as .npy: of the fill seen, -inf for none")
+  command.add_option("--depth", options.depth, "depth as .npy: of the visible fill, -inf for none")
       ->type_name("DEPTH.npy")
       ->group(kOutputOptions);
 }
@@ -113,8 +112,8 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   size.add_to(command);
   command
       .add_option("--samples", options.samples,
-                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, as by "
-                  "osmesa and plain-z-buffer where nothing is set")
+                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, the default "
+                  "of osmesa and plain-z-buffer")
       ->type_name("N")
       ->transform(number_in(1, kMostSamples))
       ->default_str(fmt::format("{}", kUsualSamples))
@@ -124,26 +123,26 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   paper.add_to(command);
   command
       .add_option("--turntable", turntable,
-                  "N views, turned evenly all around the axis that is up, from one BSP tree; "
-                  "with --hidden z-buffer or another method of image space without a sort, with a "
-                  "method of lines each by itself, and with --hidden world-ray-cast from one tree "
-                  "of boxes: "
+                  "N views, turned evenly all around the up axis, from one BSP tree; with --hidden "
+                  "z-buffer or another method of image space without a sort, with a method of "
+                  "lines each by itself, and with --hidden world-ray-cast from one tree of boxes: "
                   "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
       ->type_name("N")
       ->group(kPictureOptions);
   command
       .add_option("--views", views,
-                  "of a turntable's N views only those from FIRST up to END, as all of "
-                  "them are; several machines may share them")
+                  "of a turntable's N views only those from FIRST up to END, equal to those of the "
+                  "whole; several machines may share them")
       ->type_name("FIRST:END")
       ->group(kPictureOptions);
   command
       .add_option("--rows", rows,
-                  "only the picture's rows from FIRST up to END, from the top, as they "
-                  "are in the whole picture; of pixels")
+                  "only the picture's rows from FIRST up to END, from the top, equal to those of "
+                  "the whole picture; of pixels")
       ->type_name("FIRST:END")
       ->group(kPictureOptions);
-  command.add_option("--device", options.device, "what draws pixels: " + listed(raster_devices()))
+  command
+      .add_option("--device", options.device, "the renderer of pixels: " + listed(raster_devices()))
       ->type_name(raster_device_words())
       ->capture_default_str()
       ->group(kPictureOptions);

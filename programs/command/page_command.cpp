@@ -51,7 +51,8 @@ CLI::App& PageCommand::add_to(CLI::App& app) {
       ->type_name("TEXT")
       ->group(kOutputOptions);
   command
-      .add_option("--package", package, "where the WebAssembly package is, if it is not installed")
+      .add_option("--package", package,
+                  "the folder of the WebAssembly package, if it is not installed")
       ->type_name("FOLDER")
       ->group(kOutputOptions);
   size.add_to(command);

@@ -139,7 +139,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("OUT.{svg,pdf,dxf}")
       ->required()
       ->group(kOutputOptions);
-  command.add_option("--paper", paper, "as draw has it: a4, a3-portrait, 300x200")
+  command.add_option("--paper", paper, "as for draw: a4, a3-portrait, 300x200")
       ->type_name("PAPER")
       ->capture_default_str()
       ->group(kPaperOptions);
@@ -165,18 +165,16 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->capture_default_str()
       ->group(kPictureOptions);
   command
-      .add_option(
-          "--up", up,
-          "the axis that is up; if not given, that of the first input that names one, or else y. "
-          "A drawing program names it by the view that it sets; in one that sets none, "
-          "cylinders and what else stands along z lies on the sheet without --up z")
+      .add_option("--up", up,
+                  "the up axis; if not given, that of the first input that defines one, or else y. "
+                  "A drawing program defines it by setting a view; without one, cylinders and "
+                  "other parts along z lie on their sides unless --up z is set")
       ->type_name("x|y|z|-x|-y|-z")
       ->group(kPictureOptions);
   command
-      .add_option(
-          "--section", sections,
-          "that view shows the part cut, the cut face hatched; POSITION along the direction toward "
-          "who looks at the view, in the part's unit; may be given for each of them")
+      .add_option("--section", sections,
+                  "cuts the part in that view, with a hatched cut face; POSITION along the "
+                  "direction toward the viewer, in the part's unit; may be set for each view")
       ->type_name("front=POSITION|top=POSITION|side=POSITION")
       ->group(kPictureOptions);
   command.add_option("--hatch", hatch, "mm between the lines of hatching")
@@ -184,7 +182,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->transform(any_number<double>())
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--lines", lines, "which edges are lines, as draw has it")
+  command.add_option("--lines", lines, "which edges are lines, as for draw")
       ->type_name("KIND,...")
       ->capture_default_str()
       ->group(kHiddenSurfaceOptions);

@@ -24,8 +24,8 @@
 namespace displayfile {
 
 CLI::App& StepsCommand::add_to(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand(
-      "steps", "How an algorithm finds what is seen, step by step, as a page to watch");
+  CLI::App& command =
+      *app.add_subcommand("steps", "How an algorithm finds visibility, step by step, as a page");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command.add_option("-o,--output", output, "the page, or its data")
       ->type_name("OUT.{html,json}")
@@ -42,7 +42,7 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
       ->required()
       ->group(kHiddenSurfaceOptions);
   size.add_to(command);
-  command.add_option("--limit-steps", most_steps, "tell so many steps at most")
+  command.add_option("--limit-steps", most_steps, "show at most this number of steps")
       ->type_name("N")
       ->transform(any_number<std::size_t>())
       ->capture_default_str()

@@ -109,7 +109,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command.add_option("--colour", colour, "cells in colours by their height, and a legend")
       ->type_name("height");
   command
-      .add_option("--contours", contours, "so many lines of equal height, at the base of the box")
+      .add_option("--contours", contours, "number of lines of equal height, at the base of the box")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str("0");
@@ -117,8 +117,9 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command.add_flag("--box,!--no-box", box, "the faces of the box behind the surface")
       ->default_str("true");
   command.add_option("--labels", labels, "the names of the axes [x,y,z]")->type_name("X,Y,Z");
-  command.add_flag("--true-scale", true_scale,
-                   "a unit is as long along each axis; otherwise the box has a pleasant shape");
+  command.add_flag(
+      "--true-scale", true_scale,
+      "a unit is equally long along each axis; otherwise the box has a pleasant shape");
   command.add_option("--program", program, "write the drawing program, too")
       ->type_name("PROGRAM.draw");
   command
@@ -127,8 +128,8 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       ->transform(any_number<int>());
   command
       .add_option("--samples", samples,
-                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, as by "
-                  "plain-z-buffer where nothing is set")
+                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, the default "
+                  "of plain-z-buffer")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str(fmt::format("{}", kUsualSamples));
@@ -218,8 +219,7 @@ int SurfaceCommand::run() const {
   if (shown.coloured && finds_lines(*options.surfaces.method)) {
     throw Error(
         fmt::format("--colour height: {} draws lines alone, which have no colours of heights: "
-                    "expected a method "
-                    "that draws surfaces, as map or z-buffer",
+                    "expected a method that draws surfaces, as map or z-buffer",
                     name_of(*options.surfaces.method)));
   }
   GraphicsSystem system;

@@ -31,46 +31,44 @@
 namespace displayfile {
 
 CLI::App& TruthCommand::add_to(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand(
-      "truth",
-      "What is seen at each pixel, or of each line, by exact arithmetic alone, whatever the "
-      "methods "
-      "do; and how far a method of lines is from it: exit 1 if any length is missing or extra");
+  CLI::App& command =
+      *app.add_subcommand("truth",
+                          "The visible fill at each pixel, or the visible parts of each line, by "
+                          "exact arithmetic alone, independent of the methods; and the errors of a "
+                          "method of lines: exit 1 if any length is missing or extra");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   size.add_to(command);
   meshes.add_to(command);
-  command.add_option("--ids", ids, "item buffer as .npy: the pick identifier seen, -1 for none")
+  command.add_option("--ids", ids, "item buffer as .npy: the visible pick identifier, -1 for none")
       ->type_name("IDS.npy");
   command
-      .add_option("--depth", depth, "depth as .npy: of the fill seen, rounded once, -inf for none")
+      .add_option("--depth", depth,
+                  "depth as .npy: of the visible fill, rounded once, -inf for none")
       ->type_name("DEPTH.npy");
   command
-      .add_option(
-          "--from", from,
-          "what pixels are judged from. entered, unless it is set: the points and matrices "
-          "that were entered, by which polygons that touch lie in one plane; world: world "
-          "coordinates; display-file: its coordinates, which viewing has rounded. The first "
-          "two, if set, print how many pixels of the last differ")
+      .add_option("--from", from,
+                  "the source of the exact pixels. entered, the default: the points and matrices "
+                  "as entered, by which polygons that touch lie in one plane; world: world "
+                  "coordinates; display-file: its coordinates, which viewing has rounded. The "
+                  "first two, if set, print how many pixels of the last differ")
       ->type_name("display-file|world|entered");
   add_touching_option(command, touching);
   command
       .add_option("--seen-lines", seen_lines,
-                  "what is seen of the lines that are drawn, as a dump: that of a right method of "
-                  "lines (dump --hidden franklin) is the same")
+                  "the visible parts of the lines, as a dump: that of a correct method of lines "
+                  "(dump --hidden franklin) is the same")
       ->type_name("LINES.txt");
-  command
-      .add_option("--hidden", hidden,
-                  "print missing and extra length of what that method of lines finds")
+  command.add_option("--hidden", hidden, "print missing and extra length of that method of lines")
       ->type_name("LINE-METHOD");
   command.add_option("--precision", precision, "of that method")
       ->type_name("exact|roundoff[=EPS]")
       ->capture_default_str();
   command
       .add_option("--line-samples", line_samples,
-                  "judge so many random points of the lines at least, not whole lines: for many")
+                  "judge at least N random points of the lines, not whole lines: for many")
       ->type_name("N")
       ->transform(any_number<std::size_t>());
-  command.add_option("--threads", threads, "for lines; the answer is the same for any number")
+  command.add_option("--threads", threads, "for lines; the result is the same for any number")
       ->type_name("N")
       ->transform(number_in(1, 1024));
   return command;
@@ -184,10 +182,10 @@ SurfacePlan TruthCommand::judged_method() const {
   for (const HiddenMethodEntry& entry : hidden_methods()) {
     if (finds_lines(entry.method)) methods.append(" ").append(entry.name);
   }
-  throw Error(fmt::format(
-      "--hidden {}: finds no lines: expected one of{}; item buffers of other methods are compared "
-      "with that of --ids",
-      hidden, methods));
+  throw Error(
+      fmt::format("--hidden {}: finds no lines: expected one of{}; item buffers of other methods "
+                  "are compared with that of --ids",
+                  hidden, methods));
 }
 
 void TruthCommand::write_seen_lines(const DisplayFile& file, std::ostream& to) const {
@@ -205,11 +203,8 @@ int TruthCommand::judge_lines(const DisplayFile& file, const SurfacePlan& judged
       judged.samples == 0 ? "whole"
                           : fmt::format("at {} points, {} wrong", judged.samples, judged.wrong);
   report += fmt::format(
-      "lines           {}, judged {}\n"
-      "pieces seen     {} by {}\n"
-      "total length    {} of the picture's side\n"
-      "missing length  {}\n"
-      "extra length    {}\n",
+      "lines           {}, judged {}\npieces seen     {} by {}\ntotal length    {} of the "
+      "picture's side\nmissing length  {}\nextra length    {}\n",
       judged.lines, places, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
       judged.errors.extra);
   return judged.are_right() ? 0 : 1;

@@ -73,9 +73,7 @@ CLI::Option& add_inputs(CLI::App& command, const char* name, std::vector<std::st
                         const std::string& what) {
   CLI::Option& option = *command.add_option(
       name, inputs,
-      what +
-          "; @FILE stands for the names in that file, one a line, and @- for those on standard "
-          "input");
+      what + "; @FILE means the names in that file, one a line, and @- those on standard input");
   option.type_name("FILE.draw|MESH");
   return *option.required();
 }

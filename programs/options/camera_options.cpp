@@ -68,11 +68,10 @@ void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
                           const std::string& what) {
     return command.add_option(name, word, what)->type_name(value)->group(kCameraOptions);
   };
-  option(
-      "--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
-      fmt::format("where {} is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, 90,0 "
-                  "from the right, 0,90 from above; or X,Y,Z, where the eye is [{}]",
-                  usual.what, usual.eye));
+  option("--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
+         fmt::format("where {} is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, "
+                     "90,0 from the right, 0,90 from above; or X,Y,Z, where the eye is [{}]",
+                     usual.what, usual.eye));
   option("--look-at", look_at, "X,Y,Z",
          "what is in the middle of the picture; if not given, its own middle");
   option("--up", up, "x|y|z|-x|-y|-z|auto",
@@ -86,15 +85,14 @@ void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
       ->excludes(angle)
       ->group(kCameraOptions);
   command
-      .add_flag(
-          "--fit,!--no-fit", fit,
-          "find the window, or the eye's distance for --fov, in which the mesh is seen whole; "
-          "otherwise a ball of radius 1 at the origin, or at --look-at, is")
+      .add_flag("--fit,!--no-fit", fit,
+                "fit the window, or the eye's distance for --fov, to the whole mesh; otherwise to "
+                "a ball of radius 1 at the origin, or at --look-at")
       ->default_str("true")
       ->group(kCameraOptions);
   command
       .add_flag("--widen", widen,
-                "widen windows that programs set to the picture's shape, too; otherwise they are "
+                "also widen windows that programs set to the picture's shape; otherwise they are "
                 "stretched to it, with a warning")
       ->group(kCameraOptions);
 }

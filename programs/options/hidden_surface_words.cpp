@@ -21,22 +21,21 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--precision", precision,
-                  "of what the methods decide; exact unless a program sets another")
+                  "of the methods' decisions; exact unless a program sets another")
       ->type_name("exact|roundoff[=EPS]")
       ->group(kHiddenSurfaceOptions);
   command
-      .add_option("--lines", lines,
-                  "which sides of polygons are lines, in place of what programs set, whatever the "
-                  "method; with commas between several: all (those that the line style shows), "
-                  "outline, boundary (sides of one polygon), crease or crease=DEGREES (sides at "
-                  "which two turn by more; 30), intersection, material (sides at which fills "
-                  "differ)")
+      .add_option(
+          "--lines", lines,
+          "which sides of polygons are lines, in place of the programs' setting, for any method; "
+          "with commas between several: all (those that the line style shows), outline, boundary "
+          "(sides of one polygon), crease or crease=DEGREES (sides at which two turn by more; 30), "
+          "intersection, material (sides at which fills differ)")
       ->type_name("KIND,...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--hidden-lines", hidden_lines,
-                  "lines where they are hidden; by the methods that find lines, and "
-                  "over fills")
+                  "hidden parts of lines; by the methods of hidden lines, and over fills")
       ->type_name("none|dashed")
       ->group(kHiddenSurfaceOptions);
   add_touching_option(command, touching);
@@ -45,10 +44,10 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
 void add_touching_option(CLI::App& command, std::optional<std::string>& touching) {
   command
       .add_option("--touching", touching,
-                  "within which distance polygons touch, in place of what programs set: what "
-                  "touches a plane lies in it, and of polygons in one plane the one entered later "
-                  "is seen; auto (by the precision of the numbers), off, or a length in the "
-                  "coordinates of the input")
+                  "the distance within which polygons touch, in place of the programs' setting: a "
+                  "polygon that touches a plane lies in it, and of polygons in one plane the one "
+                  "entered later is visible; auto (by the precision of the numbers), off, or a "
+                  "length in the coordinates of the input")
       ->type_name("auto|off|LENGTH")
       ->group(kHiddenSurfaceOptions);
 }

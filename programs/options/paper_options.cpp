@@ -30,8 +30,8 @@ Hatching hatching_of(const std::string& text) {
   Hatching hatching;
   const auto fail = [&] {
     throw Error(
-        fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in "
-                    "mm and degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
+        fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in mm and "
+                    "degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
                     text));
   };
   const auto number = [&](std::string_view word) {
@@ -67,11 +67,10 @@ Hatching hatching_of(const std::string& text) {
 
 void PaperWords::add_to(CLI::App& command) {
   command
-      .add_option(
-          "--paper", paper,
-          "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
-          "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it, or else "
-          "as the picture is wider or higher")
+      .add_option("--paper", paper,
+                  "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
+                  "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it; by "
+                  "default by the picture's shape")
       ->type_name("PAPER")
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "mm around the picture on the paper [10]")
@@ -79,12 +78,11 @@ void PaperWords::add_to(CLI::App& command) {
       ->transform(any_number<double>())
       ->group(kPaperOptions);
   command
-      .add_flag(
-          "--pens", pens,
-          "for plotters and lasers: strokes alone, none twice, in an order with little travel "
-          "between them, a layer for each pen (colour and width); on A4 unless --paper says "
-          "another; auto is franklin then, and meshes have the lines outline,boundary,crease "
-          "unless --lines or a program before them selects others")
+      .add_flag("--pens", pens,
+                "for plotters and lasers: strokes alone, none twice, in an order with little "
+                "travel between them, a layer for each pen (colour and width); on A4 unless "
+                "--paper is set; auto is franklin then, and meshes have the lines "
+                "outline,boundary,crease unless --lines or a program before them selects others")
       ->group(kPaperOptions);
   command
       .add_option(

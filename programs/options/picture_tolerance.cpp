@@ -26,7 +26,7 @@ void PictureTolerance::add_to(CLI::App& command) {
       ->group(kPictureOptions);
   command
       .add_option("--wrong-pixels", wrong_pixels,
-                  "of pictures: so many may be wrong, such as 20, or 0.5% of all")
+                  "of pictures: how many may be wrong, such as 20, or 0.5% of all")
       ->type_name("N|SHARE%")
       ->group(kPictureOptions);
 }

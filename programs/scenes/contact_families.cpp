@@ -420,24 +420,24 @@ std::vector<HardCase> contact_families() {
        kEntered},
       {"boxes_on_floor", "boxes on a floor, on each other and against each other", kSeen, 9,
        any_view, boxes_on_floor,
-       "Faces lie back to back, and the foot of each box in the floor, of which much is seen only "
-       "from below.",
+       "Faces lie back to back, and the foot of each box lies in the floor; much of this is "
+       "visible only from below.",
        kEntered},
       {"flush_boxes", "boxes between a few planes, whose faces lie in each other's", kSeen, 8,
        any_view, flush_boxes,
-       "Boxes overlap and most of what is seen lies in the plane of several; which is seen the "
-       "order of entry decides.",
+       "Boxes overlap, and most of the visible surface lies in the plane of several; the order of "
+       "entry decides which is visible.",
        kEntered},
       {"bricks", "two walls of bricks with studs, that meet in a corner", kSeen, 8, any_view,
        bricks,
-       "The top of a row is computed otherwise than the foot of the next, and differs in the last "
-       "place; studs stand on one and stick into the other; in the corner bricks of both walls lie "
-       "in each other, side in side.",
+       "The top of a row is computed differently from the foot of the next, and differs in the "
+       "last place; studs stand on one and reach into the other; in the corner bricks of both "
+       "walls overlap, side in side.",
        kEntered},
       {"decals_on_slopes", "rectangles and triangles in the slopes of a roof, in decimals", kSeen,
        10, any_view, decals_on_slopes,
-       "The slope is a decimal too: as doubles hardly a decal lies in the roof's plane, before "
-       "anything is viewed.",
+       "The slope is a decimal too: as doubles hardly any decal lies in the roof's plane, even "
+       "before viewing.",
        kEntered},
       {"parts_in_decimals",
        "boxes and plates on them, drawn about the origin and moved by decimals", kSeen, 8, any_view,
@@ -453,11 +453,11 @@ std::vector<HardCase> contact_families() {
        kEntered},
       {"two_views", "rugs and boxes on a floor, in one view and again in an inset", kSeen, 3,
        any_view, two_views,
-       "Each plane occurs twice, rounded by two views: what touches in one must not be mixed up "
-       "with the other, which lies over it in the picture.",
+       "Each plane occurs twice, rounded by two views: contact in one must not be confused with "
+       "the other, which lies over it in the picture.",
        kEntered},
-      {"image_transformed", "a floor, and what lies and stands on it in a segment of its own",
-       kSeen, 3, any_view, image_transformed,
+      {"image_transformed", "a floor, and the objects on it in a segment of their own", kSeen, 3,
+       any_view, image_transformed,
        "Both segments are scaled, turned and moved in the picture, which rounds once more after "
        "viewing.",
        kEntered},

@@ -127,8 +127,8 @@ std::vector<HardCase> coplanar_families() {
        16,
        {0.0, 0.7, 30.0},
        coplanar_copies,
-       "Every depth ties, and the last copy must be seen; the arithmetic is the same each time, so "
-       "this is the control of the group: whoever compares with 'nearer or equal' is right."},
+       "Every depth ties, and the last copy must be visible; the arithmetic is the same each time, "
+       "so this is the control of the group: a comparison by 'nearer or equal' is right."},
       {"coplanar_turned",
        "one tilted triangle, begun at another vertex or run backwards each time",
        "slope",
@@ -136,7 +136,7 @@ std::vector<HardCase> coplanar_families() {
        {0.7, 30.0},
        coplanar_turned,
        "The plane is exactly the same, but a depth computed from another vertex or another edge "
-       "rounds otherwise, so the ties are broken at random."},
+       "rounds differently, so the ties are broken at random."},
       {"coplanar_patches",
        "triangles in one plane, coordinates of few bits",
        "bits of a coordinate",
@@ -151,16 +151,16 @@ std::vector<HardCase> coplanar_families() {
        20,
        {0.0, 0.7, 30.0},
        coplanar_rounded,
-       "What looks coplanar is not: each vertex is off by half of its last place, and that "
-       "decides. A tolerance takes it for a tie and shows the later one."},
+       "The triangles look coplanar but are not: each vertex is off by half of its last place, and "
+       "that decides. A tolerance treats this as a tie and shows the later one."},
       {"coplanar_entry_orders",
        "stacks of coplanar squares, entered in every order",
        "levels",
        16,
        {3, 8},
        coplanar_entry_orders,
-       "The insets are rounded, so that the squares of a stack are coplanar only nearly, and each "
-       "stack comes in another order: a rule that is right for one order fails for the next."},
+       "The insets are rounded, so that the squares of a stack are only nearly coplanar, and each "
+       "stack has another order: a rule that is right for one order fails for the next."},
       {"checker_over_base",
        "tiles of a checker on a base polygon in the same plane",
        "slope",
@@ -175,14 +175,14 @@ std::vector<HardCase> coplanar_families() {
        {6},
        decals,
        "Exactly coplanar at every level, with coordinates of many bits; the last level entered "
-       "must be seen whole."},
+       "must be wholly visible."},
       {"coplanar_fan",
        "every second triangle of a polygon's fan, on the polygon",
        "slope",
        30,
        {0.0, 0.7},
        coplanar_fan_over_polygon,
-       "A polygon and triangles through the same vertices have unlike support planes once the "
+       "A polygon and triangles through the same vertices have different support planes once the "
        "vertices are rounded."},
   };
 }

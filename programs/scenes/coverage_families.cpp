@@ -212,8 +212,8 @@ std::vector<HardCase> coverage_families() {
        16,
        {32, 64},
        edges_through_centres,
-       "A centre on a left or top edge belongs, on a right or bottom edge not; stepping by a "
-       "rounded slope leaves the centre to one side or the other."},
+       "A centre on a left or top edge belongs to the polygon, one on a right or bottom edge does "
+       "not; stepping by a rounded slope leaves the centre to one side or the other."},
       {"vertices_at_centres",
        "triangles with all vertices at pixel centres",
        "picture size meant",
@@ -251,7 +251,7 @@ std::vector<HardCase> coverage_families() {
        {32, 64},
        pixel_sized,
        "Most cover one centre or none; snapping vertices, as graphics hardware does, moves them by "
-       "a good part of themselves."},
+       "a large part of their size."},
       {"subpixel",
        "triangles around a centre, far smaller than a pixel",
        "size 10^-s",
@@ -297,8 +297,8 @@ std::vector<HardCase> coverage_families() {
        100,
        {1, 3, 8, 15},
        ill_conditioned_planes,
-       "The plane's coefficients come out of cancellation, while the centres inside are still to "
-       "be ordered."},
+       "Cancellation leaves few digits of the plane's coefficients, while the centres inside must "
+       "still be ordered."},
       {"steep_planes",
        "planes that rise far more than the picture is wide",
        "slope 10^s",

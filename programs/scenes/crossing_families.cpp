@@ -233,15 +233,15 @@ std::vector<HardCase> crossing_families() {
        16,
        {32, 64},
        pencil_of_planes,
-       "On the common line all depths tie exactly and the last plane must be seen; a column to the "
-       "left and right the order is reversed."},
+       "On the common line all depths tie exactly and the last plane must be visible; a column to "
+       "the left and right the order is reversed."},
       {"oblique_pencil",
        "triangles that share an oblique edge",
        "range of z",
        16,
        {1.0, 1e-9},
        oblique_pencil,
-       "Depths agree along an edge that no pixel grid knows, and the fan opens within 1e-9 of "
+       "Depths agree along an edge that no pixel grid contains, and the fan opens within 1e-9 of "
        "depth."},
       {"bundle_of_planes",
        "planes through one point, a pixel's centre",

@@ -106,7 +106,7 @@ std::vector<HardCase> cycle_families() {
        "The smallest scene that no order of painting gets right; with a small gap it is z-fighting "
        "as well."},
       {"cycle", "a ring of n bars, each over the next", "gap 10^-s", 7, kGaps, cycle,
-       "As three bars, but the cycle is found only by looking at all."},
+       "Like three bars, but the cycle is found only by examining all bars."},
       {"every_cycle",
        "rings of 3, 4, ... n bars on each other",
        "gap 10^-s",
@@ -120,8 +120,8 @@ std::vector<HardCase> cycle_families() {
        6,
        {2, 9, 15},
        nested_cycles,
-       "Rings of unlike depth slopes lie across each other at the same depth: cycles between the "
-       "cycles."},
+       "Rings of different depth slopes lie across each other at the same depth: cycles between "
+       "the cycles."},
       {"piercing_cycle",
        "a ring of bars that also pass through each other",
        "gap 10^-s",

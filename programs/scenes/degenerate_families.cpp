@@ -89,12 +89,12 @@ std::vector<HardCase> degenerate_families() {
        "Edges of no length, and three first vertices that are one point: no plane by the usual "
        "cross product."},
       {"first_three_in_line",
-       "polygons whose first vertices give no plane",
+       "polygons whose first vertices define no plane",
        "pieces of a side",
        10,
        {2, 4},
        first_three_in_line,
-       "The first three vertices are in line; the plane has to be had from others. Corners on a "
+       "The first three vertices are in line; the plane must be found from others. Corners on a "
        "coarse grid also put edges through centres."},
       {"zero_area",
        "polygons of no area, in front of a square",

@@ -182,9 +182,9 @@ std::vector<HardCase> gap_families() {
   return {
       {"parallel_sheets", "tilted sheets, each nearer by the gap, entered in random order",
        "gap 10^-s", 8, kGaps, parallel_sheets,
-       "The plainest case of z-fighting: as soon as the gap falls below what a format or a "
-       "tolerance can tell apart, the later sheet is seen instead of the nearer one, over the "
-       "whole overlap."},
+       "The plainest case of z-fighting: as soon as the gap falls below the resolution of a format "
+       "or a tolerance, the later sheet is visible instead of the nearer one, over the whole "
+       "overlap."},
       {"nearly_coplanar", "random triangles within the gap of one plane", "gap 10^-s", 20, kGaps,
        nearly_coplanar,
        "The triangles also cross each other, at angles of the size of the gap, so there is no gap "
@@ -200,14 +200,14 @@ std::vector<HardCase> gap_families() {
       {"thin_plates", "plates as thick as the gap, the front entered before the back", "gap 10^-s",
        6, kGaps, thin_plates,
        "Without back-face removal the back of each plate shows through where the thickness is "
-       "lost; thin walls in building models are this."},
+       "lost; thin walls in building models are an example."},
       {"poking_corners",
        "pyramids whose tips poke through a sheet by the gap",
        "gap 10^-s",
        12,
        {2, 4, 9},
        poking_corners,
-       "What shows of each pyramid is a tip of the size of the gap: few pixels, but each is "
+       "The visible part of each pyramid is a tip of the size of the gap: few pixels, but each is "
        "decided by a depth close to the sheet's."},
       {"hinged_pages", "pages with a common spine, their outer corners a gap apart", "gap 10^-s", 8,
        kGaps, hinged_pages,

@@ -187,23 +187,23 @@ std::vector<HardCase> scale_families() {
        {3, 9, 15},
        offset_depth,
        "The detail is in the last digits of z: single precision has none left, and integers are "
-       "clamped. OSMesa is given a depth range that starts at the offset, and so loses nothing."},
+       "clamped. OSMesa's depth range starts at the offset here, so it loses nothing."},
       {"extreme_depth_range",
        "depths of all sizes in one scene",
        "10^-s to 10^s",
        16,
        {3, 12, 50},
        extreme_depth_range,
-       "One triangle's depths span a hundred powers of ten; scaling to [0,1] loses all that is "
-       "small."},
+       "One triangle's depths span a hundred powers of ten; scaling to [0,1] loses all small "
+       "ones."},
       {"deep_background",
        "small steps in depth before a far background",
        "its depth -10^s",
        12,
        {1, 6, 12},
        deep_background,
-       "Steps of 1e-6 before a background at up to -1e12: a depth range fitted to the scene, as "
-       "OSMesa is given, has nothing left for them. Below 0, integers clamp."},
+       "Steps of 1e-6 before a background at up to -1e12: a depth range fitted to the scene, such "
+       "as OSMesa's here, has no digits left for them. Below 0, integers clamp."},
       {"subnormal_depths",
        "depths of a few times the smallest double",
        "steps",
@@ -242,7 +242,7 @@ std::vector<HardCase> scale_families() {
        12,
        {3, 6, 12},
        giant_clipped,
-       "The clip pipeline's cuts are rounded; what follows is judged by the clipped coordinates, "
+       "The clip pipeline's cuts are rounded; the picture is judged by the clipped coordinates, "
        "which are no longer quite flat."},
       {"rotated_images",
        "the same square, turned and mirrored by image transformations",

@@ -210,8 +210,8 @@ std::vector<HardCase> shape_families() {
        4,
        {2, 5},
        spirals,
-       "Concave polygons whose bounding boxes say nothing; overlap tests by box or by separating "
-       "line find nothing to separate."},
+       "Concave polygons whose bounding boxes decide nothing; overlap tests by box or by "
+       "separating line find nothing to separate."},
       {"crossing_stars",
        "stars that cross themselves, with even-odd holes",
        "points",
@@ -232,7 +232,8 @@ std::vector<HardCase> shape_families() {
        5,
        {0.0, 0.1},
        holes,
-       "The slit's two edges coincide and must leave no trace; the hole must show what is behind."},
+       "The slit's two edges coincide and must leave no trace; the hole must show the polygons "
+       "behind it."},
       {"run_through_twice",
        "polygons run through several times",
        "times",

@@ -216,7 +216,7 @@ Scene quads_rounded_off_plane(std::size_t n, double slope, std::uint64_t seed) {
 std::vector<HardCase> touching_families() {
   return {
       {"t_junctions",
-       "turned rows of bricks of unlike lengths",
+       "turned rows of bricks of different lengths",
        "picture size meant",
        8,
        {32, 64},
@@ -230,7 +230,7 @@ std::vector<HardCase> touching_families() {
        {0.0, 0.5},
        shared_edges,
        "Neighbours share edges and run along them in opposite directions; many vertices are pixel "
-       "centres. An edge that is not stepped alike by both cracks."},
+       "centres. An edge that both do not step alike cracks."},
       {"tiles_on_centres",
        "triangles that meet at a pixel's centre, edges through others",
        "picture size meant",
@@ -253,8 +253,8 @@ std::vector<HardCase> touching_families() {
        20,
        {1.0, 0x1p-30},
        vertex_on_plane,
-       "A plane test of such a vertex must say 'on', or the splitter makes slivers; with a reach "
-       "of 2^-30 the rest is nearly coplanar as well."},
+       "A plane test of such a vertex must return 'on', or the splitter makes slivers; with a "
+       "reach of 2^-30 the rest is nearly coplanar as well."},
       {"touching_points",
        "tip to tip, from both sides",
        "slope",

@@ -97,8 +97,8 @@ std::vector<HardCase> view_families() {
        16,
        {2, 6, 12},
        near_front_plane,
-       "The perspective transform spends the depth range on what is close to the viewer; "
-       "everything farther shares a last few digits."},
+       "The perspective transform spends the depth range close to the viewer; everything farther "
+       "shares the last few digits."},
       {"ground_to_horizon",
        "a road and its stripes, to the horizon",
        "length 10^s",

@@ -13,18 +13,17 @@ namespace {
 
 constexpr std::string_view kIntroduction = R"(# Hard cases
 
-What the methods make of scenes that break published implementations, counted in wrong pixels: pixels
-whose identifier in the item buffer is not the one that exact arithmetic gives
-(`interp/truth/truth.h`). In the families [of what touches](#what-touches) exact arithmetic begins at
-what was entered (`interp/truth/entered_truth.h`), in all others at the display file. Everything here
-was printed by one command:
+The wrong pixels of each method on scenes that break published implementations. A pixel is wrong if its
+identifier in the item buffer is not that of exact arithmetic (`interp/truth/truth.h`). In the families of
+[scenes that touch](#scenes-that-touch) exact arithmetic starts from the scene as entered
+(`interp/truth/entered_truth.h`), in all others from the display file. One command prints this page:
 
     hard_table --document --size {0} --seeds {1} --random {2} > tests/hard/README.md
 
 Without `--document` the same table goes to the terminal; `--csv FILE` writes it for programs,
-`--families A,B` picks rows, `--without osmesa` columns, `--severity S` sets one severity for all,
-`--severity sweep` shows what a gap that shrinks does, and `--touching-off` what becomes of what
-touches with `set-touching off`. It exits 1 if a method that claims to be exact has a wrong pixel
+`--families A,B` selects rows, `--without osmesa` omits columns, `--severity S` sets one severity for all,
+`--severity sweep` shows the effect of a shrinking gap, and `--touching-off` that of `set-touching off` on
+scenes that touch. It exits 1 if a method that claims to be exact has a wrong pixel
 anywhere. `hard_table --list` prints the families with their sizes and severities. `ctest -R hard`
 runs a smaller one, and compares the exact truths with a brute force in rationals on every family.
 
@@ -36,10 +35,10 @@ method is one line in `hard/methods.cpp`. Scenes are the same, bit for bit, on e
 {3}
 The plain z-buffer (`interp/visibility/plain_z_buffer.cpp`) steps x and z by adding, as textbooks do, and so
 can be wrong about coverage as well as about depth; its integer formats spread [0,1] over all their
-values and clamp what lies outside. OSMesa draws triangles whose vertices are rounded to 1/256 pixel,
+values and clamp depths outside. OSMesa draws triangles whose vertices are rounded to 1/256 pixel,
 their depths to single precision, and its depth range is fitted to each scene: where all of a
-scene lies within the gap (`ulp_stack`, `cycle`) the gap costs it nothing, and 32 bits of depth can
-gain it little over 24. What it gave:
+scene lies within the gap (`ulp_stack`, `cycle`) the gap costs it nothing, and 32 bits of depth
+gain little over 24. The depths that it granted:
 
 {4}
 ## The table
@@ -50,17 +49,17 @@ degenerate scenes, with coordinates from a tiny grid. A cell is a sum of wrong p
 )";
 
 constexpr std::string_view kTouching = R"(
-## What touches
+## Scenes that touch
 
-{0} scenes of {1} x {1} pixels of things that touch as people draw them, with whole numbers and decimals, in parallel
-and perspective views from anywhere, half of them turned and moved by a modelling transformation. They are judged from
-what was entered: what lies in one plane there lies in one plane, and what was entered later is seen, whatever viewing
-rounds. Touching is automatic, as it is unless a program sets it:
+{0} scenes of {1} x {1} pixels of objects that touch as people draw them, with whole numbers and decimals, in parallel
+and perspective views from anywhere, half of them turned and moved by a modelling transformation. They are judged by
+the scene as entered: polygons that lie in one plane there lie in one plane, and the one entered later is visible,
+however viewing rounds. Touching is automatic, which is the default:
 
 {2}
-The same scenes with `set-touching off`, against the same right pictures: what coincides exactly, in whole numbers, is
-right then, and what decimals or a modelling transformation round is not. Whatever does not know what touches, or is not
-exact, draws what it drew before.
+The same scenes with `set-touching off`, against the same right pictures: planes that coincide exactly, in whole numbers, are
+then right, and planes that decimals or a modelling transformation round are not. Methods that do not detect touching,
+or are not exact, draw the same as before.
 
 {3})";
 
@@ -134,14 +133,14 @@ constexpr std::string_view kSweeps = R"(## How the error grows as a gap shrinks
 
 Polygons a gap apart, from a tenth of the depth range to less than a double can hold. After each
 table, where each method breaks: the largest gap with a wrong pixel, and the largest with more than
-one pixel in a hundred wrong. For comparison, the steps that a format can hold: 1.5e-5 in 16 bits,
+one pixel in a hundred wrong. For comparison, the steps of the formats: 1.5e-5 in 16 bits,
 6.0e-8 in 24 bits, 2.3e-10 in 32 bits; between 1/2 and 1, 6.0e-8 in a float and 1.1e-16 in a double.
 Where polygons are parallel a format breaks at its step; where they cross, the pixels near the
 crossing go wrong long before.
 
 Below about 1e-16 the gap vanishes in the rounding of the vertices themselves: the polygons are then
-in one plane, the later one is rightly seen, and the counts fall. What OSMesa gets wrong whatever the
-gap is coverage.
+in one plane, the later one is rightly visible, and the counts fall. OSMesa's errors at every gap are
+errors of coverage.
 
 )";
 
@@ -190,7 +189,7 @@ std::string document(std::span<const TableRow> rows, std::span<const TableRow> o
   text += fmt::format(kTouching, total(touching).scenes, size,
                       markdown_table(touching, methods, "family"),
                       markdown_table(off_rows, methods, "family"));
-  text += "\n## What is hard, and what each method does with it\n\n";
+  text += "\n## The difficulty of each family, and the errors of each method\n\n";
   for (const TableRow& row : rows) {
     const HardCase* family = family_of(row);
     text += family ? paragraph(*family, row.tally, methods)

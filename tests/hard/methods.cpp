@@ -75,7 +75,7 @@ Method osmesa(int depth_bits) {
     }
     return text;
   };
-  return {fmt::format("OSMesa, {} depth bits asked for", depth_bits),
+  return {fmt::format("OSMesa, {} depth bits requested", depth_bits),
           fmt::format("osmesa {}", depth_bits), false, draw, note};
 }
 

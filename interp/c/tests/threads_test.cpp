@@ -101,7 +101,7 @@ TEST_F(CThreads, ThreadsMayStopACall) {
   EXPECT_EQ(df_drawn_pieces(system_, &options, &pieces), DF_ERROR);
   ended = true;
   stopper.join();
-  EXPECT_NE(std::string(df_error(system_)).find("stopped, as was asked for"), std::string::npos)
+  EXPECT_NE(std::string(df_error(system_)).find("stopped, as requested"), std::string::npos)
       << df_error(system_);
   options.most_seconds = 1e-3;
   EXPECT_EQ(df_drawn_pieces(system_, &options, &pieces), DF_ERROR);

@@ -30,11 +30,12 @@ const summaryMakers = {
       ? `On the front, from fastest to most accurate: ${timed}.`
       : "On the front, from fastest to most accurate, by the errors of the scenes timed: " +
         `${timed}. By those of the stress scenes: ${stress}.`) +
-      " For anything else something is both faster and more accurate. Time is that of a picture from the display " +
-      `file, in those of ${figures.reference}, the geometric mean over the ${plural(found.scenes, "scene")} from ` +
-      `which no method was left out${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, ` +
-      "and have the polygons in their own form. Errors are pixels in a hundred whose polygon is not the one that " +
-      `exact arithmetic gives${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.` : ", of these scenes."}`;
+      " For every other method one on the front is faster and more accurate. Time is that of a picture from the " +
+      `display file, relative to ${figures.reference}, the geometric mean over the ` +
+      `${plural(found.scenes, "scene")} from which no method was left out` +
+      `${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, and have the polygons in ` +
+      "their own form. Errors are the percentage of pixels whose polygon differs from that of exact arithmetic" +
+      `${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.` : ", of these scenes."}`;
     return {title: "Speed against error", text};
   },
 
@@ -47,15 +48,15 @@ const summaryMakers = {
       const all = figures.means(rows, (other) => other === column, value);
       return all.length ? general(all[0].time) : "";
     };
-    const text = `Times of a picture in those of ${figures.reference}, geometric means over the ${rows.length} scenes ` +
-      `from which none was left out (${rows.map((row) => shortName(row.name)).join(", ")}): anew, from the display ` +
-      "file; and the same picture again. A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws " +
-      "no pixels. Wrong pixels are in a hundred of all: of the scenes that were timed" +
-      `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. Pieces are those of a triangle, of the same triangles; ` +
-      "the map's are those that are seen.";
+    const text = `Times of a picture relative to ${figures.reference}, geometric means over the ${rows.length} scenes ` +
+      `from which no method was left out (${rows.map((row) => shortName(row.name)).join(", ")}): anew, from the ` +
+      "display file; and the same picture again. Peers are warm, and have the polygons in their own form. gl2ps " +
+      "sorts, and draws no pixels. Wrong pixels are percentages of all: of the scenes timed" +
+      `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. Pieces are per triangle, of the same triangles; ` +
+      "the map's are the visible ones.";
     const head = ["method", "anew", "again", "wrong, %: scenes timed",
                   ...(hard ? [`wrong, %: stress scenes, ${figures.sizesOfHardCases}`] : []),
-                  "bytes a polygon", "pieces", "advised for"];
+                  "bytes a polygon", "pieces", "recommended for"];
     const body = figures.columns.filter(isInSeries).flatMap((column) => {
       const anew = mean(column, medianTime);
       if (!anew) return [];
@@ -74,19 +75,19 @@ const summaryMakers = {
     const cases = figures.hardCases.filter((row) => row.lineCells.length).length;
     const names = timed.length && timed.length <= 20 ? ` (${timed.map((row) => shortName(row.name)).join(", ")})` : "";
     return linesTable(figures, false, "Hidden lines: speed against missing and extra length",
-      "What methods of lines find of all sides of polygons, against the exact truth of lines. Times in those of " +
-      `${figures.line_reference}, on one thread, geometric means over ${plural(timed.length, "scene")} from which none ` +
-      `was left out${names}; growth is the exponent of the time with the polygons, the least and the greatest of the ` +
-      "generated scenes. Missing and extra length in a million of the lines' length, of " +
+      "The methods of lines, with all sides of polygons, against the exact truth of lines. Times relative to " +
+      `${figures.line_reference}, on one thread, geometric means over ${plural(timed.length, "scene")} from which no ` +
+      `method was left out${names}; growth is the exponent of the time with the polygons, the least and the greatest ` +
+      "of the generated scenes. Missing and extra length in millionths of the lines' length, of " +
       `${cases} hard cases and of the scenes.`);
   },
   surfaces(figures) {
     const {timed} = figures.linesOf(true);
     return linesTable(figures, true, "Surfaces over a grid: speed against missing and extra length",
-      "What the same methods, and those that draw surfaces alone, find of all sides of a surface's triangles" +
-      `${timed.length ? `, of ${timed.at(-1).polygons}` : ""}, diagonals among them, against the exact truth of lines. ` +
-      `Times in those of ${figures.line_reference}, on one thread; growth is the exponent of the time with the ` +
-      "triangles. Missing and extra length in a million of the lines' length, of all sizes.");
+      "The same methods, and those that draw surfaces alone, with all sides of a surface's triangles" +
+      `${timed.length ? `, of ${timed.at(-1).polygons}` : ""}, including diagonals, against the exact truth of lines. ` +
+      `Times relative to ${figures.line_reference}, on one thread; growth is the exponent of the time with the ` +
+      "triangles. Missing and extra length in millionths of the lines' length, of all sizes.");
   },
 
   "moving-camera"(figures) {
@@ -118,15 +119,15 @@ const summaryMakers = {
     const head = ["scene", "triangles", "picture", ...threads.map((n) => `times as fast, ${plural(n, "thread")}`),
                   "wrong pixels", "bytes: scene", "view", "drawing",
                   ...(growth.length ? threads.map((n) => onThreads("growth", n)) : [])];
-    const text = "How many times as fast a new view of a retained scene is, by the exact z-buffer and without a sort, as " +
-      "in OSMesa, with 24 bits of depth, a resident, indexed mesh and a new matrix: the median of rounds, each a turn " +
+    const text = "OSMesa's time for a new view, with 24 bits of depth, a resident, indexed mesh and a new matrix, over " +
+      "that of the exact z-buffer for a retained scene, without a sort: the median of rounds, each a turn " +
       "of 8 views around the scene on both sides, the least and the greatest. Both sides get the same triangles, into " +
       "which polygons are cut, with the same shared vertices in the same colours, back faces removed on both or on " +
-      "neither, and as many threads (one: the processor's time; several: the time on the wall). Timed on our side is " +
-      "all from the eye to the picture in memory, in OSMesa from the matrix until all is drawn, without reading it " +
+      "neither, and the same number of threads (one: processor time; several: wall time). Our time is " +
+      "from the eye to the picture in memory, OSMesa's from the matrix to the finished drawing, without reading it " +
       "back. Wrong pixels: each of these views, on each number of threads, against the exact truth of its display " +
-      "file. Bytes a triangle: what is held of the scene as it is retained, its colours in it; what a view of it holds " +
-      "besides; and what the drawing holds, but for the picture. Growth: the exponent of a new view's time with the " +
+      "file. Bytes a triangle: of the retained scene with its colours; the additional ones of a view; and those of " +
+      "the drawing, without the picture. Growth: the exponent of a new view's time with the " +
       "number of triangles, by least squares over all sizes of the scene.";
     return {title: "A new view of a retained scene", text: text + words(), rows: [head, ...body]};
   },
@@ -134,15 +135,15 @@ const summaryMakers = {
   osmesa(figures) {
     const threads = figures.threadsOf((b) => b.other === "OSMesa"), [leftOut, words] = notesOfLeftOut();
     const ways = ["start-up", "new vertices", "moving camera", "same picture again"];
-    const text = "How many times as fast the exact z-buffer is as OSMesa with 24 bits of depth: the same triangles, into " +
-      "which polygons are cut, in the same colours, back faces removed on both sides or on neither, as many threads on " +
-      "both sides (one: the processor's time; several: the time on the wall). OSMesa draws an indexed mesh whose " +
-      "vertices triangles share, flat, in a context that is there, and waits until all is drawn; nothing is read back, " +
-      "while our picture is in memory. Start-up: everything new and a picture of one triangle; ours a system and a " +
+    const text = "OSMesa's time, with 24 bits of depth, over that of the exact z-buffer: the same triangles, into " +
+      "which polygons are cut, in the same colours, back faces removed on both sides or on neither, the same number of " +
+      "threads (one: processor time; several: wall time). OSMesa draws an indexed mesh with shared vertices, flat, in " +
+      "an existing context, and waits for the end of the drawing; its picture is not read back, while ours is in " +
+      "memory. Start-up: everything new and a picture of one triangle; ours a system and a " +
       "picture, OSMesa's a context, a frame buffer and its vertices. New vertices: ours enters all triangles anew and " +
-      "draws them; OSMesa's vertices are handed over anew and drawn. Moving camera: a turn of 8 views; ours views what " +
-      "it retains and draws it, in OSMesa all is resident, in buffers or in a display list, whichever is faster, and " +
-      "each view is another matrix. Same picture again: the display file and the mesh as they were.";
+      "draws them; OSMesa's vertices are uploaded anew and drawn. Moving camera: a turn of 8 views; ours views " +
+      "the retained scene and draws it; OSMesa's data is resident, in buffers or in a display list, whichever is " +
+      "faster, and each view is another matrix. Same picture again: the display file and the mesh unchanged.";
     const body = figures.names.map((name) => figures.largest(name)).flatMap((row) => {
       // A run of new views alone has a table of its own.
       if (!threads.every((n) => figures.compared(row, n, "OSMesa", "start-up"))) return [];
@@ -158,11 +159,11 @@ const summaryMakers = {
     const qualities = [["Embree", "moderate"], ["Embree, high quality", "high"]];
     const columns = threads.flatMap((n) => ["rays", "building the tree"].flatMap((what) =>
       qualities.map(([other, quality]) => ({n, what, other, head: onThreads(`${what}, ${quality}`, n)}))));
-    const text = "How many times as fast our ray caster (ray-cast, exact) is as Embree, which is in single precision: the " +
-      "same triangles, one ray a pixel through its centre, as many threads on both sides. Embree casts coherent packets " +
-      `of ${packet} rays, as wide as this processor's vectors, of which what is the same for all is filled in once; its ` +
-      "device is there and its triangles are in its own form. Rays: cast at a tree that is there, and for each pixel " +
-      "what is hit is noted. Building: making that tree, ours with the edges and planes of the triangles. Moderate and " +
+    const text = "Embree's time, in single precision, over that of our ray caster (ray-cast, exact): the " +
+      "same triangles, one ray a pixel through its centre, the same number of threads. Embree casts coherent packets " +
+      `of ${packet} rays, as wide as this processor's vectors, with common fields filled in once; its ` +
+      "device exists and its triangles are in its own form. Rays: cast at a finished tree, with the hit of each pixel " +
+      "stored. Building: making that tree, ours with the edges and planes of the triangles. Moderate and " +
       "high are the qualities of Embree's tree.";
     const body = figures.names.map((name) => figures.largest(name)).flatMap((row) =>
       rowOf(row, columns.map(({n, what, other}) => figures.besides(row, n, other, what, leftOut))));
@@ -172,11 +173,11 @@ const summaryMakers = {
 
   pieces(figures) {
     const [leftOut, words] = notesOfLeftOut();
-    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map those that are seen, since what " +
-      "is hidden is in none. All get the same triangles, gl2ps's in single precision, with and without " +
-      "GL2PS_BEST_ROOT; and how many times as fast ours is as each, on one thread by the processor's time, as gl2ps " +
-      "has but one. Timed is the sort alone: ours from the triangles to the order and the points of its pieces, " +
-      "gl2ps's gl2psEndPage in a format that writes no polygons, without the handing over.";
+    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map the visible ones. All get " +
+      "the same triangles, gl2ps's in single precision, with and without " +
+      "GL2PS_BEST_ROOT. Beside gl2ps: its time over ours, processor time on one thread, as gl2ps " +
+      "has but one. The time is that of the sort alone: ours from the triangles to the order and the points of its " +
+      "pieces, gl2ps's gl2psEndPage in a format that writes no polygons, without passing the triangles.";
     const body = figures.names.map((name) => figures.shown(name)).flatMap((row) => {
       const triangles = figures.count(row, 1, "gl2ps", "triangles");
       if (triangles === undefined) return [];
@@ -195,11 +196,11 @@ const summaryMakers = {
     const all = figures.beside.filter((b) => b.other === "without exact stages");
     for (const b of all.filter((one) => one.left_out)) leftOut(b.scene, b.what, b.left_out);
     const text = "The time of a method that decides exactly, over that of the same code without its exact stages, on one " +
-      "thread: the geometric mean over the scenes, the least and the greatest; and the wrong pixels that it then has " +
-      "on these scenes. What is timed is the method's own work on a viewed scene, from making ready to what is seen at " +
+      "thread: the geometric mean over the scenes, the least and the greatest; and the wrong pixels without them " +
+      "on these scenes. The time is that of the method's own work on a viewed scene, from preparation to visibility at " +
       "every pixel; of a sort, the sort and the painting of its order. The code without exact stages has a ROUNDOFF of " +
-      "0: what doubles tell is taken. The z-buffer's takes what single precision tells. Without any ROUNDOFF a sort " +
-      "would cut what crosses by rounding alone: it has one of 1e-12. The map has no other precision.";
+      "0: doubles decide. In the z-buffer single precision decides. Without any ROUNDOFF a sort " +
+      "would cut polygons that cross by rounding alone: it has one of 1e-12. The map has no other precision.";
     const body = unique(all.map((b) => b.what)).flatMap((method) => {
       const of = all.filter((b) => b.what === method && !b.left_out);
       if (!of.length) return [];
@@ -212,7 +213,7 @@ const summaryMakers = {
   },
 
   advice(figures) {
-    return {title: "Which method when", text: `From this run alone; times are in those of ${figures.reference}, ` +
+    return {title: "Which method when", text: `From this run alone; times are relative to ${figures.reference}, ` +
       "geometric means over the scenes from which no method was left out. Of methods within a tenth of the fastest the " +
       "first of the tables is named.",
             rows: [["for", "use", "why"], ...advice(figures).map((a) => [a.purpose, a.use, a.reason])]};
@@ -223,7 +224,7 @@ const summaryMakers = {
     return bounds && {title: "The method that picks itself", text: "--hidden auto draws pixels by the z-buffer, whatever " +
       `the scene. Over ${bounds.scenes} scenes it takes ${bounds.total_over_best_fixed} times what the best fixed method ` +
       `takes in total (${bounds.best_fixed}); at worst it takes ${bounds.worst_over_best} times the best method on a ` +
-      `scene (${bounds.worst_scene}, where ${bounds.best_there} is best). --explain says what it picks, for vectors too.`};
+      `scene (${bounds.worst_scene}, where ${bounds.best_there} is best). --explain prints its choice, for vectors too.`};
   },
 
   /** A row a method: its count when exact, with each ROUNDOFF, and in what other formats it has. */
@@ -268,11 +269,11 @@ const summaryMakers = {
     });
     return {title: "Where exactness begins", text: "Exact means: from the coordinates in the display file. Viewing rounds " +
       "to doubles before that. Counted here are pixels in which the truth of the display file differs from that of the " +
-      "world, which is viewed in exact arithmetic (displayfile truth --from world; of hard cases of what touches, " +
-      "--from entered); scenes in the unit cube are entered through a turned perspective view. Of these, ties: both " +
+      "world, which is viewed in exact arithmetic (displayfile truth --from world; of hard cases that touch, " +
+      "--from entered); scenes in the unit cube are entered through a turned perspective view. Ties among these: both " +
       "polygons are there, within 1e-13 of the view volume's depth, as where polygons coincide in the world. In the " +
-      "others an edge or a plane seen edge-on runs through the pixel centre but for rounding, or a slope, a size or an " +
-      "image transformation is so large that it makes rounding seen.",
+      "others an edge or a plane seen edge-on runs through the pixel centre except for rounding, or a slope, a size or " +
+      "an image transformation is so large that it makes rounding visible.",
             rows: [["scenes", "number", "pixels", "differ", "of these ties", "where"], ...body]};
   },
 };
@@ -288,7 +289,7 @@ const isOfNumbers = (rows, column) =>
   rows.slice(1).every((row) => row[column] === "" || row[column] === SKIPPED || /^\d/.test(row[column]));
 
 const aboutHardCases = (figures) => `${figures.hardCases.length} stress scenes of ${figures.sizesOfHardCases} pixels ` +
-  "each: the hard cases, which are made so that rounding decides";
+  "each (the hard cases, in which rounding decides)";
 
 /** The geometric mean of the pieces that a sort, ours or another's, or the map makes of a triangle. */
 function piecesATriangle(figures, rows, column) {

@@ -4,9 +4,10 @@
 /// includes are all that is installed (interp/public_headers.cmake); they need GLM alone. In
 /// groups:
 
-/// The library's version, by which an application may choose what it compiles. CMake reads it here.
+/// The library's version, by which an application may choose what it compiles. CMake and setup.py
+/// read it here; tests/check-version holds all other places that state it against this one.
 #define DISPLAYFILE_VERSION_MAJOR 0
-#define DISPLAYFILE_VERSION_MINOR 1
+#define DISPLAYFILE_VERSION_MINOR 2
 #define DISPLAYFILE_VERSION_PATCH 0
 
 // Exceptions; limits of work, and how it is stopped: Error, WorkBudget, BudgetInForce.

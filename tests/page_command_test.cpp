@@ -86,6 +86,8 @@ TEST_F(PageCommand, WithoutASceneItHasTheGallery) {
 
 TEST_F(PageCommand, BadInputIsRefused) {
   expect_error("page triangle.draw --package nowhere -o page.html", "displayfile-viewer.wasm");
+  expect_error("page triangle.draw --package nowhere -o page.html",
+               "interp/web/make-package builds the WebAssembly of pages");
   expect_error("page missing.draw --package package -o page.html", "missing.draw");
   expect_error("page triangle.draw --package package --hidden fly -o page.html", "'fly'");
   expect_error("page triangle.draw --package package -o nowhere/page.html", "nowhere");

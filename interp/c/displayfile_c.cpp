@@ -21,6 +21,7 @@
 #include "displayfile/segments/hidden_lines_left.h"
 #include "interp/c/system.h"
 #include "interp/device/output_device.h"
+#include "interp/displayfile.h"
 #include "interp/draw/draw.h"
 #include "interp/steps/steps.h"
 #include "interp/truth/truth.h"
@@ -34,6 +35,10 @@ namespace {
 
 static_assert(sizeof(Point3) == 3 * sizeof(double) && sizeof(Colour) == 3 * sizeof(double),
               "rows of them are rows of doubles");
+static_assert(DF_VERSION_MAJOR == DISPLAYFILE_VERSION_MAJOR &&
+                  DF_VERSION_MINOR == DISPLAYFILE_VERSION_MINOR &&
+                  DF_VERSION_PATCH == DISPLAYFILE_VERSION_PATCH,
+              "the version of the C header is that of interp/displayfile.h");
 
 std::optional<Background> background_of(const df_options& options) {
   const double* const c = options.background_colour;

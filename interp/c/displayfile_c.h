@@ -38,7 +38,11 @@ enum { DF_OK = 0, DF_ERROR = 1, DF_BUSY = 2 };
 
 typedef struct df_system df_system;
 
-DF_API const char* df_version(void); /* "0.1.0" */
+/* The version of this header, and that of the library at run time, such as "1.2.3". */
+#define DF_VERSION_MAJOR 0
+#define DF_VERSION_MINOR 2
+#define DF_VERSION_PATCH 0
+DF_API const char* df_version(void);
 
 /* Null if there is no memory. */
 DF_API df_system* df_create(void);

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -29,7 +30,8 @@ class CMakeBuild(build_ext):
 
     Where CMake has built them already (the target displayfile_python), the environment variable
     DISPLAYFILE_PYTHON_BUILT may name the folder: they are taken from there. The package's metadata
-    have the licences of what is in it.
+    have the licences of what is in it. CMAKE_ARGS, as for other builds of extension modules, are
+    more options for CMake.
     """
 
     def build_extension(self, ext: Extension) -> None:
@@ -57,7 +59,8 @@ class CMakeBuild(build_ext):
             "Python_EXECUTABLE": sys.executable,
         }
         definitions = [f"-D{name}={value}" for name, value in options.items()]
-        subprocess.check_call(["cmake", "-G", "Ninja", *definitions, str(ROOT)], cwd=build)
+        given = shlex.split(os.environ.get("CMAKE_ARGS", ""))
+        subprocess.check_call(["cmake", "-G", "Ninja", *definitions, *given, str(ROOT)], cwd=build)
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.check_call(
             ["cmake", "--build", ".", "--target", "displayfile_python", "--parallel", jobs],

@@ -1,5 +1,5 @@
-# The last entry of the changelog: its version must be the project's; its date and who wrote it are
-# that of the packages and of the manual pages.
+# The last entry of the changelog: its version must be the project's; its date is that of the manual
+# pages.
 set(changelog ${PROJECT_SOURCE_DIR}/programs/debian/changelog)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${changelog})
 file(STRINGS ${changelog} entry LIMIT_COUNT 1)
@@ -9,12 +9,11 @@ endif()
 set(DISPLAYFILE_DEBIAN_REVISION ${CMAKE_MATCH_1})
 file(STRINGS ${changelog} signed REGEX "^ -- ")
 list(GET signed 0 signed)
-if(NOT signed MATCHES "^ -- (.+ <.+>)  [A-Z][a-z][a-z], ([0-9][0-9]) ([A-Z][a-z][a-z]) ([0-9]+) ")
-  message(FATAL_ERROR "${changelog}: expected who wrote it, and a date: ${signed}")
+if(NOT signed MATCHES "^ -- @MAINTAINER@  [A-Z][a-z][a-z], ([0-9][0-9]) ([A-Z][a-z][a-z]) ([0-9]+) ")
+  message(FATAL_ERROR "${changelog}: expected @MAINTAINER@, and a date: ${signed}")
 endif()
-set(DISPLAYFILE_MAINTAINER "${CMAKE_MATCH_1}")
 set(months Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec)
-list(FIND months ${CMAKE_MATCH_3} month)
+list(FIND months ${CMAKE_MATCH_2} month)
 math(EXPR month "101 + ${month}")
 string(SUBSTRING ${month} 1 2 month)
-set(DISPLAYFILE_DATE ${CMAKE_MATCH_4}-${month}-${CMAKE_MATCH_2})
+set(DISPLAYFILE_DATE ${CMAKE_MATCH_3}-${month}-${CMAKE_MATCH_1})

@@ -55,7 +55,6 @@ arrays of NumPy in and out.")
 
 # ---- Whose, and which version ------------------------------------------------------------------
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${DISPLAYFILE_DEBIAN_REVISION})
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${DISPLAYFILE_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_SOURCE displayfile)
 set(CPACK_PACKAGE_NAME displayfile)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -155,9 +154,7 @@ write_copyright(copyright-modules "License: GPL-${gpl}+
  /usr/share/common-licenses/GPL-${gpl}.
 ")
 find_program(GZIP gzip REQUIRED)
-execute_process(COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/programs/debian/changelog
-                OUTPUT_FILE ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz
-                COMMAND_ERROR_IS_FATAL ANY)
+set(signed_changelog ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz)
 foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
@@ -167,7 +164,11 @@ foreach(component ${CPACK_COMPONENTS_ALL})
   endif()
   install(FILES ${PROJECT_BINARY_DIR}/debian/${licence_file} RENAME copyright
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.Debian.gz
+  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DGZIP=${GZIP}\"
+    \"-DCHANGELOG=${sources}/changelog\" \"-DOUTPUT=${signed_changelog}\"
+    -P \"${sources}/signed_changelog.cmake\" COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${signed_changelog}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
   configure_file(programs/debian/lintian-overrides.in debian/lintian/${package} @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/debian/lintian/${package}

@@ -41,8 +41,9 @@ std::string PageFiles::text(const std::string& name) const {
     places.push_back(folder.string());
   }
   throw Error(
-      fmt::format("{} is not in {}: the page's WebAssembly is made by tests/page, and found by "
-                  "--package FOLDER",
+      fmt::format("{} is not in {}: in the source folder, interp/web/make-package builds the "
+                  "WebAssembly of pages, and with --prefix PREFIX installs it beside the command "
+                  "in PREFIX/bin; --package FOLDER names another place",
                   name, fmt::join(places, ", nor in ")));
 }
 

@@ -8,6 +8,6 @@ namespace displayfile {
 /// there, and the licence of this build.
 std::string version();
 
-const char* version_number();  ///< the project's alone, such as "0.1.0"
+const char* version_number();  ///< the project's alone, such as "1.2.3"
 
 }  // namespace displayfile

@@ -62,6 +62,7 @@ static const char kLineBehind[] =
     "move-abs-3 0.4 0.2 0.1\nline-abs-3 0.6 0.2 0.1\nclose-segment\n";
 
 static void test_routines(void) {
+  char version[40];
   size_t i, found = 0;
   for (i = 0; i < df_routines(); ++i) {
     EXPECT(df_routine_name(i) != NULL && df_routine_arguments(i) != NULL);
@@ -72,7 +73,8 @@ static void test_routines(void) {
   EXPECT(df_routine_name(df_routines()) == NULL);
   EXPECT(df_routine_arguments((size_t)-1) == NULL);
   EXPECT(df_routine_meaning(df_routines()) == NULL && df_routine_section(df_routines()) == NULL);
-  EXPECT(strchr(df_version(), '.') != NULL);
+  sprintf(version, "%d.%d.%d", DF_VERSION_MAJOR, DF_VERSION_MINOR, DF_VERSION_PATCH);
+  EXPECT(strcmp(df_version(), version) == 0);
 }
 
 static void test_pictures(void) {

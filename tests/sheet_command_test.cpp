@@ -95,7 +95,7 @@ TEST_F(SheetCommandTest, ALongTitleKeepsWithinItsCell) {
   EXPECT_EQ(err_, "");
   const auto shortened = lines_of_title("--title '" + std::string(500, 'x') + "'");
   EXPECT_TRUE(shortened.back().characters.ends_with("\xE2\x80\xA6"));
-  EXPECT_NE(err_.find("s.svg: too long for the title block, and shortened: TITLE xxx"),
+  EXPECT_NE(err_.find("s.svg: too long for the title block, shortened: TITLE xxx"),
             std::string::npos)
       << err_;
   EXPECT_NE(read(folder_ / "s.svg").find("<title>" + std::string(500, 'x')), std::string::npos);

@@ -318,7 +318,7 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --unit foot", "--unit foot: expected mm, cm, m or inch");
   expect_error("sheet box.obj -o s.svg --section back=1", "--section back=1: expected front=");
   expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
-  expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "has a section already");
+  expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "already has a section");
   expect_error("sheet box.obj -o s.svg --hatch 0", "--hatch 0: expected");
   expect_error("sheet box.obj -o s.svg --hatch fine", "--hatch: fine: expected a number");
   expect_error("sheet box.obj -o s.svg --margin -1", "margins of -1 mm");

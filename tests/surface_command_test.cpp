@@ -376,8 +376,7 @@ TEST_F(SurfaceCommandTest, TheLegendHasRoomForItsTexts) {
 }
 
 TEST_F(SurfaceCommandTest, LinesHaveNoColoursOfHeights) {
-  expect_error("surface x --colour height --hidden franklin -o s.svg",
-               "franklin draws lines alone");
+  expect_error("surface x --colour height --hidden franklin -o s.svg", "franklin draws lines only");
 }
 
 TEST_F(SurfaceCommandTest, WhatTouchesIsSetInTheProgramToo) {

@@ -63,8 +63,8 @@ void WorkBudget::ask(std::uint64_t more_comparisons) {
       comparisons_.fetch_add(more_comparisons, std::memory_order_relaxed) + more_comparisons;
   if (is_stopped()) {
     const char* const what = in_force.done.what;
-    throw LimitReached(fmt::format("{}stopped, as was asked for",
-                                   what == nullptr ? "" : std::string(what) + ": "));
+    throw LimitReached(
+        fmt::format("{}stopped on request", what == nullptr ? "" : std::string(what) + ": "));
   }
   if (compared > limits_.comparisons) {
     fail(fmt::format("{} comparisons are not enough, {} were made", limits_.comparisons, compared),

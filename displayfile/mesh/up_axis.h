@@ -41,7 +41,6 @@ class CommonUpright {
 
 /// The warning if they differ.
 inline constexpr std::string_view kStandDifferently =
-    "it and what is drawn with it have different axes up: y is taken for all, where --up says "
-    "nothing else";
+    "inputs drawn together have different up axes: y is used for all unless --up is set";
 
 }  // namespace displayfile

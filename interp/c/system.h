@@ -133,7 +133,7 @@ Structure known(const Structure* given, const char* name) {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
   const std::size_t both = std::min(size, sizeof result);
   if (std::any_of(bytes + both, bytes + size, [](unsigned char byte) { return byte != 0; })) {
-    throw Error(fmt::format("{}: size {}: it says more than version {} of the library knows", name,
+    throw Error(fmt::format("{}: size {}: larger than version {} of the library supports", name,
                             size, df_version()));
   }
   std::memcpy(static_cast<void*>(&result), bytes, both);

@@ -70,7 +70,7 @@ class InstructionCheck : public GoldenCheck {
 };
 
 std::string flat_name(const std::string& input, std::string_view extension) {
-  if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
+  if (input == "-") throw Error("check needs files: the golden file is named after its input");
   return fs::path(input).stem().string() + std::string(extension);
 }
 

@@ -546,7 +546,7 @@ int BenchCommand::run() const {
   measuring.finish();
   print(report);
   std::cout << fmt::format(
-      "{} figures and comparisons measured, {} taken from an interrupted run\n{}\n",
+      "{} figures and comparisons measured, {} taken over from an interrupted run\n{}\n",
       measuring.measured_now(), measuring.from_before(), page);
   return exact_methods_are_right(report) ? 0 : 1;
 }

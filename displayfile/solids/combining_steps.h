@@ -9,11 +9,11 @@
 
 namespace displayfile {
 
-/// Counts the steps in which two solids are combined. They count as comparisons of the budget in
-/// force. There is a limit without a budget, too, so that each combination ends.
+/// Counts the steps of combining two solids, as comparisons of the budget in force. A limit holds
+/// without a budget too, so that each combination terminates.
 class CombiningSteps {
  public:
-  /// Where no other limit is set.
+  /// The default limit.
   static constexpr std::uint64_t kMost = 100'000'000;
 
   /// `what` names the combination in messages, such as "the union with part 2 of 3".

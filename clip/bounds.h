@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// The box around points in space, its faces included, in doubles; any coordinates. Without points
-/// low is above high.
+/// The closed bounding box of points in space, in doubles; any coordinates. Without points, low is
+/// above high.
 struct Bounds {
   Point3 low{std::numeric_limits<double>::infinity()};
   Point3 high{-std::numeric_limits<double>::infinity()};

@@ -8,21 +8,20 @@
 
 namespace displayfile {
 
-/// What the pipeline lets through of a polygon, in normalised device coordinates.
-/// Side i runs from vertex i - 1 (the last one, for i = 0) to vertex i; it is drawn if
-/// edge_visible[i] is not 0. A side that the clipping made is not drawn. No vertices: the
-/// polygon is outside. Valid until the pipeline's next call.
+/// A clipped polygon, in normalised device coordinates. Side i runs from vertex i - 1 (the last
+/// one, for i = 0) to vertex i; it is drawn if edge_visible[i] is not 0. Sides made by clipping are
+/// not drawn. No vertices: the polygon is outside. Valid until the pipeline's next call.
 struct ClippedPolygon {
   std::span<const Point3> vertices;
   std::span<const std::uint8_t> edge_visible;
-  std::span<const double> intensities = {};  ///< of the vertices, if the polygon had some
+  std::span<const double> intensities = {};  ///< per vertex, if the polygon had some
   std::span<const Point3> normals = {};      ///< likewise
 };
 
-/// A vertex that polygons share, as the pipeline sees it.
+/// A transformed vertex that polygons share.
 struct PipelineVertex {
   Point3 device;    ///< if it is inside of all planes
-  Outcode outcode;  ///< the planes that it is outside of
+  Outcode outcode;  ///< the planes outside of which it lies
 };
 
 /// The clip pipeline: world coordinates in, normalised device coordinates out.
@@ -40,7 +39,7 @@ struct PipelineVertex {
 class ClipPipeline {
  public:
   explicit ClipPipeline(const ViewVolume& volume) : volume_(volume) {}
-  /// From here on in another view.
+  /// Changes the view.
   void set_volume(const ViewVolume& volume) { volume_ = volume; }
 
   /// Clips a polygon of any number of sides, convex or not; edge_visible as in
@@ -48,16 +47,16 @@ class ClipPipeline {
   ClippedPolygon clip_polygon(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible = {},
                               std::span<const double> intensities = {});
-  /// The same of a polygon whose vertices have normals, one each.
+  /// The same for a polygon with one normal per vertex.
   ClippedPolygon clip_with_normals(std::span<const Point3> world,
                                    std::span<const std::uint8_t> edge_visible,
                                    std::span<const Point3> normals);
 
-  /// Clips the line from a to b (world) in place of its device coordinates; false if
-  /// nothing of it is inside. From b to a it has the same two ends, bit for bit.
+  /// Clips the line from a to b (world) and returns its ends in device coordinates; false if it is
+  /// outside. From b to a it gives the same two ends, bit for bit.
   bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) const;
 
-  /// A polygon all of whose vertices are inside has their device coordinates.
+  /// A polygon with all vertices inside has their device coordinates.
   PipelineVertex view(const Point3& world) const {
     const HomogeneousPoint p = volume_.transform(world);
     const Outcode outcode = volume_.outcode(p);
@@ -76,7 +75,7 @@ class ClipPipeline {
   struct ShadedVertex : Vertex {
     Value value;  ///< its intensity, or its normal
   };
-  /// What goes into a stage, and what comes out of it.
+  /// A stage's input and output.
   template <class V>
   struct Stages {
     std::vector<V> in, out;
@@ -86,10 +85,10 @@ class ClipPipeline {
   V cut(const V& inside, const V& outside, ClipPlane plane) const;
   template <class V>
   void clip_stage(ClipPlane plane, Stages<V>& stage) const;
-  /// No vertex of the polygon has a value.
+  /// For polygons without values.
   struct NoValues {};
-  /// Takes the vertices, transformed, through all stages that they need: into stage.in. Values are
-  /// a span, if the stages' vertices have them.
+  /// Transforms the vertices and runs the stages that they need; the result is in stage.in. Values
+  /// are a span, if the stages' vertices have them.
   template <class V, class Values>
   void run_stages(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
                   const Values& values, Stages<V>& stage) const;

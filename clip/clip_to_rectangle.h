@@ -10,12 +10,11 @@
 
 namespace displayfile {
 
-/// Sutherland and Hodgman's four stages for a polygon that is drawn already, where there are no
-/// planes left but the sides of a rectangle: for devices that take no points far outside of the
-/// page. Point is Point2 or Point3; where a side crosses the rectangle's, all coordinates run
-/// linearly. (ClipPipeline does more: homogeneous points, sides that are not drawn, and the same
-/// cut for polygons that share a side.) `spare` keeps its memory from one polygon to the next. The
-/// rectangle is not empty, and coordinates are finite.
+/// Sutherland and Hodgman's four stages for a polygon in the picture, against the sides of a
+/// rectangle, for devices that accept no points far outside of the page. Point is Point2 or Point3;
+/// all coordinates are interpolated linearly where a side crosses. (ClipPipeline does more:
+/// homogeneous points, undrawn sides, and equal cuts of shared sides.) `spare` keeps its memory
+/// between calls. The rectangle is not empty, and coordinates are finite.
 template <class Point>
 void clip_to_rectangle(std::vector<Point>& polygon, std::vector<Point>& spare,
                        const Rectangle& rectangle) {
@@ -48,9 +47,9 @@ struct LinePart {
   double from = 0.0, to = 1.0;
 };
 
-/// What lies in the rectangle of a part of the line from `start` to `end`, which must be finite;
-/// nothing if none of it does. Liang and Barsky, "A new concept and method for line clipping", ACM
-/// TOG 3 (1984).
+/// The part in the rectangle of a part of the line from `start` to `end`, which must be finite;
+/// none if it is outside. Liang and Barsky, "A new concept and method for line clipping", ACM TOG 3
+/// (1984).
 template <class Point>
 std::optional<LinePart> part_in_rectangle(const Point& start, const Point& end,
                                           const Rectangle& rectangle, LinePart part = {}) {

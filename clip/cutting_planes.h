@@ -10,18 +10,18 @@
 
 namespace displayfile {
 
-/// What cutting planes leave of a polygon, in world coordinates; spans as in ClippedPolygon
-/// (clip/clip_pipeline.h). Sides that the cutting made are not drawn. No vertices: all is cut away.
+/// A polygon after cutting, in world coordinates; spans as in ClippedPolygon
+/// (clip/clip_pipeline.h). Sides made by cutting are not drawn. No vertices: all is cut away.
 struct CutPolygon {
   std::span<const Point3> vertices;
-  std::span<const std::uint8_t> edge_visible;  ///< may be empty: all are
-  std::span<const Point3> normals;             ///< if the polygon had some
-  std::span<const Point3> entered;  ///< the vertices as they were entered, if these were given
+  std::span<const std::uint8_t> edge_visible;  ///< empty: all
+  std::span<const Point3> normals;             ///< if the polygon had normals
+  std::span<const Point3> entered;  ///< the vertices before the modelling transformation, if passed
 };
 
-/// Up to six planes of world coordinates, each of which cuts away what has a x + b y + c z + d < 0:
-/// to look inside (clip/cutting_planes.md). Distances and cut points are doubles. PHIGS's modelling
-/// clipping volume, and OpenGL's user clip planes.
+/// Up to six planes in world coordinates; each cuts away the half-space a x + b y + c z + d < 0
+/// (clip/cutting_planes.md). Distances and cut points are doubles. PHIGS's modelling clipping
+/// volume, and OpenGL's user clip planes.
 class CuttingPlanes {
  public:
   static constexpr int kMost = 6;
@@ -50,23 +50,22 @@ class CuttingPlanes {
     return false;
   }
 
-  /// What is left of a polygon; edge_visible empty for "all sides", normals one a vertex or none.
-  /// A normal where an edge is cut is that which runs linearly along the edge, between normals of
-  /// length 1. `entered` are the vertices before the modelling transformation, or none: they are
-  /// cut at the same places. What is not cut is returned as it was given. Valid until the next
-  /// call.
+  /// Cuts a polygon; edge_visible empty for "all sides", normals one per vertex or none. Where an
+  /// edge is cut, the normal is interpolated linearly between normals of length 1. `entered` are
+  /// the vertices before the modelling transformation, or none; they are cut at the same places. An
+  /// uncut polygon is returned unchanged. Valid until the next call.
   CutPolygon cut(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
                  std::span<const Point3> normals, std::span<const Point3> entered = {});
-  /// What is left of the line from a to b, in their place; false if that is nothing. From b to a it
-  /// has the same two ends, bit for bit.
+  /// Cuts the line from a to b in place; false if nothing is left. From b to a it gives the same
+  /// two ends, bit for bit.
   bool cut_line(Point3& a, Point3& b) const;
 
-  // For who cuts a whole solid, plane by plane (displayfile/solids/cut_solid.h). Plane n is on.
+  // For cutting a whole solid plane by plane (displayfile/solids/cut_solid.h). Plane n is on.
 
-  /// Twice or less than twice the signed distance, in units of some power of two: below 0 where the
+  /// The signed distance times a positive factor of at most 2 and a power of two: below 0 where the
   /// plane cuts away.
   double distance(int n, const Point3& world) const { return plane(n).distance(world); }
-  /// Toward what stays, of length 1; the plane is normal . p = -offset.
+  /// The unit normal toward the side that is kept; the plane is normal . p = -offset.
   struct UnitPlane {
     Point3 normal;
     double offset;
@@ -76,10 +75,10 @@ class CuttingPlanes {
   struct Place {
     Point3 position;
     Point3 normal;
-    Point3 entered{0.0};  ///< before the modelling transformation, where that is wanted
+    Point3 entered{0.0};  ///< before the modelling transformation, if needed
   };
-  /// Where the edge between a vertex inside of plane n and one outside of it, or on it, crosses:
-  /// the point that `cut` makes there, bit for bit.
+  /// Where the edge crosses plane n, between a vertex inside and one outside or on it: the point
+  /// that `cut` makes there, bit for bit.
   Place crossing(int n, const Place& inside, const Place& outside) const;
 
  private:

@@ -12,16 +12,16 @@
 
 namespace displayfile {
 
-/// Finds points that are equal to the last bit; a table of places, no less than half of them free.
+/// Finds points that are equal bit for bit, by a hash table that is at most half full.
 class EqualPoints {
  public:
-  /// Adds to `points`, which must live on, so many at most.
+  /// Appends at most `most` points to `points`, which must outlive it.
   EqualPoints(std::vector<Point3>& points, std::size_t most)
       : points_(points), table_(std::bit_ceil(2 * most + 1), kFree) {}
 
-  /// From here on only points that are added later are found.
+  /// Forgets all points so far: only points added later are found.
   void forget() { first_ = points_.size(); }
-  /// The number of that point, which is added if there is none.
+  /// The point's index; it is added if not found.
   std::uint32_t number_of(const Point3& p) {
     std::size_t at = hash_(p) & (table_.size() - 1);
     while (table_[at] != kFree && !is(table_[at], p)) at = (at + 1) & (table_.size() - 1);

@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-/// The mean of what a polygon has at its vertices, of which there are some: intensities or normals.
+/// The mean of a polygon's vertex values, intensities or normals; there must be some.
 template <class Value>
 Value mean_of_vertices(std::span<const Value> values) {
   assert(!values.empty());
@@ -14,8 +14,8 @@ Value mean_of_vertices(std::span<const Value> values) {
          static_cast<double>(values.size());
 }
 
-/// What a polygon has that is not shaded over its picture but evenly: the mean of its vertices'
-/// intensities, of which there are some. In [0,1] each.
+/// The intensity of a polygon filled with one colour: the mean of its vertices' intensities, each
+/// in [0,1]; there must be some.
 inline double mean_intensity(std::span<const double> intensities) {
   return mean_of_vertices(intensities);
 }

@@ -105,8 +105,7 @@ std::string words_of(const LineSelection& selection) {
 
 void require_selection(const LineSelection& selection) {
   if ((selection.kinds & kEveryKind) == 0 || (selection.kinds & ~kEveryKind) != 0) {
-    throw Error("no kinds of lines that there are: expected one or more of " +
-                names_of(kEveryKind));
+    throw Error("unknown kinds of lines: expected one or more of " + names_of(kEveryKind));
   }
   if (!is_in_range(selection.crease_degrees)) {
     throw Error("crease of " + std::to_string(selection.crease_degrees) +

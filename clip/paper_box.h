@@ -4,12 +4,12 @@
 
 namespace displayfile {
 
-/// A rectangle in a plane, between two corners: what letters take up, or a view on paper.
+/// A rectangle in a plane, given by two corners: the extent of letters, or of a view on paper.
 struct PaperBox {
   Point2 low, high;
 
   PaperBox widened(const Point2& by) const { return {low - by, high + by}; }
-  /// True if they have more than sides in common.
+  /// True if the interiors overlap.
   bool overlaps(const PaperBox& other) const {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
            other.low.y < high.y;

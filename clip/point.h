@@ -13,8 +13,8 @@ using Point2 = glm::dvec2;
 using Point3 = glm::dvec3;
 using HomogeneousPoint = glm::dvec4;
 
-/// World coordinates larger than this (after the modelling transformation) are
-/// refused, so that no product in the pipeline can overflow.
+/// Limit of world coordinates (after the modelling transformation). Larger ones are refused, so
+/// that no product in the pipeline can overflow.
 inline constexpr double kCoordinateLimit = 1e100;
 
 /// True for a point that is finite and within kCoordinateLimit.
@@ -23,13 +23,13 @@ inline bool in_range(const Point3& p) {
   return is_within(p.x) && is_within(p.y) && is_within(p.z);  // false for NaN too
 }
 
-/// A rectangle, in doubles: of the view plane (window), of normalised device coordinates
-/// (viewport), or around a polygon in the projection. (clip/bounds.h has boxes in space.)
+/// A rectangle: a window in the view plane, a viewport in normalised device coordinates, or a
+/// bounding rectangle in the projection. (clip/bounds.h has boxes in space.)
 struct Rectangle {
   double x_min, x_max, y_min, y_max;
   bool operator==(const Rectangle&) const = default;
 
-  /// The rectangle around no point: turned inside out.
+  /// The empty rectangle, with its limits reversed.
   static constexpr Rectangle nothing() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {kInfinity, -kInfinity, kInfinity, -kInfinity};

@@ -12,14 +12,14 @@
 
 namespace displayfile {
 
-/// The points of a polygon's corners in a row: where they are, or gathered here if they are among
-/// points that polygons share. A span of them is valid as long as this.
+/// A polygon's corners in contiguous memory: in place, or gathered here from shared points. Spans
+/// of them are valid during its lifetime.
 class PointRow {
  public:
-  /// Points that are in a row: a span, an array, a vector. They must stay.
+  /// Contiguous points: a span, an array, a vector. They must outlive it.
   template <std::convertible_to<std::span<const Point3>> Row>
   requires(!std::same_as<Row, PointRow>) PointRow(const Row& row) : row_(row) {}
-  /// The points of those indices.
+  /// The points with these indices.
   PointRow(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
     if (corners.size() > kFew) many_.resize(corners.size());
     Point3* const row = corners.size() > kFew ? many_.data() : few_.data();

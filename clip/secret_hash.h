@@ -8,17 +8,17 @@
 
 namespace displayfile {
 
-/// Hashes for tables whose keys come from files: with numbers that are drawn anew in each process,
-/// so that nobody can write a file whose keys all fall into one place, which makes a table's time
-/// grow with the square of their number. Never anything that a result depends on.
+/// Hashes for tables whose keys come from files, seeded randomly in each process, so that no file
+/// can be made whose keys all collide, which would take quadratic time. No result may depend on
+/// them.
 class SecretHash {
  public:
   SecretHash() noexcept;
-  /// Takes the same numbers in each process, from the first hash on: for who counts instructions.
+  /// Uses fixed seeds, before the first hash; for counting instructions.
   static void use_known_numbers() noexcept;
 
   std::size_t operator()(std::uint64_t key) const noexcept { return last(mixed(secret_, key)); }
-  /// Equal points have equal hashes, whichever zero they are written with.
+  /// Equal points have equal hashes, for 0 and -0 too.
   std::size_t operator()(const Point3& p) const noexcept { return last(of(p)); }
   std::size_t operator()(const Point3& p, std::uint64_t key) const noexcept {
     return last(mixed(of(p), key));

@@ -8,34 +8,33 @@
 
 namespace displayfile {
 
-/// How the hidden surfaces and lines of one picture are found: made once for a picture, of a call's
-/// HiddenSurfaceOptions and what the application set (displayfile/segments/surface_plan.h), and
-/// read by all that finds surfaces or lines.
+/// The plan by which one picture's hidden surfaces and lines are found: made once per picture from
+/// a call's HiddenSurfaceOptions and the application's settings
+/// (displayfile/segments/surface_plan.h), and read by every method.
 struct SurfacePlan {
-  HiddenMethod method = HiddenMethod::automatic;  ///< `automatic` until one is picked
+  HiddenMethod method = HiddenMethod::automatic;  ///< `automatic` until one is chosen
   Precision precision = {};
   RootChoice root = RootChoice::free;
-  /// The methods that find lines draw them too where they are hidden
-  /// (hidden/lines/lines_in_order.h).
+  /// Whether methods that find lines also draw hidden parts (hidden/lines/lines_in_order.h).
   HiddenLines hidden_lines = HiddenLines::none;
-  /// They draw those too along which polygons pass through each other
+  /// Whether they also draw lines along which polygons intersect
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
-  /// The map finds which of its pieces the light reaches, where shadows are shown.
+  /// Whether the map finds which of its pieces are lit, for shadows.
   bool shadows = false;
-  std::optional<HiddenScope> scope = std::nullopt;  ///< none: as usual where it is drawn
-  int threads = 1;                                  ///< the result is the same for any number
-  std::size_t most_pieces = kMostPieces;            ///< of a sort; Error for more
-  WorkProgress progress = {};    ///< called by methods that find lines: of lines done
-  WorkBudget* budget = nullptr;  ///< LimitReached for more, if not null
+  std::optional<HiddenScope> scope = std::nullopt;  ///< none: the default of the drawing function
+  int threads = 1;                                  ///< the result does not depend on it
+  std::size_t most_pieces = kMostPieces;            ///< limit of a sort; Error above it
+  WorkProgress progress = {};    ///< called by methods that find lines, with lines done
+  WorkBudget* budget = nullptr;  ///< limits, if not null
 
-  /// The same by another method.
+  /// The same with another method.
   SurfacePlan by(HiddenMethod other) const {
     SurfacePlan plan = *this;
     plan.method = other;
     return plan;
   }
-  /// What is kept after the call: without its progress and its budget.
+  /// The part to keep after the call: without progress and budget.
   SurfacePlan kept() const {
     SurfacePlan plan = *this;
     plan.progress = {};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How hidden surfaces are found, and which lines are drawn: methods, scope, precision, hidden
-/// lines, kinds of lines and touching, each with the words for it in drawing programs.
+/// Hidden-surface settings and line selection: methods, scope, precision, hidden lines, kinds of
+/// lines and touching, each with its words in drawing programs.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,175 +16,172 @@ namespace displayfile {
 
 // Methods.
 
-/// How hidden surfaces or hidden lines are found. `automatic` lets the system pick. Beside those
-/// that have a name here there is the colour rule by each method of surfaces: colour_rule_by().
+/// Methods of hidden-surface and hidden-line removal. `automatic` lets the system choose. Besides
+/// the named methods there is the colour rule by each method of surfaces: colour_rule_by().
 enum class HiddenMethod {
   automatic,
-  none,        ///< the heedless painter: polygons in the order they were entered
-  back_face,   ///< the back-face check alone: right for a single convex object
-  z_buffer,    ///< in image space, pixel by pixel
-  bsp,         ///< in object space: a tree of the polygons' planes (hidden/sort/bsp.md)
-  depth_sort,  ///< in object space: a graph of what must be drawn first (hidden/sort/depth_sort.md)
-  map,         ///< in object space: what is seen of each polygon (hidden/map/visible_map.md)
-  scan_line,   ///< in image space, row by row, without a z-buffer (interp/visibility/scan_line.md)
+  none,         ///< no removal: polygons in order of entry
+  back_face,    ///< the back-face check alone: correct for a single convex object
+  z_buffer,     ///< in image space, pixel by pixel
+  bsp,          ///< in object space: a tree of the polygons' planes (hidden/sort/bsp.md)
+  depth_sort,   ///< in object space: a graph of drawing order (hidden/sort/depth_sort.md)
+  map,          ///< in object space: the visible parts of each polygon (hidden/map/visible_map.md)
+  scan_line,    ///< in image space, row by row, without a z-buffer (interp/visibility/scan_line.md)
   scan_line_z,  ///< in image space, row by row, with a z-buffer one row high
   ray_cast,     ///< in image space, a ray through each pixel centre (interp/visibility/ray_cast.md)
-  world_ray_cast,  ///< in object space, before viewing: the same by rays in world coordinates
-  warnock,         ///< in image space, areas subdivided until it is easy to tell
-                   ///< (interp/visibility/warnock.md)
-  plain_z_buffer,  ///< the z-buffer as textbooks give it, with the depths' rounding and all that it
-                   ///< gets wrong (interp/visibility/plain_z_buffer.h): depths as floats;
-  plain_z_buffer_16,      ///< as integers of 16 bits,
-  plain_z_buffer_24,      ///< of 24,
-  plain_z_buffer_32,      ///< of 32;
-  plain_z_buffer_double,  ///< as doubles. Never what `automatic` picks, as no plain form is
-  plain_scan_line,  ///< `scan_line`, as textbooks give it (interp/visibility/plain_scan_line.h)
-  plain_warnock,    ///< `warnock`, the same (interp/visibility/plain_warnock.h)
-  plain_bsp,        ///< `bsp`, the same (hidden/sort/plain_bsp.h)
-  roberts,          ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
-  appel,            ///< lines in object space, by the number of polygons before them
-                    ///< (hidden/lines/appel.md)
-  franklin,         ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
-  perimeter,        ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
-  plain_appel,      ///< `appel`, as textbooks give it (hidden/lines/plain_appel.h)
-  colour_rule,      ///< fills in the background's colour, lines over them, by the surfaces that
-                    ///< `automatic` finds (interp/raster/colour_rule.md). The last of this list
+  world_ray_cast,         ///< in object space, before viewing: by rays in world coordinates
+  warnock,                ///< in image space, areas subdivided until they are simple
+                          ///< (interp/visibility/warnock.md)
+  plain_z_buffer,         ///< the textbook's z-buffer, with the errors of rounded depths
+                          ///< (interp/visibility/plain_z_buffer.h): depths as floats;
+  plain_z_buffer_16,      ///< as 16-bit integers,
+  plain_z_buffer_24,      ///< 24-bit,
+  plain_z_buffer_32,      ///< 32-bit;
+  plain_z_buffer_double,  ///< as doubles. `automatic` never chooses a plain form
+  plain_scan_line,        ///< the textbook's `scan_line` (interp/visibility/plain_scan_line.h)
+  plain_warnock,          ///< the textbook's `warnock` (interp/visibility/plain_warnock.h)
+  plain_bsp,              ///< the textbook's `bsp` (hidden/sort/plain_bsp.h)
+  roberts,      ///< lines in object space, each against all polygons (hidden/lines/roberts.md)
+  appel,        ///< lines in object space, by the number of polygons in front of them
+                ///< (hidden/lines/appel.md)
+  franklin,     ///< lines in object space, by cells of the picture (hidden/lines/franklin.md)
+  perimeter,    ///< the curves of one surface over a grid (hidden/lines/perimeter.md)
+  plain_appel,  ///< the textbook's `appel` (hidden/lines/plain_appel.h)
+  colour_rule,  ///< fills in the background colour with lines over them, surfaces by `automatic`
+                ///< (interp/raster/colour_rule.md). Must be last
 };
 
-/// The colour rule by a method of surfaces; by `automatic` it is HiddenMethod::colour_rule.
+/// The colour rule with surfaces found by `surfaces`; with `automatic`, HiddenMethod::colour_rule.
 constexpr HiddenMethod colour_rule_by(HiddenMethod surfaces) {
   return static_cast<HiddenMethod>(static_cast<int>(HiddenMethod::colour_rule) +
                                    static_cast<int>(surfaces));
 }
 constexpr bool is_colour_rule(HiddenMethod method) { return method >= HiddenMethod::colour_rule; }
-/// The method by which a colour rule finds surfaces; of another method, that method.
+/// The method by which a colour rule finds surfaces; any other method is returned unchanged.
 constexpr HiddenMethod surfaces_of(HiddenMethod method) {
   if (!is_colour_rule(method)) return method;
   return static_cast<HiddenMethod>(static_cast<int>(method) -
                                    static_cast<int>(HiddenMethod::colour_rule));
 }
 
-/// True for the methods that find which lines are seen: polygons hide, but their fills are not
-/// drawn.
+/// True for methods that find visible lines: polygons hide, but their fills are not drawn.
 constexpr bool finds_lines(HiddenMethod method) {
   return method == HiddenMethod::roberts || method == HiddenMethod::appel ||
          method == HiddenMethod::franklin || method == HiddenMethod::perimeter ||
          method == HiddenMethod::plain_appel;
 }
-/// True for what draws surfaces over grids alone, and refuses other scenes.
+/// True for methods that draw only surfaces over grids and refuse other scenes.
 constexpr bool needs_surface(HiddenMethod method) { return method == HiddenMethod::perimeter; }
 
-/// True for the methods whose pictures are of lines: of fills nothing is seen but what they hide.
+/// True for methods whose pictures show lines only: fills hide but are not visible.
 constexpr bool shows_lines_only(HiddenMethod method) {
   return finds_lines(method) || is_colour_rule(method);
 }
 
-/// One line a name: that of a method in drawing programs and on the command line. A method's first
-/// name is the one it is written with. Of the colour rules only the first is in the list.
+/// One name of a method in drawing programs and on the command line. A method may have several; the
+/// first is the one written. Only the first colour rule is in the list.
 struct HiddenMethodEntry {
   HiddenMethod method;
   std::string_view name;
 };
 std::span<const HiddenMethodEntry> hidden_methods();
 
-/// The method of that name; for colour-rule=METHOD the colour rule by that method of surfaces.
-/// Throws Error for any other name, after colour-rule= also for a method that finds no surfaces,
-/// and lists the names that are allowed there.
+/// The method with that name; for colour-rule=METHOD, the colour rule by that method. Throws Error,
+/// listing the allowed names, for any other name, and after colour-rule= for a method that finds no
+/// surfaces.
 HiddenMethod hidden_method(std::string_view name);
 std::string_view name_of(HiddenMethod method);
 
 // Scope, precision and hidden lines.
 
-/// Among which polygons hidden surfaces are sorted.
+/// The set of polygons among which hidden surfaces are found.
 enum class HiddenScope {
-  segment,  ///< the textbook's: those of one segment; segments are drawn in order of creation
-  all,      ///< those of all visible segments together
+  segment,  ///< the textbook's: each segment by itself; segments are drawn in order of creation
+  all,      ///< all visible segments together
 };
 
 /// Reads `segment` or `all`; throws Error for anything else.
 HiddenScope hidden_scope(std::string_view text);
 std::string_view name_of(HiddenScope scope);
 
-/// The precision of a method that finds hidden surfaces: `exact`, or `roundoff` with ROUNDOFF as a
-/// part of the scene's size.
+/// Precision of hidden-surface removal: `exact`, or `roundoff`, with ROUNDOFF as a fraction of the
+/// scene's size.
 struct Precision {
   static constexpr double kUsualRoundoff = 1e-9;
   bool exact = true;
   double roundoff = kUsualRoundoff;
-  /// True if both find the same: an exact one has no use for its roundoff.
+  /// True if both give the same results: exact precision ignores roundoff.
   bool operator==(const Precision& o) const {
     return exact == o.exact && (exact || roundoff == o.roundoff);
   }
 };
 
-/// Reads `exact`, `roundoff` or `roundoff=EPS`; throws Error for anything else, and unless
-/// 0 <= EPS < 1.
+/// Reads `exact`, `roundoff` or `roundoff=EPS`, 0 <= EPS < 1; throws Error for anything else.
 Precision precision(std::string_view text);
 
-/// How lines are drawn where they are hidden.
+/// How hidden parts of lines are drawn.
 enum class HiddenLines {
-  none,    ///< they are not drawn
-  dashed,  ///< they are drawn dashed, before the visible ones (hidden/lines/hidden_pieces.md)
+  none,    ///< not drawn
+  dashed,  ///< drawn dashed, before the visible ones (hidden/lines/hidden_pieces.md)
 };
 
 /// Reads `none` or `dashed`; throws Error for anything else.
 HiddenLines hidden_lines(std::string_view text);
 std::string_view name_of(HiddenLines lines);
 
-/// How the root of a (sub)tree of polygons is chosen, by `bsp`.
+/// How `bsp` chooses the root of a (sub)tree of polygons.
 enum class RootChoice {
   last,    ///< the textbook's: the polygon entered last (algorithm 9.8)
   first,   ///< the polygon entered first
-  sample,  ///< of a sample of polygons the one with the lowest cost of cuts and balance
-  free,    ///< also of planes that belong to no polygon; and only among polygons that overlap
+  sample,  ///< the polygon of a sample with the lowest cost of cuts and imbalance
+  free,    ///< also planes that belong to no polygon; and only among polygons that overlap
 };
 
-/// By the names last, first, sample and free. Throws Error for any other.
+/// Reads `last`, `first`, `sample` or `free`; throws Error for anything else.
 RootChoice root_choice(std::string_view name);
 
-/// Into how many pieces a sort may cut polygons, unless another number is set.
+/// The default limit on the pieces into which a sort cuts polygons.
 inline constexpr std::size_t kMostPieces = 10'000'000;
 
-/// How one call finds hidden surfaces and lines: what has a value here is in place of what the
-/// application set.
+/// Hidden-surface options of one call. Members that have a value override the application's
+/// settings.
 struct HiddenSurfaceOptions {
   std::optional<HiddenMethod> method = std::nullopt;
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
-  RootChoice root = RootChoice::free;     ///< of the trees of `bsp`; Error for any other method
-  int threads = 1;                        ///< at most, 1 or more; the result is the same for any
-  std::size_t most_pieces = kMostPieces;  ///< that a sort may cut polygons into; Error for more
-  /// Called by a method that finds lines with the number of lines it has done, anew for each
-  /// segment, or group of segments, that is looked at by itself.
+  RootChoice root = RootChoice::free;     ///< for `bsp`; Error with any other method
+  int threads = 1;                        ///< maximum, at least 1; the result does not depend on it
+  std::size_t most_pieces = kMostPieces;  ///< limit on pieces that a sort makes; Error above it
+  /// Called by methods that find lines with the number of lines done, starting anew for each
+  /// segment or group of segments processed together.
   WorkProgress progress = {};
-  /// What the call may use at most, and a way to stop it, if not null: LimitReached for more, and
+  /// Limits of the call and a way to stop it, if not null: beyond them LimitReached is thrown and
   /// no file is written (clip/base/work_budget.md).
   WorkBudget* budget = nullptr;
 };
 
 // Lines.
 
-/// Why a line is a line (displayfile/segments/line_kinds.md), a bit each. A line may be of several
-/// kinds; the first of them, in this order, is the one that it is sorted under where only one can
-/// be.
+/// Kinds of lines (displayfile/segments/line_kinds.md), one bit each. A line may have several;
+/// where only one can be used, it is the first in this order.
 enum class LineKind : std::uint8_t {
-  outline = 2,        ///< a side between polygons that face the viewer and others that do not
-  boundary = 4,       ///< a side that one polygon alone has
+  outline = 2,        ///< a side between polygons that face the viewer and polygons that do not
+  boundary = 4,       ///< a side of only one polygon
   crease = 8,         ///< a side at which two polygons meet at an angle
-  material = 16,      ///< a side at which fills differ
-  intersection = 32,  ///< where two polygons pass through each other
-  all = 64,           ///< a side that the line style shows
+  material = 16,      ///< a side between different fills
+  intersection = 32,  ///< where two polygons intersect
+  all = 64,           ///< any side that the line style shows
 };
 
-/// Kinds of a line, together. Where sides carry them, 0 is a side that is not drawn.
+/// A combination of kinds. For sides, 0 means not drawn.
 using LineKinds = std::uint8_t;
-/// A line whose kind was not looked for.
+/// A drawn line whose kinds were not determined.
 inline constexpr LineKinds kDrawn = 1;
 
 constexpr LineKinds kinds_of(LineKind kind) { return static_cast<LineKinds>(kind); }
 constexpr bool contains(LineKinds kinds, LineKind kind) { return (kinds & kinds_of(kind)) != 0; }
-/// True if its kind was looked for.
+/// True if the kinds were determined.
 constexpr bool has_kind(LineKinds kinds) { return kinds > kDrawn; }
 
 struct LineKindEntry {
@@ -193,34 +190,34 @@ struct LineKindEntry {
 };
 /// All kinds, in order.
 std::span<const LineKindEntry> line_kinds();
-/// The names of the kinds, in order, with a blank between two; empty of a line without any.
+/// The names of the kinds, in order, separated by blanks; empty for no kind.
 std::string names_of(LineKinds kinds);
-/// The name of the first kind; empty of a line without any.
+/// The name of the first kind; empty for no kind.
 std::string_view first_name_of(LineKinds kinds);
 
-/// Which lines are drawn: those of one of these kinds or more.
+/// Which lines are drawn: those with at least one of these kinds.
 struct LineSelection {
   LineKinds kinds = kinds_of(LineKind::all);
-  double crease_degrees = 30.0;  ///< a crease turns by more, 0 to 180
+  double crease_degrees = 30.0;  ///< minimum angle of a crease, exclusive; 0 to 180
 
-  /// True if all that the line style shows is selected, and no more: then no kinds are looked for.
+  /// True if the selection is `all` alone: then no kinds are determined.
   bool is_all_alone() const { return kinds == kinds_of(LineKind::all); }
   bool operator==(const LineSelection&) const = default;
 };
 
-/// Adds a word to a selection, `all`, `outline`, `boundary`, `crease`, `crease=DEGREES`,
-/// `intersection` or `material`. Throws Error for another word, or for degrees that
-/// are not a number from 0 to 180.
+/// Adds a word to a selection: `all`, `outline`, `boundary`, `crease`, `crease=DEGREES`,
+/// `intersection` or `material`. Throws Error for another word, or degrees that are not a number
+/// from 0 to 180.
 void add_line_kind(std::string_view word, LineSelection& selection);
-/// Reads words with commas between them. Throws Error if there are none, too.
+/// Reads one or more words separated by commas; throws Error as add_line_kind, or for no word.
 LineSelection line_selection(std::string_view text);
-/// The words, with blanks between them, that read back to the selection.
+/// The selection as words separated by blanks.
 std::string words_of(const LineSelection& selection);
-/// Throws Error for a selection of no kind, or of what is none, or of degrees out of their range.
+/// Throws Error for a selection without kinds, with unknown kinds, or with degrees out of range.
 void require_selection(const LineSelection& selection);
 
-/// At which ends a part of a line is cut: the line goes on there, but something hides the rest of
-/// it, or it is outside of the view. An end that is not cut is an end of the line itself.
+/// The ends at which a piece of a line is cut: the line continues there, hidden or outside of the
+/// view. Other ends are ends of the line itself.
 struct LineCuts {
   bool at_start = false, at_end = false;
 
@@ -228,7 +225,7 @@ struct LineCuts {
   LineCuts reversed() const { return {at_end, at_start}; }
   bool operator==(const LineCuts&) const = default;
 
-  /// As a byte, 0 without cuts.
+  /// As a byte; 0: no cuts.
   std::uint8_t byte() const {
     return static_cast<std::uint8_t>((at_start ? 1 : 0) | (at_end ? 2 : 0));
   }
@@ -237,14 +234,14 @@ struct LineCuts {
 
 // Touching.
 
-/// Within which distance parts of a scene touch: their *reach* (interp/truth/entered_truth.md).
-/// Files and decimals say less exactly than they mean, so that what is meant to touch lies a few
-/// units of its last digit apart.
+/// The distance within which parts of a scene touch, their *reach* (interp/truth/entered_truth.md).
+/// Files and decimals round coordinates, so parts meant to touch may be a few units of the last
+/// digit apart.
 struct Touching {
   enum class Kind {
-    automatic,  ///< by the precision of the input's numbers
-    off,        ///< nothing touches but what coincides exactly
-    length,     ///< within that length
+    automatic,  ///< from the precision of the input's numbers
+    off,        ///< only coincident parts touch
+    length,     ///< within `length`
   };
   Kind kind = Kind::automatic;
   double length = 0.0;  ///< in the coordinates of the input, before its modelling transformation
@@ -252,21 +249,22 @@ struct Touching {
   bool operator==(const Touching&) const = default;
 };
 
-/// By what part of the largest a number may be off, as it is rounded.
+/// Relative rounding units of input numbers.
 inline constexpr double kUnitOfDoubles = 0x1p-52, kUnitOfSingles = 0x1p-24;
 
 /// The reach before the modelling transformation. `largest` is the largest magnitude of a
-/// coordinate that was entered, of polygons and lines; `unit` is that of these numbers.
+/// coordinate of the polygons and lines entered; `unit` is the relative rounding unit of the
+/// coordinates.
 double entered_reach(const Touching& touching, double largest, double unit = kUnitOfDoubles);
 /// The default.
 inline constexpr Touching kUnlessSet{Touching::Kind::automatic};
 
 /// Throws Error unless a length is above 0 and at most kCoordinateLimit.
 void require_touching(const Touching& touching);
-/// As `touching` reads it.
+/// The word that touching() reads back.
 std::string word_of(const Touching& touching);
 
-/// `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
+/// Reads `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
 Touching touching(std::string_view word);
 
 }  // namespace displayfile

@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90. At -d the sine has the other
-/// sign; at d + 360, where that sum is not rounded, both are the same.
+/// Sine and cosine of an angle in degrees, exact at multiples of 90. The sine is odd; both have
+/// period 360 where d + 360 is not rounded.
 struct SineCosine {
   double sine, cosine;
 };
@@ -21,15 +21,15 @@ SineCosine sine_cosine_of_degrees(double degrees);
 /// Each routine acts after those called before it, as in the textbook's chapter 8:
 /// translate, then rotate, moves a point first and then turns it about the origin.
 ///
-/// What is saved acts last, on the result of all that is called until it is restored. So a part is
-/// placed in the coordinates of the one that carries it, and a chain is written from the outside
-/// in: PHIGS's global and local modelling transformations.
+/// A saved transformation acts last, on the result of later calls until it is restored. So a part
+/// is placed in the coordinates of its parent, and a chain is written from the outside in: PHIGS's
+/// global and local modelling transformations.
 class ModellingTransformation {
  public:
   /// Starts anew with the identity (CREATE-TRANSFORMATION-3): in the coordinates saved last.
   void create();
-  void save();     ///< Points are transformed as before; what is called next acts first.
-  void restore();  ///< What it was when it was saved last. Something must be saved.
+  void save();     ///< No effect on points; later calls act before it.
+  void restore();  ///< Pops the last saved one; there must be one.
   std::size_t saved() const { return saved_.size(); }
   void translate(const Point3& t);
   void scale(const Point3& s);
@@ -40,26 +40,26 @@ class ModellingTransformation {
   bool is_identity() const { return identity_; }
   /// Its last row is 0 0 0 1.
   const glm::dmat4& matrix() const { return matrix_; }
-  /// The same without that row: x' = column 0 x + column 1 y + column 2 z + column 3.
+  /// The matrix without that row: x' = column 0 x + column 1 y + column 2 z + column 3.
   const glm::dmat4x3& affine() const { return affine_; }
-  /// What runs counterclockwise, seen from outside, runs clockwise afterwards.
+  /// True if it reverses orientation: counterclockwise becomes clockwise.
   bool mirrors() const;
   Point3 apply(const Point3& p) const {
     return identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
   }
-  /// The difference of two points: not translated.
+  /// Transforms the difference of two points, without translation.
   Point3 apply_to_difference(const Point3& d) const {
     return identity_ ? d : Point3(matrix_ * HomogeneousPoint(d, 0.0));
   }
-  /// A normal as Newell's sums of the transformed polygon would turn and scale it, but for a common
-  /// factor: by the cofactors of the matrix. Zero if the transformation leaves no normal.
+  /// Transforms a normal by the cofactors of the matrix: Newell's sums of the transformed polygon,
+  /// up to a common factor. Zero if the transformation leaves no normal.
   Point3 apply_to_normal(const Point3& n) const;
 
  private:
   void then(const glm::dmat4& step);
   void compose();
 
-  /// What was in force when it was saved, and what had been called since the time before.
+  /// The transformation when it was saved, and the calls since the previous save.
   struct Saved {
     glm::dmat4 matrix, called;
   };

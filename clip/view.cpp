@@ -102,7 +102,7 @@ View look_at(const Point3& eye, const Point3& target, const Point3& up, double a
   view.set_reference_point(target);
   view.set_up(up);
   const Point3 along = target - eye;
-  if (along == Point3(0.0)) throw Error("the eye is at what it looks at: expected another point");
+  if (along == Point3(0.0)) throw Error("the eye is at the target: expected another point");
   require_in_range(along, "line of sight");
   if (glm::length(glm::cross(unit(along), unit(up))) <= kAlongUp) {
     throw Error("view up is along the line of sight: expected another direction");

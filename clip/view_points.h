@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// Views many points as ClipPipeline::view does one by one, in vectors of doubles: the widest that
-/// the processor has. `device` gets their device coordinates, 0 for what is outside of a clip
-/// plane, and `outcodes` their outcodes; both are as long as `world`. The same to the last bit.
+/// Transforms many points as ClipPipeline::view does one, bit for bit, with the processor's widest
+/// vectors of doubles. `device` gets device coordinates, 0 for points outside of a clip plane,
+/// `outcodes` their outcodes; both have the length of `world`.
 void view_points(const ViewVolume& volume, std::span<const Point3> world, std::span<Point3> device,
                  std::span<std::uint8_t> outcodes);
 

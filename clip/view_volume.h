@@ -15,7 +15,7 @@ inline constexpr int kClipPlanes = 7;
 using Outcode = unsigned;
 constexpr Outcode bit_of(ClipPlane plane) { return 1u << static_cast<unsigned>(plane); }
 
-/// The view, worked out once when a segment opens.
+/// The view, computed once when a segment opens.
 ///
 /// One matrix takes world coordinates to a homogeneous point (X, Y, Z, W) for which the
 /// view volume is the unit cube 0 <= X, Y, Z <= W: X from the window's left to its right,
@@ -35,7 +35,7 @@ class ViewVolume {
     return {m[0] * world.x + m[1] * world.y + (m[2] * world.z + m[3])};
   }
 
-  /// Which planes the point is outside of; every bit that holds if a coordinate is NaN.
+  /// The planes outside of which the point lies; if a coordinate is NaN, every bit that may apply.
   Outcode outcode(const HomogeneousPoint& p) const {
     Outcode code = 0;
     code |= p.z >= 0.0 ? 0u : bit_of(ClipPlane::back);
@@ -48,13 +48,12 @@ class ViewVolume {
     return code & active_;
   }
 
-  /// Distance inside of a plane, in that plane's own units: 0 on it, negative outside. Of a finite
-  /// point it is negative where outcode has the plane's bit, and nowhere else, if the plane is
-  /// active.
+  /// Distance inside of a plane, in the plane's own units: 0 on it, negative outside. For a finite
+  /// point and an active plane it is negative exactly where outcode has the plane's bit.
   double inside_distance(ClipPlane plane, const HomogeneousPoint& p) const;
 
-  /// Moves a point that is on the plane but for rounding on to it exactly: inside_distance is 0
-  /// then.
+  /// Moves a point that is on the plane except for rounding exactly onto it: inside_distance
+  /// becomes 0.
   void snap(ClipPlane plane, HomogeneousPoint& p) const;
 
   /// Normalised device coordinates of a point inside the volume. A point on a side of the
@@ -65,11 +64,10 @@ class ViewVolume {
             between(viewport_.y_min, viewport_.y_max, cube.y), cube.z};
   }
 
-  /// What is infinitely far away in a world direction, which is not zero: homogeneous normalised
-  /// device coordinates, scaled so that the largest is 1 or -1. W is 0 in a parallel view.
+  /// The point at infinity in a world direction, which is not zero: homogeneous normalised device
+  /// coordinates, scaled so that the largest is 1 or -1. W is 0 in a parallel view.
   HomogeneousPoint infinitely_far(const Point3& direction) const;
 
-  /// What it is of.
   const View& view() const { return view_; }
   /// World coordinates to view-plane coordinates: the origin is the view reference point
   /// moved by the view distance along the normal; z grows toward the viewer.
@@ -77,15 +75,15 @@ class ViewVolume {
   /// World coordinates to the homogeneous unit cube.
   const glm::dmat4& matrix() const { return world_to_volume_; }
   const Rectangle& viewport() const { return viewport_; }
-  /// World coordinates are device coordinates: viewing rounds nothing.
+  /// True if world coordinates are device coordinates: viewing does not round.
   bool is_identity() const {
     return world_to_volume_ == glm::dmat4(1.0) && viewport_ == Rectangle{0.0, 1.0, 0.0, 1.0};
   }
   bool is_perspective() const { return perspective_; }
-  /// Where the front plane and the back plane are, in view-plane coordinates.
+  /// z of the front and back planes, in view-plane coordinates.
   double front_z() const { return front_z_; }
   double back_z() const { return back_z_; }
-  /// Where W is less, a point is outside of ClipPlane::eye; in a perspective view above 0.
+  /// Points with smaller W are outside of ClipPlane::eye; above 0 in a perspective view.
   double nearest_w() const { return nearest_w_; }
   /// The planes that points can be outside of.
   Outcode active() const { return active_; }

@@ -7,15 +7,14 @@ namespace displayfile {
 /// Width over height.
 double shape_of(const Rectangle& rectangle);
 
-/// The width over the height of a viewport in a picture of this aspect ratio, its width over its
-/// height.
+/// Width over height of a viewport in a picture with this aspect ratio.
 double shape_in_picture(const Rectangle& viewport, double aspect);
 
-/// True if two shapes differ by more than rounding.
+/// True if two aspect ratios differ by more than rounding.
 bool shapes_differ(double a, double b);
 
-/// The smallest window of this shape that has the same middle and holds all of the one given, which
-/// is returned to the bit if it has that shape but for rounding.
+/// The smallest window with this aspect ratio and the same middle that contains the given one,
+/// which is returned unchanged if it has the aspect ratio except for rounding.
 Rectangle widened(const Rectangle& window, double shape);
 
 }  // namespace displayfile

@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// Sets of numbers from 0 that are joined (union-find). A set's name is its smallest member, so it
-/// depends on what was joined and not on the order. Paths are halved as they are walked: joins and
-/// questions take time in proportion to the logarithm of the size, and mostly none.
+/// Disjoint sets of numbers from 0 (union-find). A set's name is its smallest member, so it does
+/// not depend on the order of joins. With path halving, operations take logarithmic time at most,
+/// and mostly constant time.
 class DisjointSets {
  public:
   using Member = std::uint32_t;
@@ -18,18 +18,17 @@ class DisjointSets {
   explicit DisjointSets(std::size_t members = 0) { resize(members); }
 
   std::size_t size() const { return toward_name_.size(); }
-  /// New members are alone.
+  /// New members are singletons.
   void resize(std::size_t members) {
     const auto known = static_cast<Member>(size());
     toward_name_.resize(members);
     for (Member i = known; i < members; ++i) toward_name_[i] = i;
   }
-  /// Takes a member out of its set, if all others of the set are taken out too before anything
-  /// else is asked.
+  /// Makes a member a singleton; all others of its set must be made singletons too before any other
+  /// call.
   void make_alone(Member i) { toward_name_[i] = i; }
 
-  /// Joins their sets. The order of the two, and of joins, changes nothing, nor does a join of what
-  /// is joined.
+  /// Joins their sets. Independent of the order of the two and of joins; idempotent.
   void join(Member i, Member j) {
     const Member a = name(i), b = name(j);
     toward_name_[std::max(a, b)] = std::min(a, b);

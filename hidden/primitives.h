@@ -11,9 +11,9 @@
 
 namespace displayfile {
 
-/// The polygons and lines of a scene, in order of entry, as what finds hidden surfaces looks at
-/// them: in normalised device coordinates (parallel projectors along z, larger z nearer to the
-/// viewer), or in world coordinates where that is said. The arrays are the scene's own.
+/// The polygons and lines of a scene, in order of entry, as input of hidden-surface methods: in
+/// normalised device coordinates (parallel projectors along z, larger z nearer to the viewer), or
+/// in world coordinates where stated. The arrays are the scene's own.
 struct Primitives {
   enum class Kind : std::uint8_t {
     solid,   ///< hides what is behind it
@@ -26,38 +26,36 @@ struct Primitives {
     Kind kind;
   };
   std::span<const Point3> points;
-  /// The points of the corners, as indices: corners that share a point name it twice. Empty: the
-  /// corners are the points in a row.
+  /// Point indices of the corners; corners may share points. Empty: the points in order.
   std::span<const std::uint32_t> corners;
-  /// Whether the side that ends at the corner of the same index is drawn, 0 if not, and as which
-  /// kinds of lines (clip/surfaces.h). Empty: all are, of no known kind.
+  /// For the side that ends at each corner: 0 if it is not drawn, otherwise its line kinds
+  /// (clip/surfaces.h). Empty: all drawn, of unknown kind.
   std::span<const std::uint8_t> visible;
   std::span<const Item> items;
-  /// The plane that each polygon counts as lying in: three points that are not in line in the
-  /// projection, maybe another's; each of its vertices counts as moved along z on to it. Polygons
-  /// with the same three lie in one plane. Empty, and where the first is kOwnPlane: the support
-  /// plane. The sorts take from it alone which polygons lie in one plane.
+  /// The plane assigned to each polygon: three points that are not collinear in the projection,
+  /// possibly another's; each of its vertices counts as moved along z onto it. Polygons with the
+  /// same three points are coplanar. Empty, or with kOwnPlane first: the support plane. The sorts
+  /// take coplanarity only from this.
   using PlanePoints = std::array<std::uint32_t, 3>;
   std::span<const PlanePoints> planes = {};
   static constexpr std::uint32_t kOwnPlane = 0xffffffffu;
-  /// What the depths of the three points that give a polygon's plane lack, by item: of the shared
-  /// plane's, or of the support vertices in their order (Plane::rest). Empty: nothing.
+  /// Rests of the depths of the three points of a polygon's plane, by item: of the shared plane's,
+  /// or of the support vertices in their order (Plane::rest). Empty: none.
   std::span<const Point3> plane_rests = {};
-  /// The surfaces over grids that were entered, in order, for the perimeter method.
+  /// The surfaces over grids, in order of entry, for the perimeter method.
   std::span<const SurfaceMark> surfaces = {};
-  /// By how much each coordinate of a point may be off that was entered in a plane: a line both of
-  /// whose ends are no farther from a plane lies in it (hidden/lines/end_on_plane.h), and in the
-  /// sorts most vertices are on planes that are no farther (hidden/sort/touching_vertices.md). 0:
-  /// nothing touches but what coincides.
+  /// Bound, per coordinate, on the error of a point entered in a plane: a line with both ends
+  /// within it of a plane lies in it (hidden/lines/end_on_plane.h), and in the sorts most vertices
+  /// within it are on planes (hidden/sort/touching_vertices.md). 0: only coincident parts touch.
   double touching = 0.0;
-  /// By how much viewing alone has rounded each coordinate, at most; 0 if nothing is known.
+  /// Bound on the rounding of each coordinate by viewing alone; 0: unknown.
   double rounding = 0.0;
-  /// Which ends of lines touch which planes. Null: nothing touches, or by `touching` alone.
+  /// Which line ends touch which planes. Null: nothing touches, or by `touching` only.
   const EndsAsEntered* ends = nullptr;
-  /// The items' numbers there; empty: they are counted from 0.
+  /// The items' indices there; empty: the same as here.
   std::span<const std::uint32_t> numbers = {};
 
-  /// The places of a line's ends, by the items' numbers here.
+  /// The positions of a line's ends, by the items' indices here.
   EndsAsEntered::Places places(std::uint32_t item, std::uint32_t corner,
                                std::uint32_t polygon) const {
     if (ends == nullptr) return EndsAsEntered::kUnknown;

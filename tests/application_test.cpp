@@ -186,7 +186,7 @@ TEST(Application, ACameraThatCannotBeIsAnError) {
   EXPECT_EQ(refused([] {
               look_at({1, 2, 3}, {1, 2, 3});
             }),
-            "the eye is at what it looks at: expected another point");
+            "the eye is at the target: expected another point");
   EXPECT_EQ(refused([] {
               look_at({0, 5, 0}, {0, 1, 0});
             }),

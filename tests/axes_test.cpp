@@ -307,12 +307,12 @@ TEST(Axes, RefusedBeforeAnythingIsDrawn) {
             "scene.draw:1:1: axes from y 1 to 0: expected y-min <= y-max, in this order: x-min "
             "x-max y-min y-max z-min z-max");
   EXPECT_EQ(refused("axes-3 0 0 1 1 2 2"),
-            "scene.draw:1:1: axes of a point: expected x-min < x-max, or so for y or z");
+            "scene.draw:1:1: axes of a point: expected x-min < x-max, or likewise for y or z");
   EXPECT_EQ(refused("axes-3 0 1 0 1 0 1 \"a\" \"b\" c"),
             "scene.draw:1:28: expected a text in quotation marks, not 'c'");
-  EXPECT_EQ(
-      refused("axes-3 0 1 0 1 0 9", "set-perspective 0 0 5\n"),
-      "scene.draw:1:1: axes: their box and what stands beside it are not wholly before the eye");
+  EXPECT_EQ(refused("axes-3 0 1 0 1 0 9", "set-perspective 0 0 5\n"),
+            "scene.draw:1:1: axes: the box or the numbers and names beside it are not entirely in "
+            "front of the eye");
   EXPECT_NE(refused("axes-3 0 1e100 -1e100 1e100 0 1").find("expected finite numbers"),
             std::string::npos);
   GraphicsSystem g;

@@ -220,10 +220,10 @@ TEST_F(Batch, InputsOfAList) {
                "none.txt: cannot be read: No such file or directory");
   write("empty.txt", "\n\r\n");
   expect_error("draw @empty.txt -o '{name}.png'",
-               "empty.txt: is empty: expected names of inputs, one a line");
+               "empty.txt: is empty: expected names of inputs, one per line");
   write("zeros.txt", std::string("red.draw\0mesh.obj\0", 18));
   expect_error("draw @zeros.txt -o '{name}.png'",
-               "zeros.txt: holds a zero byte: expected names of inputs, one a line");
+               "zeros.txt: holds a zero byte: expected names of inputs, one per line");
   expect_error("draw @- - -o '{number}.png'", "standard input is read twice", "list.txt");
   expect_error("draw @- @- -o '{number}.png'", "standard input is read twice", "list.txt");
   expect_error("draw @ -o x.png", "@: no such file: expected a mesh");

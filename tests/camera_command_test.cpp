@@ -112,8 +112,8 @@ TEST_F(Camera, BadValues) {
   for (const char* fov : {"0", "180", "-5", "wide", "nan", "40,50"}) {
     refused(std::string("--fov ") + fov, std::string("--fov ") + fov + ": expected degrees");
   }
-  refused("--eye 0.5,0.5,0.4", "the scene is not all before the eye");
-  refused("--eye 1,2,3 --look-at 1,2,3", "the eye is at what it looks at");
+  refused("--eye 0.5,0.5,0.4", "part of the scene is not in front of the eye");
+  refused("--eye 1,2,3 --look-at 1,2,3", "the eye is at the target");
   EXPECT_EQ(run("draw m.obj -o x.png --parallel --fov 30"), 2);
   EXPECT_FALSE(fs::exists(folder_ / "x.png"));
 }

@@ -273,7 +273,7 @@ TEST_F(Check, BadOptions) {
   expect_error("check tree.draw --golden gold --tolerance 1", "expected --picture too");
   expect_error("check tree.draw --golden gold --wrong-pixels 1", "expected --picture too");
   write("t.txt", "displayfile-dump 1\nend\n");
-  expect_error("compare t.txt t.txt --tolerance 1", "are of pictures");
+  expect_error("compare t.txt t.txt --tolerance 1", "apply to pictures");
   expect_error("compare gold/tree.png gold/tree.png --wrong-pixels x", "--wrong-pixels x");
 }
 

@@ -304,11 +304,11 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
       {"set-view-distance 0x10\n", "1:19: expected a number, not '0x10'"},
       {"set-view-distance +-1\n", "1:19: expected a number, not '+-1'"},
       {"set-view-distance 1,5\n",
-       "1:19: expected a number, not '1,5': numbers have no commas: blanks part them, a point "
-       "their decimals"},
+       "1:19: expected a number, not '1,5': numbers have no commas: separate them by "
+       "blanks, and write decimals with a point"},
       {"set-perspective 3,2,6\n",
-       "1:22: set-perspective: 1 argument, expected 3: x y z: numbers have no commas: blanks part "
-       "them, a point their decimals"},
+       "1:22: set-perspective: 1 argument, expected 3: x y z: numbers have no commas: separate "
+       "them by blanks, and write decimals with a point"},
       {"set-view-up 0 inf 0\n", "1:15: expected a finite number, not 'inf'"},
       {"set-view-up 0 -infinity 0\n", "1:15: expected a finite number, not '-infinity'"},
       {"set-view-up 0 0 nan\n", "1:17: expected a finite number, not 'nan'"},

@@ -242,7 +242,7 @@ TEST_F(ImportProcess, ACrashOfTheLibraryIsAMessage) {
     expect_in(fmt::format("crashed on it ({})", number), refusal(file("a.ac", "AC3Db\n")));
   }
   put_in_its_place("kill -KILL $$");
-  expect_in("was killed while it read it", refusal(file("a.ac", "AC3Db\n")));
+  expect_in("was killed while reading it", refusal(file("a.ac", "AC3Db\n")));
   put_in_its_place("exit 7");
   expect_in("with status 7", refusal(file("a.ac", "AC3Db\n")));
 }
@@ -250,8 +250,7 @@ TEST_F(ImportProcess, ACrashOfTheLibraryIsAMessage) {
 TEST_F(ImportProcess, AHangOfTheLibraryIsAMessage) {
   const auto begun = std::chrono::steady_clock::now();
   const std::string path = file("a.smd", test::smd_that_hangs());
-  expect_in("did not read it in 0.5 seconds, which is the limit: --import-seconds",
-            refusal(path, {.seconds = 0.5}));
+  expect_in("reached the limit of 0.5 seconds: --import-seconds", refusal(path, {.seconds = 0.5}));
   // It neither ends nor keeps its descriptors open, or says things without an end.
   std::ostringstream said;
   std::streambuf* const before = std::cerr.rdbuf(said.rdbuf());
@@ -294,14 +293,12 @@ TEST_F(ImportProcess, AHungerOfTheLibraryIsAMessage) {
   if (kWatchesResidentMemory) {
     expect_in("import library (Assimp)", message);
   } else {
-    expect_in(
-        "asked for more than 64 MiB of memory to read it, which is the limit: --import-memory",
-        message);
+    expect_in("reached the limit of 64 MiB of memory: --import-memory", message);
   }
   put_in_its_place(fmt::format("exit {}", kOutOfMemoryStatus));
-  expect_in("asked for more than 1000 bytes", refusal(path, {.memory = 1000}));
-  expect_in("asked for more than 3 KiB", refusal(path, {.memory = 3 << 10}));
-  expect_in("asked for more than 2 GiB", refusal(path));
+  expect_in("reached the limit of 1000 bytes", refusal(path, {.memory = 1000}));
+  expect_in("reached the limit of 3 KiB", refusal(path, {.memory = 3 << 10}));
+  expect_in("reached the limit of 2 GiB", refusal(path));
 }
 
 TEST_F(ImportProcess, LimitsAreMoreThanNothing) {

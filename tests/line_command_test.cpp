@@ -223,9 +223,9 @@ TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
     }
   }
   for (const std::string method : {"none", "back-face", "z-buffer", "world-ray-cast", "auto"}) {
-    expect_error("dump behind.draw --hidden-lines dashed --hidden " + method,
-                 "hidden lines are found where a method puts in order, which '" + method +
-                     "' does not: expected bsp, ");
+    expect_error(
+        "dump behind.draw --hidden-lines dashed --hidden " + method,
+        "hidden lines need a method that sorts, which '" + method + "' does not: expected bsp, ");
     EXPECT_EQ(run("dump before.draw --hidden-lines dashed --hidden " + method), 0) << err_;
     EXPECT_EQ(run("dump dashed.draw --hidden " + method), 0) << err_;
   }

@@ -220,15 +220,13 @@ TEST_F(MeshCommand, WhatAReaderSaysItselfIsToldWithTheFilesName) {
           << command << "\n"
           << line;
     }
-    EXPECT_NE(
-        err_.find("displayfile: m.ogex: not a mesh that can be read: there is nothing in it\n"),
-        std::string::npos)
+    EXPECT_NE(err_.find("displayfile: m.ogex: not a mesh that can be read: it is empty\n"),
+              std::string::npos)
         << command << "\n"
         << err_;
   }
   EXPECT_EQ(run("draw bad.ac m.ogex -o '{name}.png' --threads 1"), 2);
-  EXPECT_NE(err_.find("m.ogex: not a mesh that can be read: there is nothing in it\n"),
-            std::string::npos)
+  EXPECT_NE(err_.find("m.ogex: not a mesh that can be read: it is empty\n"), std::string::npos)
       << err_;
 }
 
@@ -247,11 +245,11 @@ TEST_F(MeshCommand, LimitsOfTheImportLibraryAreOptions) {
       return line.replace(line.find("IN"), 2, input) + " " + options;
     };
     expect_error(with("hangs.smd", "--import-seconds 0.2"),
-                 "hangs.smd: the import library (Assimp) did not read it in 0.2 seconds, which is "
-                 "the limit: --import-seconds");
+                 "hangs.smd: the import library (Assimp) reached the limit of 0.2 seconds: "
+                 "--import-seconds");
     expect_error(with("hungers.ac", "--import-memory 64M"),
-                 "hungers.ac: the import library (Assimp) asked for more than 64 MiB of memory to "
-                 "read it, which is the limit: --import-memory");
+                 "hungers.ac: the import library (Assimp) reached the limit of 64 MiB of memory: "
+                 "--import-memory");
     for (const char* bad : {"0", "-1", "x", "nan", "1,2"}) {
       expect_error(with("good.ac", std::string("--import-seconds=") + bad),
                    std::string("--import-seconds ") + bad + ": expected seconds, more than 0");
@@ -279,7 +277,7 @@ TEST_F(MeshCommand, TheLimitOfMemoryIsTheLibrarysToo) {
   if (displayfile::test::kSlower > 1) GTEST_SKIP() << "a sanitizer has more memory than this";
   fs::remove(folder_ / "a.png");
   expect_error("draw hungers.ac -o x.png --limit-memory 100M",
-               "which is the limit: --limit-memory, which leaves it no more, sets another");
+               "of memory: --limit-memory, which leaves no more, sets another");
   EXPECT_EQ(run("draw good.ac good.ac good.ac good.ac -o '{number}.png' --limit-memory 100M"), 0)
       << err_;
 }

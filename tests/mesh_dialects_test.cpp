@@ -63,7 +63,7 @@ TEST_F(MeshDialects, WordsBehindAVertexAreNamed) {
   EXPECT_EQ(warnings("# origin"), Sentences{});
   EXPECT_EQ(warnings("1"), Sentences{});
   EXPECT_EQ(warnings("0.5 0.5 0.5"), Sentences{});
-  const std::string expected = "expected a weight or a colour behind a vertex: left out";
+  const std::string expected = "expected a weight or a colour after a vertex: left out";
   EXPECT_EQ(warnings("words of mine"), Sentences{"1:9: 'words': " + expected});
   EXPECT_EQ(warnings("\rv 9 9 9"), Sentences{"1:10: 'v': " + expected});
 }
@@ -266,7 +266,7 @@ TEST_F(MeshDialects, OffNumbersThatAreNoColoursAreTold) {
     return mesh.skipped.warnings;
   };
   const Sentences behind{
-      "left out: the numbers behind 3 vertices, which the keyword does not announce"};
+      "left out: the numbers after 3 vertices, which the keyword does not announce"};
   EXPECT_EQ(losses("OFF", "0 0 1", ""), behind) << "perhaps normals";
   EXPECT_EQ(losses("OFF", "0.6 0 0.8", ""), behind);
   EXPECT_EQ(losses("OFF", "-0.5 0 0", ""), behind);
@@ -291,7 +291,7 @@ TEST_F(MeshDialects, OffNumbersThatAreNoColoursAreTold) {
   const Mesh mixed = read("b.off", "OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
   EXPECT_EQ(
       mixed.skipped.warnings,
-      Sentences{"left out: the numbers behind 2 vertices, which the keyword does not announce"});
+      Sentences{"left out: the numbers after 2 vertices, which the keyword does not announce"});
 }
 
 // ---- Formats that are not read ---------------------------------------------------------

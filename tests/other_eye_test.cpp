@@ -201,7 +201,7 @@ TEST(OtherEye, SeveralViewsAreAnError) {
       "set-window 0 1 0 1\nopen-segment 2\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n",
       "scene.draw", system);
   EXPECT_EQ(error_of([&] { OtherEye(system, *system.retained(), ""); }),
-            "segments 1 and 2 are drawn in different views: expected one view to turn before");
+            "segments 1 and 2 are drawn in different views: expected one view for all");
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ TEST_F(PenCommand, SaysThatNothingIsDrawn) {
         "fill.draw --hatch 2 -o a.svg", "no-lines.draw box.obj --pens --turntable 3 -o a.svg"}) {
     ASSERT_EQ(run("draw " + arguments), 0) << err_;
     const std::string why = arguments.find("--hatch") == std::string::npos
-                                ? "no line is seen, and fills are drawn by --hatch alone"
-                                : "no line is seen, and no fill that hatching shows";
+                                ? "no line is visible, and fills are drawn with --hatch only"
+                                : "no line is visible, and no fill that hatching shows";
     EXPECT_NE(err_.find("pens draw nothing: " + why + "\n"), std::string::npos) << arguments << "\n"
                                                                                 << err_;
     EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << arguments << "\n" << err_;

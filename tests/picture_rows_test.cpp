@@ -114,8 +114,8 @@ TEST_F(PictureRowsTest, OthersAreErrors) {
     DrawOptions options{.samples = 1};
     options.width = options.height = 40;
     options.rows = rows;
-    expect_error([&] { draw(system, options); }, "expected some of the picture's 40");
-    expect_error([&] { draw_as(system, "png", options); }, "expected some of the picture's 40");
+    expect_error([&] { draw(system, options); }, "expected rows within the picture's 40");
+    expect_error([&] { draw_as(system, "png", options); }, "expected rows within the picture's 40");
   }
   DrawOptions options{.samples = 1};
   options.rows = PictureRows{0, 10};

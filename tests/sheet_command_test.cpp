@@ -95,7 +95,7 @@ TEST_F(SheetCommandTest, ALongTitleKeepsWithinItsCell) {
   EXPECT_EQ(err_, "");
   const auto shortened = lines_of_title("--title '" + std::string(500, 'x') + "'");
   EXPECT_TRUE(shortened.back().characters.ends_with("\xE2\x80\xA6"));
-  EXPECT_NE(err_.find("s.svg: too long for the title block, and shortened: TITLE xxx"),
+  EXPECT_NE(err_.find("s.svg: too long for the title block, shortened: TITLE xxx"),
             std::string::npos)
       << err_;
   EXPECT_NE(read(folder_ / "s.svg").find("<title>" + std::string(500, 'x')), std::string::npos);
@@ -318,7 +318,7 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --unit foot", "--unit foot: expected mm, cm, m or inch");
   expect_error("sheet box.obj -o s.svg --section back=1", "--section back=1: expected front=");
   expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
-  expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "has a section already");
+  expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "already has a section");
   expect_error("sheet box.obj -o s.svg --hatch 0", "--hatch 0: expected");
   expect_error("sheet box.obj -o s.svg --hatch fine", "--hatch: fine: expected a number");
   expect_error("sheet box.obj -o s.svg --margin -1", "margins of -1 mm");

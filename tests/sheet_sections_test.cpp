@@ -221,7 +221,7 @@ TEST_F(SheetCommandTest, ASectionInAGapIsTold) {
   write("closed.obj", open + "f 3 1 4\nf 7 5 8\n");
   for (const std::string part : {"closed.obj", "open.obj"}) {
     ASSERT_EQ(run("sheet -o s.svg --section front=15 " + part), 0) << err_;
-    EXPECT_NE(err_.find("the section at 15 does not cut the part"), std::string::npos) << err_;
+    EXPECT_NE(err_.find("section plane at 15 does not cut the part"), std::string::npos) << err_;
     ASSERT_EQ(run("sheet -o s.svg --section front=5 " + part), 0) << err_;
     EXPECT_EQ(err_.find("does not cut"), std::string::npos) << err_;
   }

@@ -161,7 +161,7 @@ TEST(Solids, ProgramsNameThePlace) {
   EXPECT_EQ(error_of_program("open-segment 1\nend-solid\n"),
             "p:2:1: no solid open: expected begin-solid before");
   EXPECT_NE(error_of_program("open-segment 1\nbegin-solid sum\n")
-                .find("p:2:13: what is made of solids is union, intersection or difference"),
+                .find("p:2:13: the operation on solids is union, intersection or difference"),
             std::string::npos);
   EXPECT_EQ(error_of_program("open-segment 1\n  begin-solid union\nbox-3 0 1 0 1 0 1\n"),
             "p:3:18: 1 solid still open at the end: expected end-solid");

@@ -280,7 +280,7 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   write("g.dat", "0 1 0\n1 2 1\n0 1 0\n");
   refuses("g.dat" + s, "g.dat: expected heights in a file .npy, .txt or .csv");
   refuses("g.txt --grid 5x5" + s, "--grid 5x5: expected an expression");
-  refuses("-x*y" + s, "unknown option '-x*y': an expression that begins with - stands in");
+  refuses("-x*y" + s, "unknown option '-x*y': put an expression that begins with - in");
   write("far.txt", "0 1\n2 1e101\n");
   refuses("far.txt" + s,
           "height 1e+101 of point 2 2 of the surface: expected finite numbers of magnitude");
@@ -376,8 +376,7 @@ TEST_F(SurfaceCommandTest, TheLegendHasRoomForItsTexts) {
 }
 
 TEST_F(SurfaceCommandTest, LinesHaveNoColoursOfHeights) {
-  expect_error("surface x --colour height --hidden franklin -o s.svg",
-               "franklin draws lines alone");
+  expect_error("surface x --colour height --hidden franklin -o s.svg", "franklin draws lines only");
 }
 
 TEST_F(SurfaceCommandTest, WhatTouchesIsSetInTheProgramToo) {

@@ -143,7 +143,7 @@ TEST_F(Command, TurntableExplainsItsMethod) {
   ASSERT_EQ(run("draw t.draw -o t.png --size 9x9 --turntable 2 --explain --hidden z-buffer"), 0);
   EXPECT_EQ(out_, "z-buffer: as set\n");
   ASSERT_EQ(run("draw t.draw -o t.svg --turntable 2 --explain --pens"), 0) << err_;
-  EXPECT_EQ(out_, "franklin: for pens: the lines that are seen, and nothing else\n");
+  EXPECT_EQ(out_, "franklin: for pens: visible lines only\n");
   expect_error("draw t.draw -o t.png --turntable 2 --pick 1,1",
                "--pick 1,1: expected one picture, and not a turntable's views");
 }

@@ -206,7 +206,7 @@ TEST(RetainedByTheSystem, WhatIsRefusedIsNotRetained) {
   EXPECT_EQ(system.retained()->size(), primitives);
   GraphicsSystem late;
   enter_two_segments(late);
-  expect_error([&] { late.retain(); }, "from the first one on");
+  expect_error([&] { late.retain(); }, "before the first one");
 }
 
 TEST_F(TurntableRendererTest, Refuses) {

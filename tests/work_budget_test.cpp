@@ -117,7 +117,7 @@ TEST_F(Budgets, WhatIsStoppedBeforeItBeginsDoesNothing) {
     WorkBudget budget;
     budget.stop();
     const std::string said = reached([&] { operation.run(budget); });
-    EXPECT_NE(said.find("stopped, as requested"), said.npos) << operation.name << said;
+    EXPECT_NE(said.find("stopped on request"), said.npos) << operation.name << said;
     EXPECT_TRUE(empty_folder()) << operation.name;
     budget.start();
     EXPECT_EQ(reached([&] { operation.run(budget); }), "done") << operation.name;

@@ -6,17 +6,17 @@
 
 namespace displayfile {
 
-/// Writes what a stream is given to a descriptor in whole blocks, however short or long the pieces
-/// are: the system takes few large writes in half the time of many that end within its pages, and
-/// drops a file that was written so in half the time too.
+/// Writes a stream's output to a descriptor in whole blocks, whatever the lengths of its pieces.
+/// Few large writes take half the time of many that end within pages, and so does dropping the
+/// file.
 class BlockBuffer : public std::streambuf {
  public:
   static constexpr std::size_t kBlock = std::size_t{1} << 18;
 
-  /// The descriptor stays the caller's, who flushes what is left before closing it.
+  /// The caller owns the descriptor, and flushes the rest before closing it.
   explicit BlockBuffer(int descriptor);
 
-  /// Why something could not be written, as errno has it; 0 if all was.
+  /// The errno of a failed write; 0 if all was written.
   int reason() const { return reason_; }
 
  protected:

@@ -9,10 +9,10 @@
 
 namespace displayfile {
 
-/// The budget that is in force on this thread, and the work that it does.
+/// This thread's budget in force, and its current work.
 WorkInForce work_in_force() noexcept;
 
-/// While it lives, messages of this thread say that this is being done.
+/// Names this thread's work in messages during its lifetime.
 class NamedWork {
  public:
   explicit NamedWork(const WorkDone& done) noexcept;
@@ -20,20 +20,19 @@ class NamedWork {
   NamedWork(const NamedWork&) = delete;
   NamedWork& operator=(const NamedWork&) = delete;
 
-  /// What was being done on this thread when the last exception left it; nothing if other work has
-  /// begun since.
+  /// The work of this thread when the last exception left it; none if other work has begun since.
   static WorkDone left_by_exception() noexcept;
-  /// Other work begins, that need not have a name.
+  /// Begins other work, which may be unnamed.
   static void begin_other() noexcept;
 
  private:
   WorkDone before_;
 };
 
-/// Asks the budget in force, if there is one.
+/// Calls ask() of the budget in force, if any.
 void ask_budget();
-/// Throws LimitReached if there is a budget in force that does not allow `bytes` bytes, which
-/// of_tables() counts.
+/// Throws LimitReached if the budget in force, if any, does not allow the bytes that of_tables()
+/// counts.
 template <class Count>
 void require_bytes(const Count& of_tables) {
   if (const WorkBudget* const budget = work_in_force().budget) {
@@ -41,10 +40,10 @@ void require_bytes(const Count& of_tables) {
   }
 }
 
-/// Counts the pieces that several threads make of one work, and what they take.
+/// Counts the pieces that several threads make in one operation, and their memory.
 class PieceCount {
  public:
-  /// So many are always allowed, as many as there would be if nothing were cut.
+  /// `allowed` pieces are always permitted: the number without any cuts.
   PieceCount(std::uint64_t allowed, std::size_t bytes_of_piece)
       : allowed_(allowed), bytes_of_piece_(bytes_of_piece) {}
   void add(std::uint64_t more);
@@ -55,8 +54,8 @@ class PieceCount {
   std::atomic<std::uint64_t> pieces_{0};
 };
 
-/// Counts the steps of a loop, each of which takes a while, and asks the budget in force now and
-/// then. One thread uses it.
+/// Counts the steps of a loop with slow steps, and checks the budget in force periodically. For one
+/// thread.
 class WorkSteps {
  public:
   static constexpr std::uint32_t kAtATime = 1024;
@@ -77,8 +76,8 @@ class WorkSteps {
   std::uint32_t left_ = kAtATime;
 };
 
-/// Counts rows of pixels that are painted, however many polygons lie over each other there, and
-/// asks the budget in force now and then for its time. One thread uses it.
+/// Counts painted rows of pixels, overlapping ones too, and checks the budget's time periodically.
+/// For one thread.
 class RowsPainted {
  public:
   static constexpr std::size_t kAtATime = 256;

@@ -7,9 +7,8 @@
 
 namespace displayfile {
 
-/// Text, or bytes, that a stream collects in memory. What there is no memory for is lost: a
-/// std::ostringstream would hand out what it has as if that were all, and this throws
-/// std::bad_alloc when it is asked for the text.
+/// Text or bytes collected in memory by a stream. If memory runs out, reading the text throws
+/// std::bad_alloc; a std::ostringstream would return the truncated text.
 class CollectedText : public std::ostringstream {
  public:
   void require_whole() const {

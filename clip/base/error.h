@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Thrown by every routine when the application's call cannot be carried out.
-/// The message holds the textbook's words; the state is what it was before the call.
+/// Thrown by every routine for an invalid call; the state is then what it was before. The message
+/// uses the textbook's terms.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

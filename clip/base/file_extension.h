@@ -6,8 +6,7 @@
 
 namespace displayfile {
 
-/// A path's extension with its dot, in lower case: x.PNG is what it looks like. The letters of
-/// other alphabets stay as they are. Empty if there is none.
+/// A path's extension with its dot, in lower case (ASCII letters only). Empty if there is none.
 inline std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](char c) {

@@ -9,14 +9,14 @@
 
 namespace displayfile {
 
-/// An array that grows at its end, as a vector, of which others may keep what there is
-/// (`part`): its elements stay there, the same, whatever becomes of the array. Elements are written
-/// once, before any part has them; one thread may add to the array while others read parts.
+/// An array that grows at its end like a vector. Others may keep a `part` of it, whose elements
+/// stay in place and unchanged whatever happens to the array. Elements are written once, before any
+/// part has them; one thread may append while others read parts.
 template <class T>
 class GrowingArray {
  public:
   using value_type = T;
-  /// The elements that there were when it was taken.
+  /// The elements at the time it was taken.
   struct Part {
     std::shared_ptr<const T[]> elements;
     std::size_t size = 0;
@@ -60,14 +60,14 @@ class GrowingArray {
 
   void push_back(const T& element) {
     if (size_ == capacity_) [[unlikely]] {
-      const T copy = element;  // it may be one of the array's
+      const T copy = element;  // `element` may be in the array
       reserve(std::max<std::size_t>(8, 2 * capacity_));
       elements_.get()[size_++] = copy;
       return;
     }
     elements_.get()[size_++] = element;
   }
-  /// Elements that are not the array's own.
+  /// `elements` must not be in the array.
   void append(std::span<const T> elements) {
     if (size_ + elements.size() > capacity_) {
       reserve(std::max(size_ + elements.size(), 2 * capacity_));
@@ -75,7 +75,7 @@ class GrowingArray {
     std::ranges::copy(elements, elements_.get() + size_);
     size_ += elements.size();
   }
-  /// Room for so many elements in all.
+  /// Reserves capacity for this many elements in total.
   void reserve(std::size_t capacity) {
     if (capacity > capacity_) move_to(capacity);
   }

@@ -10,8 +10,8 @@ namespace displayfile {
 
 inline constexpr std::size_t kLeastInLargePages = std::size_t{16} << 20;
 
-/// Tells the system, where it can be told, that memory which nobody has written to yet should come
-/// in pages as large as it has; less than kLeastInLargePages is not worth it.
+/// Advises the system, where supported, to back untouched memory with large pages; not worth it
+/// below kLeastInLargePages.
 inline void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   constexpr std::size_t kPage = 4096;
@@ -22,9 +22,9 @@ inline void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] s
 #endif
 }
 
-/// So many times a value, in such pages: to hand out a gigabyte in small ones takes several times
-/// as long, and to take it back when the process ends a fifth of that again, by which a limit of
-/// seconds would be passed.
+/// An array of copies of a value, in large pages. A gigabyte in small pages takes several times as
+/// long to allocate, and a fifth of that again to free at exit, which could exceed a limit of
+/// seconds.
 template <class T>
 std::vector<T> in_large_pages(std::size_t count, const T& value) {
   std::vector<T> values;

@@ -11,19 +11,19 @@
 
 namespace displayfile {
 
-/// True if the system gives so much memory now. It is only asked for: nothing is written, and
-/// nothing is kept. Little memory is not worth asking for.
+/// True if the system can allocate this much memory now. Nothing is written or kept. Small amounts
+/// are not checked.
 bool has_memory(std::size_t bytes);
 
-/// How many bytes a process may still take, as far as the system tells: what is free or can be made
-/// so without writing to a disk, and no more than the process's own limit. What nothing limits is
-/// the greatest number.
+/// The bytes that this process may still allocate, as far as the system reports: free memory or
+/// memory that can be freed without writing to a disk, up to the process's own limit. The maximum
+/// if nothing limits it.
 std::size_t offered_memory();
-/// Part of what this process may have, lent to another process for as long as this lives:
-/// has_memory allows so much less meanwhile, so that both together stay within the limit. It is
-/// three quarters of what is left at most; a loan that would be smaller than wanted waits until
-/// others have been given back, as long as the budget in force allows it. Without a limit all that
-/// is wanted is lent. The system's limit is not changed: it is the host's.
+/// Part of this process's memory allowance, lent to another process during its lifetime: has_memory
+/// allows less meanwhile, so that both stay within the limit. At most three quarters of the rest is
+/// lent; a loan that would be smaller than requested waits until others are returned, within the
+/// budget in force. Without a limit the full request is lent. The system's limit is not changed: it
+/// is the host's.
 class LentMemory {
  public:
   explicit LentMemory(std::size_t wanted);
@@ -38,22 +38,21 @@ class LentMemory {
   bool is_lent_ = false;
 };
 
-/// What it has of that kind now; 0 if the system does not tell.
+/// This process's current memory of that kind; 0 if the system does not report it.
 std::size_t memory_of_process();
-/// What the machine has, or what this process may have of it at most; 0 if nothing tells.
+/// The machine's memory, or this process's limit if lower; 0 if unknown.
 std::size_t memory_of_machine();
-/// How many bytes the budget in force allows, or the system allows this process (ulimit).
+/// The bytes allowed by the budget in force and by the system for this process (ulimit).
 std::uint64_t bytes_allowed();
-/// What is said of std::bad_alloc: the limit, what was being done, and what would serve instead.
+/// The message for std::bad_alloc: the limit, the current work, and an alternative.
 std::string out_of_memory_message();
 
-/// Throws LimitReached, which states the bytes and what needs them, and the limit if there is one.
+/// Throws LimitReached, with the bytes, their purpose, and the limit if any.
 [[noreturn]] void out_of_memory(std::size_t bytes, const std::string& what);
 
-/// What `work` returns, which needs that many bytes at least: they are asked for first, so that
-/// what cannot be done is known before any time is spent; where more is needed, and there is none,
-/// it is the same Error. what() tells what they are for. Where so much is `held` already, it is not
-/// asked for.
+/// Returns the result of `work`, which needs at least this many bytes. They are checked beforehand,
+/// so that impossible work fails before any time is spent; running out of memory later gives the
+/// same Error. what() names their purpose. The check is skipped if that much is already `held`.
 template <class What, class Work>
 auto with_memory(std::size_t bytes, What&& what, Work&& work, std::size_t held = 0) {
   NamedWork::begin_other();

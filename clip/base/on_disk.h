@@ -4,12 +4,12 @@
 
 namespace displayfile {
 
-/// Waits until what was written to the file is on the disk. False, with the reason in errno, if it
-/// cannot be put there; true where the file system knows no such thing.
+/// Waits until the file's data is on the disk. False, with errno set, if that fails; true for file
+/// systems without such an operation.
 bool put_on_disk(int descriptor);
 
-/// The same of the names in a folder; an empty path is the working folder. True also where the
-/// folder may not be opened: what is in it may be used all the same.
+/// The same for the names in a folder; an empty path is the working folder. True also if the folder
+/// may not be opened: its contents may be usable all the same.
 bool put_names_on_disk(const std::filesystem::path& folder);
 
 }  // namespace displayfile

@@ -7,20 +7,20 @@
 
 namespace displayfile {
 
-/// How many of so many threads asked for this machine runs at a time; at least 1.
+/// The number of threads, of those requested, that this machine can run at a time; at least 1.
 int useful_threads(int threads);
 
 /// Calls work(k) once for each k < count, in any order, on up to useful_threads(threads) threads.
 /// Returns when all calls have; throws what one of them threw.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// The same of any other function, without a copy of what it holds.
+/// The same for any callable, without copying it.
 template <class Work>
 void in_parallel(int threads, std::size_t count, const Work& work) {
   in_parallel(threads, count, std::function<void(std::size_t)>(std::cref(work)));
 }
 
-/// Calls work(k) for each k < size, where one call is little, many of them at a time to a thread.
+/// Calls work(k) for each k < size, for short calls, in batches per thread.
 template <class Work>
 void in_even_parts(std::size_t size, int threads, const Work& work) {
   constexpr std::size_t kOfAPart = 2048;

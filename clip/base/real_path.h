@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Where a path leads, from the root: symbolic links are followed, those to what is not there yet,
-/// too. Empty, with the error, where it cannot be told, as where links lead around.
+/// The absolute path after following symbolic links, including links to files that do not exist
+/// yet. Empty, with the error, if it cannot be found, as for circular links.
 std::filesystem::path real_path(const std::filesystem::path& path, std::error_code& error);
 
 }  // namespace displayfile

@@ -4,9 +4,9 @@
 
 namespace displayfile {
 
-/// While it lives, this thread rounds to nearest, whatever mode the host has set. It stands first
-/// in each public call that computes with doubles (work_budget.h has one too), and in each task of
-/// another thread, so that no result depends on the host's mode.
+/// Makes this thread round to nearest during its lifetime, whatever mode the host has set.
+/// Constructed first in each public call that computes with doubles (work_budget.h has one too),
+/// and in each task of another thread, so that no result depends on the host's mode.
 class RoundToNearest {
  public:
   RoundToNearest() : before_(std::fegetround()) {

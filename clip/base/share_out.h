@@ -5,10 +5,10 @@
 
 namespace displayfile {
 
-// How in_parallel uses threads: by oneTBB (share_out_tbb.cpp) or, in a build without it, by threads
-// of the C++ library (share_out_threads.cpp); in a browser there is one (share_out_alone.cpp).
+// The threads of in_parallel: from oneTBB (share_out_tbb.cpp), or without it from the C++ library
+// (share_out_threads.cpp); in a browser there is one (share_out_alone.cpp).
 
-/// How many threads this machine runs at a time; at least 1.
+/// The number of threads that this machine runs at a time; at least 1.
 int most_threads();
 
 /// Calls work(k) once for each k < count, in any order, on that many threads, this one among them;

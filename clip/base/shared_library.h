@@ -2,12 +2,12 @@
 
 namespace displayfile {
 
-/// A library that is loaded when it is first asked for, and stays: one that most pictures do
-/// without costs them no time to start and no memory.
+/// A library that is loaded on first use and stays loaded, so that pictures without it need no time
+/// or memory for it.
 class SharedLibrary {
  public:
-  /// Loads the library as the system's loader finds it; a null pointer is what the program is
-  /// linked with. Throws Error, in the loader's words, if there is none.
+  /// Loads the library by the system's loader; a null pointer stands for the program itself. Throws
+  /// Error, with the loader's message, if there is none.
   explicit SharedLibrary(const char* name);
 
   /// A function of C linkage. Throws Error if the library has none of that name.
@@ -22,8 +22,8 @@ class SharedLibrary {
   void* handle_;
 };
 
-/// Declares a member that is a library's function, of its type: named without the prefix that all
-/// functions of the library have.
+/// Declares a member for a library's function, with its type and its name without the prefix that
+/// all functions of the library have.
 #define DISPLAYFILE_LIBRARY_FUNCTION(library, prefix, name) \
   decltype(&::prefix##name) name = library.function<decltype(&::prefix##name)>(#prefix #name)
 

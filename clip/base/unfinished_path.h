@@ -6,24 +6,24 @@
 
 namespace displayfile {
 
-/// A file or folder that is to be gone if the process is told to stop before this object is: it
-/// stands in a table that a signal handler may read.
+/// A file or folder to be removed if a signal ends the process during the object's lifetime. It is
+/// kept in a table that signal handlers may read.
 class UnfinishedPath {
  public:
   UnfinishedPath() = default;
-  /// Where more paths are unfinished than the table has places, 4096, this one is left out.
+  /// Paths beyond the table's 4096 entries are ignored.
   explicit UnfinishedPath(std::string path);
   ~UnfinishedPath();
   UnfinishedPath(UnfinishedPath&& other) noexcept;
   UnfinishedPath& operator=(UnfinishedPath&& other) noexcept;
 
-  /// Removes every unfinished file, and each folder with nothing else in it, in whatever order they
-  /// were entered. Calls nothing that a signal handler may not.
+  /// Removes every unfinished file, and each folder that is then empty, in any order of entry.
+  /// Async-signal-safe.
   static void remove_all() noexcept;
 
-  /// A thread gives something a name, or takes one away, while it has one of these: from where it
-  /// stands in the table to where it is there, or from where it is whole to where it does not stand
-  /// in the table any more. No signal interrupts the thread there.
+  /// Held while a thread creates or removes a path: between its entry in the table and its
+  /// creation, or between its completion and its removal from the table. Signals do not interrupt
+  /// the thread there.
   class Naming {
    public:
     Naming();
@@ -34,9 +34,8 @@ class UnfinishedPath {
    private:
     sigset_t before_;
   };
-  /// For the handler of a signal that ends the process: no thread begins to name anything from now
-  /// on, but waits for the end; returns when none is about it, so that remove_all then leaves
-  /// nothing, whatever the threads do.
+  /// For the handler of a signal that ends the process: blocks threads that begin Naming from now
+  /// on, and returns when no thread is in it, so that remove_all then removes everything.
   static void end_naming() noexcept;
 
  private:

@@ -7,17 +7,16 @@
 
 namespace displayfile {
 
-/// The base of an object of which others keep something (displayfile/views/taken_scene.h): where it
-/// is, and how often it was edited. An object that nobody watches has a null pointer more, and
-/// makes nothing.
+/// Base of an object that others observe (displayfile/views/taken_scene.h): they learn its address
+/// and its number of edits. An unobserved object has one null pointer more and allocates nothing.
 template <class Object>
 class Watched {
  public:
   struct Place {
-    const Object* object;     ///< where it was moved to; null when it is gone
-    std::uint64_t edits = 0;  ///< that did more than add to it
+    const Object* object;     ///< current address; null after destruction
+    std::uint64_t edits = 0;  ///< other than additions
   };
-  /// May be called by several threads at a time, while none changes the object.
+  /// Several threads may call it at a time, while none changes the object.
   std::shared_ptr<const Place> place() const {
     static std::mutex making;
     const std::lock_guard in_turn(making);
@@ -50,7 +49,7 @@ class Watched {
 
  private:
   const Object* self() const { return static_cast<const Object*>(this); }
-  /// Whoever watches has no object any more.
+  /// Detaches all observers.
   void leave() {
     if (place_ != nullptr) place_->object = nullptr;
     place_.reset();

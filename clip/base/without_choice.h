@@ -2,8 +2,8 @@
 
 namespace displayfile {
 
-/// While it lives, messages of limits do not say what may be done instead (WorkDone, of work that
-/// this thread names): for commands that have no other method.
+/// Suppresses the alternative method in messages of limits during its lifetime (WorkDone, for work
+/// named by this thread), for commands with only one method.
 class WithoutChoice {
  public:
   WithoutChoice() noexcept;

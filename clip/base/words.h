@@ -9,23 +9,23 @@
 
 namespace displayfile {
 
-/// A value and the word that drawing programs and the command line have for it.
+/// A value and its word in drawing programs and on the command line.
 template <class Value>
 struct Word {
   Value value;
   std::string_view word;
 };
 
-/// A word as messages show it: in quotes, a long one cut between two characters, with ? for control
-/// characters.
+/// A word for messages: in quotes, a long one shortened between two characters, control characters
+/// as ?.
 std::string quoted(std::string_view word);
 
-/// Throws Error: "`expected` a, b or c, not 'word'", and which of them may be meant.
+/// Throws Error: "`expected` a, b or c, not 'word'", with a suggestion.
 [[noreturn]] void refuse_word(std::string_view word, std::span<const std::string_view> known,
                               std::string_view expected);
 
-/// The value of a word of a table. Throws Error for any other, in a sentence that begins as
-/// `expected` does.
+/// The value of a word in a table. Throws Error for any other word; the message begins with
+/// `expected`.
 template <class Value, std::size_t N>
 const Value& value_of(const Word<Value> (&words)[N], std::string_view word,
                       std::string_view expected) {

@@ -64,7 +64,7 @@ void WorkBudget::ask(std::uint64_t more_comparisons) {
   if (is_stopped()) {
     const char* const what = in_force.done.what;
     throw LimitReached(
-        fmt::format("{}stopped, as requested", what == nullptr ? "" : std::string(what) + ": "));
+        fmt::format("{}stopped on request", what == nullptr ? "" : std::string(what) + ": "));
   }
   if (compared > limits_.comparisons) {
     fail(fmt::format("{} comparisons are not enough, {} were made", limits_.comparisons, compared),

@@ -8,13 +8,13 @@
 
 namespace displayfile {
 
-/// Counts what several threads do of one work, and tells of it.
+/// Counts the progress of several threads in one operation and reports it.
 class CountedWork {
  public:
-  /// What is told must live on; if it is empty nothing is counted.
+  /// `told` must outlive this; if it is empty, nothing is counted.
   CountedWork(const WorkProgress& told, std::size_t all) : told_(told), all_(all) {}
 
-  /// So much more is done. Any thread may call it.
+  /// Adds to the work done. Any thread may call it.
   void add(std::size_t more) {
     if (!told_) return;
     const std::lock_guard lock(mutex_);

@@ -32,67 +32,67 @@ inline constexpr std::int32_t fill_solid = -16;
 inline constexpr std::int32_t fill_hollow = -17;
 inline constexpr std::int32_t fill_shadowed = -18;  ///< solid, with a FillShadow
 inline constexpr std::int32_t pick = -32;           ///< the next code is the pick identifier
-/// The next code is the pick identifier of the polygon that follows, and each polygon after it has
-/// the next one, until another is entered: identifiers that are ordinals cost nothing a polygon.
+/// The next code is the pick identifier of the polygon that follows; each later polygon has the
+/// next identifier, until another is entered. So identifiers that are ordinals need no memory per
+/// polygon.
 inline constexpr std::int32_t pick_run = -33;
-/// The next code is the pick identifier of the lines that follow; at the start they have none.
+/// The next code is the pick identifier of lines that follow; initially they have none.
 inline constexpr std::int32_t line_pick = -34;
 inline constexpr std::int32_t intensities = -64;  ///< of the vertices of the polygon that follows
-/// Kinds of lines of the sides of the polygon that follows, which stand before its intensities or
-/// normals.
+/// Line kinds of the sides of the polygon that follows; precede its intensities or normals.
 inline constexpr std::int32_t side_kinds = -65;
 inline constexpr std::int32_t normals = -66;  ///< of the vertices of the polygon that follows
-inline constexpr std::int32_t light = -67;    ///< that normals are seen in from here on
-inline constexpr std::int32_t text = -128;    ///< its anchor and characters are kept apart
-/// The next code is the alignment, and with bit 2 set the text is always seen.
+inline constexpr std::int32_t light = -67;    ///< the light for normals from here on
+inline constexpr std::int32_t text = -128;    ///< its anchor and characters are stored separately
+/// The next code is the alignment; bit 2: the text is always visible.
 inline constexpr std::int32_t text_style = -129;
 inline constexpr std::int32_t text_always = 4;
-/// True for what stands right before a polygon that is shaded smoothly.
+/// True for codes that directly precede a smoothly shaded polygon.
 inline constexpr bool is_of_vertices(std::int32_t code) {
   return code == intensities || code == normals;
 }
 }  // namespace op
 
-/// Display-file instructions in arrays of their own, in the order in which they were entered.
-/// While all points lie at one depth only x and y are stored; z is added when it is first needed.
+/// Display-file instructions in separate arrays, in order of entry. While all points have one depth
+/// only x and y are stored; z is added when first needed.
 class Instructions {
  public:
-  /// Entering instructions. Styles, and before a polygon the pick identifier, are entered only when
-  /// they differ from those in force; at the start there are none in force.
+  /// Styles, and before a polygon the pick identifier, are entered only when they differ from those
+  /// in force; initially none are in force.
   void set_style(const FillStyle& fill);
   void set_style(const LineStyle& line);
   void set_style(const TextStyle& text);
   void set_pick(std::int32_t id) { pick_ = id; }
   void set_line_pick(std::int32_t id) { line_pick_ = id; }  ///< of lines; -1: none
-  void enter_line(const Point3& from, const Point3& to);  ///< a move first, if the pen is elsewhere
-  /// 3 vertices or more; edge_visible is of the edge that ends at the vertex: 0 if it is not drawn,
-  /// or the kinds of line that it is.
+  void enter_line(const Point3& from,
+                  const Point3& to);  ///< preceded by a move if the pen is elsewhere
+  /// At least 3 vertices; edge_visible refers to the edge that ends at the vertex: 0 if it is not
+  /// drawn, otherwise its line kinds.
   void enter_polygon(std::span<const Point3> vertices, std::span<const std::uint8_t> edge_visible,
                      const VertexShading& shading = {});
 
-  /// Keeps the polygons that follow as the application entered them, beside their instructions:
-  /// each enter_polygon is followed by one call of what this returns, which gets the others, too.
+  /// Also keeps the following polygons as the application entered them: the caller enters each
+  /// polygon, with or without an instruction, into the returned object.
   EnteredPolygons& keep_entered(const Touching& touching, const ViewVolume& volume) {
     return as_entered_.emplace(touching, volume);
   }
   EnteredPolygons* keeping_entered() { return as_entered_ ? &*as_entered_ : nullptr; }
-  /// The polygons and lines as they were entered; null if they are not kept, of each one.
+  /// The polygons and lines as entered; null if they are not kept for each one.
   const EnteredPolygons* as_entered() const {
     const bool is_of_each =
         as_entered_ && as_entered_->seen() == polygons_ && as_entered_->lines() == lines_;
     return is_of_each && !as_entered_->are_as_viewed() ? &*as_entered_ : nullptr;
   }
 
-  /// A surface's cells follow: the next polygons, if all of it is inside of the view.
+  /// The next polygons are a surface's cells, if all of it is inside of the view.
   void mark_surface(const SurfaceMark& mark) { surfaces_.push_back(mark); }
   std::span<const SurfaceMark> surfaces() const { return surfaces_; }
 
-  /// A text at a point: UTF-8 that can be drawn (displayfile/text/characters.h). The pen stays
-  /// where it is.
+  /// A text at a point: drawable UTF-8 (displayfile/text/characters.h). The pen does not move.
   void enter_text(const Point3& anchor, std::string_view characters);
 
-  /// Enters a flat polygon of n sides, where point(i) is its vertex i and the side that ends there
-  /// is drawn if is_drawn(i). Quick where polygons with z are entered in a row.
+  /// Enters a planar polygon of n sides with vertices point(i); the side that ends at vertex i is
+  /// drawn if is_drawn(i). Fast for successive polygons with z.
   template <class PointAt, class IsDrawn>
   void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
     if (!stores_z_) {
@@ -144,21 +144,21 @@ class Instructions {
   bool stores_z() const { return stores_z_; }
   /// The depth of all points, where z is not stored; 0 if there are none.
   double flat_depth() const { return flat_z_; }
-  bool has_shadows() const { return has_shadows_; }  ///< some fill shows them
-  /// All points in order of entry: of a line the one it ends at, preceded, whatever was entered
-  /// before, by the one it starts at; of a polygon its vertices. Empty unless z is stored.
+  bool has_shadows() const { return has_shadows_; }  ///< a fill shows shadows
+  /// All points in order of entry: for a line its end, always preceded by its start; for a polygon
+  /// its vertices. Empty unless z is stored.
   std::span<const Point3> stored_points() const { return points_; }
   /// The intensities of the vertices of all shaded polygons, in order of entry.
   std::span<const double> stored_intensities() const { return intensities_; }
-  /// The normals of those with Phong shading.
+  /// The vertex normals of all polygons with Phong shading.
   std::span<const Point3> stored_normals() const { return normals_; }
-  /// False if nothing that was entered shows: there is nothing, or all is hollow and of line style
-  /// none. Looks no further than the first style that shows.
+  /// False if nothing is visible: no instructions, or all hollow with line style none. Stops at the
+  /// first visible style.
   bool shows() const;
   std::size_t bytes() const;  ///< of the instruction arrays, as used
-  /// Makes room for so many codes, points and solid fill styles more, at once.
+  /// Reserves capacity for more codes, points and solid fill styles.
   void reserve_more(std::size_t codes, std::size_t points, std::size_t fills);
-  void free_room();  ///< no more are to come
+  void free_room();  ///< after the last instruction
 
  private:
   template <class Visitor>
@@ -169,7 +169,7 @@ class Instructions {
   static void visit_line_pick(Visitor& visit, std::int32_t id) {
     if constexpr (requires { visit.line_pick(id); }) visit.line_pick(id);
   }
-  /// The points of texts are apart from the others, of which they are no part.
+  /// Texts' points are stored separately from the others.
   struct TextAt {
     Point3 anchor;
     std::size_t end;  ///< of its characters
@@ -179,7 +179,7 @@ class Instructions {
     visit.text_style(style);
     visit.text(Point3(), std::string_view());
   };
-  /// What tells a walk the pick identifiers.
+  /// State of pick identifiers in a walk.
   struct Picks {
     bool in_run = false;
     std::int64_t next = 0;  ///< in a run
@@ -212,7 +212,7 @@ class Instructions {
   std::optional<std::int32_t> pick_;  // of the next polygon
   std::optional<std::int32_t> last_pick_;
   bool last_pick_repeats_ = false;                     // the last two polygons have it
-  Picks stored_picks_;                                 // what a walk knows after the last polygon
+  Picks stored_picks_;                                 // a walk's state after the last polygon
   std::int32_t line_pick_ = -1, last_line_pick_ = -1;  // of the next line, and in force
   std::optional<Point3> pen_;                          // always the point entered last
 };
@@ -328,7 +328,7 @@ void Instructions::walk(Visitor&& visit) const {
   }
 }
 
-/// Passes instructions on to a visitor with points, and lights of shadows, after an image
+/// Passes instructions to a visitor, with points and lights of shadows after an image
 /// transformation.
 template <class Visitor>
 class TransformedVisitor {
@@ -348,7 +348,7 @@ class TransformedVisitor {
   void intensities(std::span<const double> values) {
     if constexpr (requires { visit_.intensities(values); }) visit_.intensities(values);
   }
-  /// World coordinates: an image transformation leaves them as they are.
+  /// In world coordinates, which an image transformation does not change.
   void normals(std::span<const Point3> values, const Light& light) {
     if constexpr (requires { visit_.normals(values, light); }) visit_.normals(values, light);
   }
@@ -377,7 +377,7 @@ class TransformedVisitor {
   void text_style(const TextStyle& s) {
     if constexpr (requires { visit_.text_style(s); }) visit_.text_style(s);
   }
-  /// Only the anchor is moved: letters stay as large as they are, and upright.
+  /// Only the anchor is transformed: letters keep their size and stay upright.
   void text(const Point3& anchor, std::string_view characters) {
     if constexpr (requires { visit_.text(anchor, characters); }) {
       visit_.text(matrix_.apply(anchor), characters);

@@ -8,16 +8,16 @@
 
 namespace displayfile {
 
-/// The intensity over the picture of a polygon that was cut from one triangle: linear, as the depth
-/// of its plane is. Device coordinates.
+/// The intensity over the picture of a polygon cut from one triangle: linear, as the depth of its
+/// plane. Device coordinates.
 struct IntensityPlane {
   double x0 = 0.0, y0 = 0.0, i0 = 0.0;  ///< a vertex and its intensity
   double di_dx = 0.0, di_dy = 0.0;
-  double low = 0.0, high = 0.0;  ///< of the vertices: rounding leads nowhere else
+  double low = 0.0, high = 0.0;  ///< range over the vertices, to which results are clamped
 
   IntensityPlane() = default;
-  /// The plane through the vertices that span the most (hidden/exact/support_plane.h). If the
-  /// polygon is edge-on, or so nearly that doubles know no slope, the mean everywhere.
+  /// The plane through the vertices with the largest span (hidden/exact/support_plane.h). The mean
+  /// everywhere if the polygon is edge-on, or too nearly so for a slope in doubles.
   IntensityPlane(std::span<const Point3> device, std::span<const double> intensities);
 
   double within(double intensity) const {

@@ -8,18 +8,17 @@
 
 namespace displayfile {
 
-/// Some of a scene's items, of which something is stored in a row; a bit for each item.
+/// A subset of a scene's items whose data is stored in sequence; one bit per item.
 class ItemRanks {
  public:
-  /// The item is larger than all that were added before.
+  /// Items must be added in ascending order.
   void add(std::uint32_t item) {
     while (words_.size() <= item / 64) words_.push_back({0, count_});
     assert(words_.size() == item / 64 + 1 && words_.back().bits >> item % 64 == 0);
     words_.back().bits |= std::uint64_t{1} << item % 64;
     ++count_;
   }
-  /// The place of an item that was added among those that were: 0 of the first, and of each one
-  /// more than of the one before.
+  /// The rank of an added item among those added, from 0.
   std::uint32_t operator[](std::uint32_t item) const {
     assert(item / 64 < words_.size() && (words_[item / 64].bits >> item % 64 & 1) != 0);
     const auto& [bits, before] = words_[item / 64];
@@ -44,7 +43,7 @@ class ItemRanks {
  private:
   struct Word {
     std::uint64_t bits;
-    std::uint32_t before;  ///< how many items there are in the words before
+    std::uint32_t before;  ///< number of items in the words before
   };
   std::vector<Word> words_;
   std::uint32_t count_ = 0;

@@ -6,18 +6,17 @@
 
 namespace displayfile {
 
-/// The normal over the picture of a polygon that was cut from one triangle, not of length 1: each
-/// component is linear, as an intensity is (displayfile/entered/intensity_plane.h). Device
-/// coordinates.
+/// The normal over the picture of a polygon cut from one triangle, not of length 1: each component
+/// is linear, as an intensity is (displayfile/entered/intensity_plane.h). Device coordinates.
 struct NormalPlane {
   double x0 = 0.0, y0 = 0.0;  ///< a vertex
   Point3 n0{0.0};             ///< and its normal
   Point3 dn_dx{0.0}, dn_dy{0.0};
-  Point3 low{0.0}, high{0.0};  ///< of the vertices' components: rounding leads nowhere else
+  Point3 low{0.0}, high{0.0};  ///< range of the vertices' components, to which results are clamped
 
   NormalPlane() = default;
-  /// The plane through the vertices that span the most (hidden/exact/support_plane.h). If the
-  /// polygon is edge-on, or so nearly that doubles know no slope, the mean everywhere.
+  /// The plane through the vertices with the largest span (hidden/exact/support_plane.h). The mean
+  /// everywhere if the polygon is edge-on, or too nearly so for a slope in doubles.
   NormalPlane(std::span<const Point3> device, std::span<const Point3> normals);
 
   static Point3 within(const Point3& normal, const Point3& low, const Point3& high);

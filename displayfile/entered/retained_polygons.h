@@ -15,13 +15,13 @@ namespace displayfile {
 struct RetainedPrimitive {
   std::uint32_t first;  ///< of its corners
   std::uint32_t sides;  ///< 2: a line
-  std::uint32_t look;   ///< the number of what it is drawn with
-  std::int32_t pick;    ///< of a line -1 if it has none
+  std::uint32_t look;   ///< index of its attributes
+  std::int32_t pick;    ///< -1: a line without one
   bool is_line() const { return sides == 2; }
 };
 
-/// The primitives of a segment of a retained scene, with their points as they were entered, in
-/// arrays that the scene has too. They stay as they were taken whatever becomes of the scene.
+/// The primitives of a retained scene's segment with their points as entered, in arrays shared with
+/// the scene. They are unchanged whatever happens to the scene.
 class RetainedPolygons {
  public:
   using Primitives = GrowingArray<RetainedPrimitive>::Part;
@@ -29,7 +29,7 @@ class RetainedPolygons {
   using Corners = GrowingArray<std::uint32_t>::Part;
 
   RetainedPolygons() = default;
-  /// `size` of the primitives from that one on. The corners' points; without any: these in a row.
+  /// `size` primitives from `first` on. corners empty: the points in order.
   RetainedPolygons(Primitives primitives, Points points, Corners corners, std::size_t first,
                    std::size_t size)
       : primitives_(std::move(primitives)),
@@ -48,7 +48,7 @@ class RetainedPolygons {
     if (corners_.size == 0) return points_.span().subspan(of.first, of.sides);
     return {points_.span(), corners_.span().subspan(of.first, of.sides)};
   }
-  /// Where the arrays are, to tell whether they are others.
+  /// The addresses of the arrays, for comparison.
   using Place = std::array<const void*, 3>;
   Place place() const {
     return {primitives_.elements.get(), points_.elements.get(), corners_.elements.get()};

@@ -9,14 +9,14 @@
 
 namespace displayfile {
 
-/// What the vertices of some of a scene's items have, intensities or normals: one value each, in
-/// order of entry.
+/// Vertex values of some of a scene's items, intensities or normals: one per vertex, in order of
+/// entry.
 template <class Value>
 class VertexValues {
  public:
-  /// From here on values that are added lie among these, which must live on, and are not copied.
+  /// Values added from now on are spans of `stored`, which must outlive this; they are not copied.
   void lie_in(std::span<const Value> stored) { all_ = stored; }
-  /// Those of an item, which is larger than all that were added before.
+  /// Adds an item's values; items must be added in ascending order.
   void add(std::uint32_t item, std::span<const Value> values) {
     assert(first_.size() <= item);
     first_.resize(item, kNone);
@@ -29,7 +29,8 @@ class VertexValues {
       first_.push_back(static_cast<std::uint32_t>(values.data() - all_.data()));
     }
   }
-  /// Those of the items of another scene, which come from that one on. Nothing lies elsewhere.
+  /// Appends the values of another scene's items, which begin at first_item. Neither refers to
+  /// outside storage.
   void append(const VertexValues& part, std::uint32_t first_item) {
     if (part.first_.empty()) return;
     assert(all_.empty() && first_.size() <= first_item);
@@ -47,7 +48,7 @@ class VertexValues {
   }
 
   bool empty() const { return first_.empty(); }  ///< no item has any
-  /// The values of an item of so many sides; empty if it has none.
+  /// The values of an item with this many sides; empty if it has none.
   std::span<const Value> of(std::uint32_t item, std::uint32_t sides) const {
     if (item >= first_.size() || first_[item] == kNone) return {};
     return (all_.empty() ? std::span<const Value>(own_) : all_).subspan(first_[item], sides);

@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Throws Error for the colour rule if there is no background, whose colour fills have in vectors
-/// and in dumps.
+/// Throws Error for the colour rule without a background, whose colour its fills have in vectors
+/// and dumps.
 void require_colour_of_fills(HiddenMethod method, const Background& background);
 
 }  // namespace displayfile

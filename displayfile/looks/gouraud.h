@@ -8,22 +8,20 @@
 
 namespace displayfile {
 
-// Gouraud shading on the way into the display file (displayfile/looks/gouraud.md). World
-// coordinates.
+// Gouraud shading when polygons are entered (displayfile/looks/gouraud.md). World coordinates.
 
-/// True if the normals are not all the same: then the polygon is entered as triangles.
+/// True if the normals differ: then the polygon is entered as triangles.
 bool differ(std::span<const Point3> normals);
 
-/// Makes what an application gave as normals of a polygon's vertices agree with the polygon, whose
-/// own normal is given: a zero stands for that one, and if they point out of the dark face, taken
-/// together, all are turned round. Any length.
+/// Orients the vertex normals passed by an application to the polygon's own normal `own`: zeros are
+/// replaced by it, and if they point out of the dark face in total, all are reversed. Any length.
 void orient(std::span<Point3> normals, const Point3& own);
 
-/// Clips polygons whose vertices have normals, and lights the side that is seen.
+/// Clips polygons with vertex normals and lights the visible side.
 class GouraudLighting {
  public:
-  /// The intensities are those of the vertices, interpolated where edges were cut. Valid until the
-  /// pipeline's next call.
+  /// Returns vertex intensities, interpolated where edges were cut. Valid until the pipeline's next
+  /// call.
   ClippedPolygon clip(ClipPipeline& pipeline, std::span<const Point3> world,
                       std::span<const std::uint8_t> edge_visible, std::span<const Point3> normals,
                       const Light& light);
@@ -32,8 +30,8 @@ class GouraudLighting {
   std::vector<double> intensities_;
 };
 
-/// The fill that a clipped polygon is entered with: lit, if it is hollow or has one intensity at
-/// all vertices, and the vertices' intensities are then removed; otherwise as it is.
+/// The fill with which a clipped polygon is entered: if it is hollow or all intensities are equal,
+/// the lit fill, and the intensities are removed; otherwise `fill`.
 FillStyle shaded_fill(const FillStyle& fill, ClippedPolygon& clipped);
 
 }  // namespace displayfile

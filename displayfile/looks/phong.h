@@ -10,13 +10,13 @@
 
 namespace displayfile {
 
-// Phong shading on the way into the display file (displayfile/looks/phong.md). World coordinates.
+// Phong shading when polygons are entered (displayfile/looks/phong.md). World coordinates.
 
-/// Clips polygons whose vertices have normals, which go with them.
+/// Clips polygons with vertex normals, keeping the normals.
 class PhongNormals {
  public:
-  /// The normals are those of the vertices, of length 1, out of the side that is seen, and
-  /// interpolated where edges were cut. Valid until the next call, and the pipeline's.
+  /// Returns normals of length 1, out of the visible side, interpolated where edges were cut. Valid
+  /// until the next call, here or of the pipeline.
   ClippedPolygon clip(ClipPipeline& pipeline, std::span<const Point3> world,
                       std::span<const std::uint8_t> edge_visible, std::span<const Point3> normals);
 
@@ -24,9 +24,8 @@ class PhongNormals {
   std::vector<Point3> normals_;
 };
 
-/// The fill that a clipped polygon with normals is entered with: lit, if it is hollow, or if every
-/// normal over it has one intensity, and the vertices' normals are then removed; otherwise as it
-/// is.
+/// The fill with which a clipped polygon with normals is entered: if it is hollow or every normal
+/// has the same intensity, the lit fill, and the normals are removed; otherwise `fill`.
 FillStyle phong_fill(const FillStyle& fill, const Light& light, ClippedPolygon& clipped);
 
 }  // namespace displayfile

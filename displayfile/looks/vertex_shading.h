@@ -8,22 +8,22 @@
 
 namespace displayfile {
 
-/// What the vertices of a polygon have that is shaded smoothly, one each: intensities with Gouraud
-/// shading (displayfile/looks/gouraud.md), normals with Phong shading (displayfile/looks/phong.md).
-/// Both run linearly over its picture, which was cut from one triangle; the fill colour is
-/// multiplied by the intensity, or by that of the normal. Empty if the polygon is flat. What it
-/// points to must live on.
+/// Vertex data of a smoothly shaded polygon: intensities with Gouraud shading
+/// (displayfile/looks/gouraud.md), normals with Phong shading (displayfile/looks/phong.md). Both
+/// are linear over its picture, which was cut from one triangle; the fill colour is multiplied by
+/// the intensity, or that of the normal. Empty if the polygon is flat shaded. It does not own its
+/// arrays.
 struct VertexShading {
   std::span<const double> intensities = {};
-  /// World coordinates; out of the side that is seen. Of length 1 where no edge was cut.
+  /// World coordinates, out of the visible side. Of length 1 where no edge was cut.
   std::span<const Point3> normals = {};
-  const Light* light = nullptr;  ///< that normals are seen in
+  const Light* light = nullptr;  ///< the light for the normals
 
   bool empty() const { return intensities.empty() && normals.empty(); }
 };
 
-/// Tells a visitor of instructions (displayfile/entered/instructions.h) what stands before a
-/// polygon, if it takes it: intensities(span<const double>), or normals(span<const Point3>, const
+/// Calls a visitor of instructions (displayfile/entered/instructions.h) with the data before a
+/// polygon, if it accepts it: intensities(span<const double>), or normals(span<const Point3>, const
 /// Light&).
 template <class Visitor>
 void visit_shading(Visitor& visit, const VertexShading& shading) {
@@ -35,8 +35,8 @@ void visit_shading(Visitor& visit, const VertexShading& shading) {
   }
 }
 
-/// The intensities of the vertices, for who does not interpolate normals: those that there are, or
-/// those of the normals, in an array whose content is lost. None if the polygon is flat.
+/// Vertex intensities for callers that do not interpolate normals: the given ones, or those of the
+/// normals, in a buffer that is overwritten. Empty if the polygon is flat shaded.
 std::span<const double> vertex_intensities(const VertexShading& shading,
                                            std::vector<double>& of_normals);
 

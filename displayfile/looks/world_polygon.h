@@ -13,14 +13,14 @@ namespace displayfile {
 struct WorldPolygon {
   PointRow vertices;
   std::span<const std::uint8_t> edge_visible;  ///< of the side that ends at the vertex; empty: all
-  Point3 normal;  ///< Newell's of the whole polygon that it is of, where there is light
-  std::span<const Point3> vertex_normals;  ///< if it is shaded smoothly, and where there is light
+  Point3 normal;  ///< Newell's normal of the whole polygon, where there is light
+  std::span<const Point3> vertex_normals;  ///< with smooth shading and light
   std::int32_t pick;
-  /// The vertices as the application entered them, before the modelling transformation of that
-  /// matrix. Null: the vertices are what was entered.
+  /// The vertices as entered, before the modelling transformation of that matrix. Null: the
+  /// vertices are as entered.
   PointRow entered = std::span<const Point3>();
   const glm::dmat4x3* modelling = nullptr;
-  bool is_cut = false;  ///< cutting planes have cut it
+  bool is_cut = false;  ///< cut by cutting planes
 };
 
 }  // namespace displayfile

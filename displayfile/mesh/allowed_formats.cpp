@@ -21,11 +21,11 @@ constexpr std::array<std::string_view, 8> kAllowed{".amf",  ".dxf", ".fbx", ".gl
 void require_allowed_format(const std::string& path) {
   const std::string extension = extension_of(path);
   if (std::ranges::find(kAllowed, extension) != kAllowed.end()) return;
-  throw Error(fmt::format(
-      "{}: the import library's reader is not known to be sound, and this system cannot confine "
-      "it: expected OBJ, OFF, PLY, STL or one of {}; --any-format (ImportLimits::any_format) reads "
-      "it all the same",
-      path, fmt::join(kAllowed, " ")));
+  throw Error(
+      fmt::format("{}: the import library's reader is not known to be safe, and this system cannot "
+                  "confine it: expected OBJ, OFF, PLY, STL or one of {}; --any-format "
+                  "(ImportLimits::any_format) reads it anyway",
+                  path, fmt::join(kAllowed, " ")));
 }
 
 }  // namespace displayfile

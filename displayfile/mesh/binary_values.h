@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// The number that the first bytes are, which must be there.
+/// The number stored in the first bytes, which must exist.
 template <class Number>
 Number binary_value(std::string_view bytes, std::endian order) {
   std::array<char, sizeof(Number)> raw;

@@ -6,14 +6,14 @@
 
 namespace displayfile {
 
-/// Turns the loops of bodies that are inside out, as what is mirrored is, so that all are
-/// counterclockwise around what is solid. A body that lies in no other's material is solid
-/// whichever way it is turned; what lies within one that is inside out is turned with it.
+/// Reverses the loops of inside-out bodies, such as mirrored ones, so that all run counterclockwise
+/// around solid. A body in no other's material is solid in either orientation; bodies within an
+/// inside-out body are reversed with it.
 void turn_bodies_out(Section& section, const SectionPlane& plane);
 
-/// The cut face of a section by that plane, as even-odd polygons that may overlap where bodies do:
-/// one of each object, its loops joined by bridges. One that is a cavity, of negative area, is a
-/// hole of the smallest object that has it in its material.
+/// The cut face of a section, as even-odd polygons, one per object, whose loops are joined by
+/// bridges; they may overlap where bodies do. A cavity, of negative area, is a hole of the smallest
+/// object with it in its material.
 std::vector<std::vector<Point3>> cap_polygons(const Section& section, const SectionPlane& plane);
 
 }  // namespace displayfile

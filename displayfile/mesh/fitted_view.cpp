@@ -51,7 +51,7 @@ Sight from_direction(const EyeDirection& eye, const Upright& world) {
 Sight from_position(const Point3& eye, const Point3& at, const Upright& world) {
   const double distance = glm::length(eye - at);
   if (!(distance > 0.0)) {
-    throw Error("the eye is at what it looks at: expected another point");
+    throw Error("the eye is at the target: expected another point");
   }
   const Point3 toward = (eye - at) / distance;
   const bool along_up = glm::length(glm::cross(toward, world.up)) <= kParallelToUp;
@@ -236,8 +236,8 @@ void FittedCamera::fit_window() {
     const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
     if (!(w > kNearestFront)) {
       throw Error(
-          "the scene is not all before the eye: expected an eye farther away, an angle of view, "
-          "nothing to be fitted, or a window that is set");
+          "part of the scene is not in front of the eye: expected an eye farther away, an angle of "
+          "view, no fitting, or a window that is set");
     }
     const Point2 at = eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
     seen.include({at.x, at.y, p.z});

@@ -10,34 +10,33 @@
 
 namespace displayfile {
 
-/// Appends the positions that faces use, each vertex once, in world coordinates.
+/// Appends the vertices used by faces, each once, in world coordinates.
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world);
 
-/// What an application set of the view before a mesh.
+/// The view settings of an application before a mesh.
 struct CameraAsSet {
   View view;
-  ExplicitSettings settings;  ///< which parts of it were set
+  ExplicitSettings settings;  ///< the parts set explicitly
 };
 
-/// Sets a view that shows the points whole, by a camera: unless it has another one a three-quarter
-/// perspective from the front, a little from the right and from above; the window fitted to what is
-/// projected with a small margin, in the shape of the system's pictures; the view depth enclosing
-/// the points.
+/// Sets a view that shows all points, by a camera: by default a three-quarter perspective from the
+/// front, a little from the right and above; with the window fitted to the projection with a small
+/// margin, in the aspect ratio of the system's pictures, and the view depth enclosing the points.
 ///
-/// What was set of the view stays, as the system has it or as `set` has it, to which a program
-/// that is yet to be replayed brings it: the window is made for its viewport, its depth and
-/// clipping are kept, and of its camera only the window is fitted. If a window was set nothing is
-/// changed. A camera without an axis that is up has y.
+/// View settings are kept, those of the system or those of `set`, for a program that is yet to be
+/// replayed: the window is made for the viewport, depth and clipping are kept, and with a set
+/// camera only the window is fitted. If a window was set nothing changes. A camera without an up
+/// axis uses y.
 ///
-/// Throws Error, with no view set, if there are no points, a segment is open, or the camera cannot
-/// be: an eye at what it looks at, an angle of view out of range, or, to be fitted, points that are
-/// not before the eye.
+/// Throws Error, with no view set, if there are no points, a segment is open, or the camera is
+/// invalid: an eye at its target, an angle of view out of range, or, when fitting, points that are
+/// not in front of the eye.
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const CameraAsSet& set);
-/// The same for meshes, in the modelling transformation in force, upright as they stand where the
-/// camera does not say how.
+/// The same for meshes, with the modelling transformation in force and the meshes' up axis where
+/// the camera has none.
 CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system,
                        const Camera& camera = {});
 

@@ -5,9 +5,9 @@
 
 namespace displayfile {
 
-/// What a file is that no reader takes, with its article: "a STEP file". Nothing if it may be one
-/// that is read. The name's extension tells, of STEP also how the file begins; a building (IFC),
-/// which is in the same notation, is not taken for STEP.
+/// A description of a file that no reader supports, with its article: "a STEP file". Nothing if it
+/// may be readable. Decided by the extension, for STEP also by the beginning of the file; a
+/// building (IFC), in the same notation, is not taken for STEP.
 std::optional<std::string> format_not_read(const std::string& path);
 
 }  // namespace displayfile

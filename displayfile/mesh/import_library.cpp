@@ -104,7 +104,7 @@ Scene import_scene(const ImportLibrary& library, const std::string& path,
   // Where there is a scene, the message is that of a file before.
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path,
-                            scene == nullptr ? library.error() : "there is nothing in it"));
+                            scene == nullptr ? library.error() : "it is empty"));
   }
   return scene;
 }

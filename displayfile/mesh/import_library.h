@@ -8,26 +8,23 @@
 
 namespace displayfile {
 
-/// Reads a mesh of any format that Assimp knows, in this process: what the library does there, this
-/// process suffers. read_by_import_process (import_process.h) is what meshes are read by. The
-/// library is loaded when it is first asked for, and opens the mesh's neighbours alone
-/// (neighbour_files.h).
-/// Coordinates come in the single precision that it keeps. An object is a node of the file's scene
-/// that has faces; its transformation is applied, and one that mirrors keeps faces turned outward.
-/// Throws Error: the library was left out of this build or is not installed, the file is of an
-/// format that no reader takes or bad; then the reason is that of the reader that its extension
-/// names. Some readers write to std::cerr themselves.
+/// Reads a mesh of any format that Assimp supports, in this process, without protection from the
+/// library's faults; meshes are read by read_by_import_process (import_process.h). The library is
+/// loaded on first use and opens only the mesh's neighbours (neighbour_files.h). Coordinates have
+/// its single precision. An object is a node of the file's scene that has faces; its transformation
+/// is applied, and mirrored faces stay outward. Throws Error: the library is not built in or not
+/// installed; no reader supports the format; or the file is bad, with the message of the reader for
+/// its extension. Some readers write to std::cerr themselves.
 Mesh read_by_import_library(const std::string& path, bool with_normals);
 
-/// Loads the library, which reading a mesh of this path does otherwise. Throws Error, naming it, if
-/// it cannot be.
+/// Loads the library in advance. Throws Error, naming the path, if it cannot be loaded.
 void load_import_library(const std::string& path);
 
-/// The version of the library, which is loaded for that; nothing if there is none.
+/// The version of the library, which is loaded; nothing if there is none.
 std::optional<std::string> import_library_version();
 
-/// The extensions, with their dots and in no order, of the files that the library reads; it is
-/// loaded for that. None if there is none.
+/// The extensions that the library reads, with their dots, unordered; it is loaded. Empty if there
+/// is none.
 std::vector<std::string> import_library_extensions();
 
 }  // namespace displayfile

@@ -9,15 +9,15 @@
 
 namespace displayfile {
 
-/// The files that the import library may open, and names of others of which a file means something
-/// else: the name as it is written, and what it stands for.
+/// The files that the import library may open, and aliases: names as written in a file, and the
+/// names that they stand for.
 struct OpenFiles {
   const NeighbourFiles& neighbours;
   const std::map<std::string, std::string>& meant_names;
 };
 
-/// How the import library opens files: none is there but a mesh's neighbours, and none is written.
-/// A name that means another opens that one, if it is there. The files must outlive it.
+/// The import library's file access: only a mesh's neighbours exist, and nothing is written. An
+/// alias opens the file that it stands for, if that exists. `files` must outlive it.
 aiFileIO files_among(const OpenFiles& files);
 
 }  // namespace displayfile

@@ -72,18 +72,17 @@ std::string in_words(std::size_t bytes) {
 
 Error too_slow(const std::string& path, const ImportLimits& limits) {
   return Error(
-      fmt::format("{}: the import library (Assimp) did not read it in {} seconds, which is the "
-                  "limit: --import-seconds (ImportLimits::seconds) sets another",
+      fmt::format("{}: the import library (Assimp) reached the limit of {} seconds: "
+                  "--import-seconds (ImportLimits::seconds) sets another",
                   path, limits.seconds));
 }
 
 /// `lent` is what it had, which is less than its own limit where the process may not have more.
 Error too_hungry(const std::string& path, const ImportLimits& limits, std::size_t lent) {
   return Error(fmt::format(
-      "{}: the import library (Assimp) asked for more than {} of memory to read it, which is the "
-      "limit: {} sets another",
-      path, in_words(lent),
-      lent < limits.memory ? "--limit-memory, which leaves it no more,"
+      "{}: the import library (Assimp) reached the limit of {} of memory: {} sets another", path,
+      in_words(lent),
+      lent < limits.memory ? "--limit-memory, which leaves no more,"
                            : "--import-memory (ImportLimits::memory)"));
 }
 
@@ -114,14 +113,14 @@ Error without_answer(const std::string& path, const ImportLimits& limits, std::s
     const int number = WTERMSIG(status);
     if (number == SIGXCPU) return too_slow(path, limits);
     if (number == SIGKILL) {
-      return failed("was killed while it read it, as systems do that run out of memory");
+      return failed("was killed while reading it, probably for lack of memory");
     }
     return failed("crashed on it (" + name_of_signal(number) + ")");
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (code == kOutOfMemoryStatus) return too_hungry(path, limits, lent);
-  if (code == kOtherProtocolStatus) return failed("is called by a program of another build");
-  return failed(fmt::format("ended the process in which it read it, with status {}", code));
+  if (code == kOtherProtocolStatus) return failed("was called by a program of another build");
+  return failed(fmt::format("ended its process with status {}", code));
 }
 
 // ---- Descriptors -----------------------------------------------------------------------
@@ -181,8 +180,8 @@ std::string import_program(const std::string& path) {
     looked_at += (looked_at.empty() ? "" : ", ") + place.string();
   }
   throw Error(
-      fmt::format("{}: the program that reads it cannot be started: {}: {}; the environment's "
-                  "DISPLAYFILE_IMPORT_PROGRAM names it where it stands elsewhere",
+      fmt::format("{}: the import program cannot be started: {}: {}; set the environment variable "
+                  "DISPLAYFILE_IMPORT_PROGRAM if it is elsewhere",
                   path, looked_at, std::strerror(why)));
 }
 
@@ -306,8 +305,8 @@ class ImportProcess {
                                    path_};
     child_ = import_starter()(words, reply.number(), messages.number());
     if (child_ > 0) return;
-    throw Error(fmt::format("{}: the program that reads it cannot be started: {}: {}", path_,
-                            words[0], std::strerror(-child_)));
+    throw Error(fmt::format("{}: the import program cannot be started: {}: {}", path_, words[0],
+                            std::strerror(-child_)));
   }
 
   void wait_for_more() {
@@ -381,7 +380,7 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
     throw without_answer(path, limits, process.memory(), process.end());
   } catch (const BadReply& e) {
     throw Error(
-        fmt::format("{}: not a mesh that can be read: what the import program gave is none: {}",
+        fmt::format("{}: not a mesh that can be read: invalid reply of the import program: {}",
                     path, e.what()));
   }
 }

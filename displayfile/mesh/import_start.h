@@ -7,12 +7,11 @@
 namespace displayfile {
 
 /// Starts the import program with these words, the first of which is its path, and with the
-/// descriptors on which it answers and writes messages; returns the process, or minus the number of
-/// an error.
+/// descriptors for its reply and messages; returns the process, or minus the errno.
 using ImportStarter = std::function<int(std::vector<std::string>& words, int reply, int messages)>;
 
-/// What starts the import program: posix_spawn. Tests that read very many files put something in
-/// its place which does the same in less time, before any mesh is read.
+/// The function that starts the import program: posix_spawn. Tests that read very many files
+/// replace it by a faster equivalent before any mesh is read.
 ImportStarter& import_starter();
 
 }  // namespace displayfile

@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// Loops as one even-odd polygon: each is joined to the first by a bridge there and back.
-/// over_bridge(corner) is that corner as it stands where the polygon comes to it over a bridge.
+/// Joins loops into one even-odd polygon: each is joined to the first by a bridge there and back.
+/// over_bridge(corner) is the corner reached over a bridge.
 template <class Corner, class OverBridge>
 std::vector<Corner> joined_by_bridges(std::span<const std::vector<Corner>> loops,
                                       const OverBridge& over_bridge) {

@@ -8,8 +8,8 @@
 
 namespace displayfile {
 
-/// A warning of what a mesh lost: "left out: the skins of 2 objects". The singular and the plural
-/// have a {} each for the count.
+/// A warning about skipped contents: "left out: the skins of 2 objects". The singular and the
+/// plural each have a {} for the count.
 inline std::string left_out_sentence(std::size_t count, std::string_view one,
                                      std::string_view many) {
   return "left out: " + fmt::format(fmt::runtime(count == 1 ? one : many), count);

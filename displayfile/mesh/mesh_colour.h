@@ -5,13 +5,13 @@
 
 namespace displayfile {
 
-/// Red, green, blue and opacity as a file has them: to 1 or to 255.
+/// Red, green, blue and opacity as in a file: up to 1 or up to 255.
 using Rgba = glm::dvec4;
 
-/// The opacity of colours for which none is given, whichever of the two their parts go to.
+/// The default opacity, valid for both scales.
 inline constexpr double kOpaque = 255.0;
 
-/// Each part brought into [0,1]; minus zero is zero.
+/// Components scaled to [0,1]; minus zero becomes zero.
 template <class Parts>
 Parts brought_into_range(const Parts& parts) {
   return glm::clamp(parts, 0.0, 1.0) + 0.0;

@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// The extensions of the files that read_mesh takes, with their dots, in alphabetical order. The
-/// import library is loaded to say what it reads.
+/// The extensions that read_mesh supports, with their dots, in alphabetical order. Loads the import
+/// library.
 std::vector<std::string> mesh_extensions();
 
 }  // namespace displayfile

@@ -7,22 +7,21 @@
 
 namespace displayfile {
 
-/// A mesh file of one of the formats that are read here, its whole content in memory.
+/// A mesh file in a format with a built-in reader, its whole content in memory.
 struct MeshFile {
   std::string path;
   std::string data;
-  bool with_normals = false;  ///< of the vertices, where the file has them
+  bool with_normals = false;  ///< read vertex normals, if the file has them
 };
 
-/// The readers. Each throws Error with file, line and column (text) or file and number of the
-/// element (binary), and what was expected. What a header announces is believed only as far as the
-/// bytes that follow can hold it.
+/// Built-in readers. Each throws Error with file, line and column (text) or file and element number
+/// (binary), and what was expected. Announced counts are limited by the bytes that follow.
 Mesh read_obj(const MeshFile& file);
 Mesh read_off(const MeshFile& file);
 Mesh read_ply(const MeshFile& file);
 Mesh read_stl(const MeshFile& file);
 
-/// The extensions of their files, with the dots.
+/// The extensions of built-in readers, with dots.
 std::vector<std::string> extensions_read_here();
 
 }  // namespace displayfile

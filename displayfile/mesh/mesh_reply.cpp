@@ -115,7 +115,7 @@ void require_indices(const std::vector<std::uint32_t>& indices, std::size_t coun
 /// As MeshBuilder keeps faces: of three corners and more, at three different positions or more.
 void require_faces(const Mesh& mesh) {
   require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corners.size(),
-          "faces that are not those of the corners");
+          "faces that do not match the corners");
   for (std::size_t i = 0; i < mesh.faces(); ++i) {
     const std::size_t first = mesh.first_corner[i], end = mesh.first_corner[i + 1];
     require(first < end && end - first >= 3 && end <= mesh.corners.size(),
@@ -128,11 +128,11 @@ void require_faces(const Mesh& mesh) {
 }
 
 Mesh::Material received(const MaterialOnTheWay& m) {
-  require(m.has_colour <= 1 && m.textured <= 1 && m.transparent <= 1, "a material that is none");
+  require(m.has_colour <= 1 && m.textured <= 1 && m.transparent <= 1, "a material out of range");
   Mesh::Material material{std::nullopt, m.textured == 1, m.transparent == 1};
   if (m.has_colour == 0) return material;
   for (const double part : {m.r, m.g, m.b}) {
-    require(part >= 0.0 && part <= 1.0, "a colour that is not one");
+    require(part >= 0.0 && part <= 1.0, "an invalid colour");
   }
   material.colour = Colour(m.r, m.g, m.b);
   return material;
@@ -143,7 +143,7 @@ class Texts {
  public:
   explicit Texts(const std::string& all) : rest_(all) {}
   std::string next(std::uint64_t bytes) {
-    require(bytes <= rest_.size(), "texts that are longer than all of them");
+    require(bytes <= rest_.size(), "texts longer than announced");
     const std::string_view text = rest_.substr(0, static_cast<std::size_t>(bytes));
     rest_.remove_prefix(text.size());
     return std::string(text);
@@ -170,9 +170,9 @@ Mesh receive_mesh(const ByteSource& source, std::size_t most_bytes) {
   require(counts.faces >= 1 && counts.vertices < std::numeric_limits<std::uint32_t>::max(),
           "no faces, or too many vertices");
   require(counts.corner_normals == 0 || counts.corner_normals == counts.corners,
-          "normals that are not those of the corners");
+          "normals that do not match the corners");
   require(counts.face_materials == 0 || counts.face_materials == counts.faces,
-          "materials that are not those of the faces");
+          "materials that do not match the faces");
   Mesh mesh;
   receive(mesh.vertices, counts.vertices, source);
   receive(mesh.normals, counts.normals, source);
@@ -195,9 +195,9 @@ Mesh receive_mesh(const ByteSource& source, std::size_t most_bytes) {
   require(std::ranges::find(mesh.corners, Mesh::kNoNormal) == mesh.corners.end(),
           "a corner without a vertex");
   require_indices(mesh.corner_normals, mesh.normals.size(), Mesh::kNoNormal,
-                  "a corner's normal that is not there");
+                  "a corner's normal out of range");
   require_indices(mesh.face_materials, materials.size(), Mesh::kNoMaterial,
-                  "a face's material that is not there");
+                  "a face's material out of range");
   require_faces(mesh);
   for (const MaterialOnTheWay& m : materials) mesh.materials.push_back(received(m));
   require(faces_of(objects, mesh.faces()) == mesh.faces(),
@@ -211,14 +211,14 @@ Mesh receive_mesh(const ByteSource& source, std::size_t most_bytes) {
   }
   Mesh::Skipped& skipped = mesh.skipped;
   for (const std::uint64_t bytes : warnings) skipped.warnings.push_back(texts.next(bytes));
-  require(texts.is_at_end(), "texts that are shorter than all of them");
+  require(texts.is_at_end(), "texts shorter than announced");
   require(counts.textured_faces <= counts.faces && counts.transparent_faces <= counts.faces,
-          "more faces left without something than there are");
+          "more skipped faces than there are faces");
   skipped.points_and_lines = static_cast<std::size_t>(counts.points_and_lines);
   skipped.degenerate_faces = static_cast<std::size_t>(counts.degenerate_faces);
   skipped.textured_faces = static_cast<std::size_t>(counts.textured_faces);
   skipped.transparent_faces = static_cast<std::size_t>(counts.transparent_faces);
-  require(counts.rounding >= 0.0 && counts.rounding <= kCoordinateLimit, "a rounding that is none");
+  require(counts.rounding >= 0.0 && counts.rounding <= kCoordinateLimit, "an invalid rounding");
   mesh.rounding = counts.rounding;
   if (counts.has_upright != 0) {
     const Point3 up(counts.up[0], counts.up[1], counts.up[2]);

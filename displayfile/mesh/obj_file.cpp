@@ -180,7 +180,7 @@ class ObjReader {
                                            : fmt::format("{} such lines are left out", unknown_)));
     }
     if (!extra_.empty()) {
-      mesh_.warn(fmt::format("{}: {}: expected a weight or a colour behind a vertex: left out",
+      mesh_.warn(fmt::format("{}: {}: expected a weight or a colour after a vertex: left out",
                              text_.place(text_.offset(extra_)), TextCursor::quoted(extra_)));
     }
   }

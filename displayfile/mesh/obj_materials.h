@@ -16,32 +16,32 @@
 
 namespace displayfile {
 
-/// The materials that an OBJ file uses, and the libraries that tell what they look like. Either may
-/// be named first.
+/// The materials used by an OBJ file, and the libraries that define them. Either may be named
+/// first.
 class ObjMaterials {
  public:
   /// `path` is of the OBJ file.
   explicit ObjMaterials(const std::string& path) : path_(path) {}
 
-  /// usemtl: the index of a material, which the builder has from now on.
+  /// usemtl: returns the index of a material, which it adds to the builder.
   std::uint32_t named(std::string_view name, MeshBuilder& mesh);
-  /// mtllib: a library's name, which may hold blanks, or several parted by blanks; each may stand
-  /// in quotation marks, and one that ends in .mtl may hold blanks without. A library is looked for
-  /// in the OBJ file's folder and below it, and nowhere else (neighbour_files.h); one that is not
-  /// there gives way to the one that has the OBJ file's own name. Throws Error if it is bad.
+  /// mtllib: a library's name, which may hold blanks, or several separated by blanks; names may be
+  /// in quotation marks, and one that ends in .mtl may hold blanks without them. Libraries are
+  /// searched for only in the OBJ file's folder and below (neighbour_files.h); a missing one is
+  /// replaced by the one with the OBJ file's own name. Throws Error if it is invalid.
   void add_library(std::string_view names);
-  /// Tells the builder what the materials look like, and which of them are not known.
+  /// Passes the materials to the builder, and warns of unknown ones.
   void tell(MeshBuilder& mesh);
 
  private:
-  /// False if there is none of that name.
+  /// False if there is no library of that name.
   bool read_library(std::string_view name);
   bool is_neighbour(const std::filesystem::path& path);
-  /// Materials that are known already stay what they are.
+  /// Does not change known materials.
   void read_file(const std::filesystem::path& path);
 
   std::filesystem::path path_;
-  std::optional<NeighbourFiles> neighbours_;  // once some were asked for
+  std::optional<NeighbourFiles> neighbours_;  // set on first use
   std::map<std::string, std::uint32_t, std::less<>> used_;
   std::set<std::string, std::less<>> libraries_;  // as they were named
   MaterialLibrary known_;

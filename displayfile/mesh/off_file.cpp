@@ -144,8 +144,8 @@ class OffReader {
 
   void warn_of_what_was_left_out() {
     mesh_.warn_left_out(more_behind_vertices_,
-                        "the numbers behind {} vertex, which the keyword does not announce",
-                        "the numbers behind {} vertices, which the keyword does not announce");
+                        "the numbers after {} vertex, which the keyword does not announce",
+                        "the numbers after {} vertices, which the keyword does not announce");
     mesh_.warn_left_out(other_colours_of_vertices_,
                         "the colour of {} vertex, which is not three or four numbers",
                         "the colours of {} vertices, which are not three or four numbers");

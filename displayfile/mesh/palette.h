@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// Values in the order in which they came, few of them more than once: one that comes again finds
-/// its number unless another of its kind of hash came in between. So a few values stay a few, and
-/// as many as there are faces cost no search.
+/// Indexed values in order of first occurrence, with few duplicates: a repeated value finds its
+/// index unless another with the same hash slot came in between. So few values stay few, and many
+/// cost no search.
 template <class Value>
 class Palette {
  public:
@@ -28,7 +28,7 @@ class Palette {
   static constexpr std::size_t kSlots = 4096;
 
   std::vector<Value> values_;
-  std::vector<std::uint32_t> slots_;  // the number that was given last, by the hash's last bits
+  std::vector<std::uint32_t> slots_;  // last index by the hash's low bits
 };
 
 }  // namespace displayfile

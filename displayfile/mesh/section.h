@@ -12,34 +12,33 @@ struct SectionPlane {
   double distance = 0.0;
 };
 
-/// What a plane cuts of a mesh (section.md). World coordinates.
+/// A mesh's section by a plane (section.md). World coordinates.
 struct Section {
-  /// In side_of: a side along the plane, and one that no side of the mesh is part of.
+  /// In side_of: a side along the plane, and a side that is not part of the mesh's.
   static constexpr std::size_t kInPlane = static_cast<std::size_t>(-1), kNoSide = kInPlane - 1;
 
   /// Closed polylines in the plane: counterclockwise around what is solid, seen from where the
   /// normal points, clockwise around holes. Empty if nothing is cut, or the mesh is not closed.
   std::vector<std::vector<Point3>> loops;
-  /// Which of the mesh's objects each loop is of; if objects are only closed together, the number
-  /// of all objects.
+  /// The object of each loop; if objects are closed only in combination, the number of all objects.
   std::vector<std::size_t> object_of;
   double area = 0.0;  ///< of the cut face
-  /// The part of the mesh behind the plane. What is left of a flat face is one face, even-odd, its
-  /// loops joined by bridges; of one that is not flat, triangles and what is left of
-  /// them. What is cut ends at the loops' points, bit for bit. The cut face is not among its faces.
-  /// Its objects are the mesh's: some may have no face left.
+  /// The part of the mesh behind the plane. The rest of a planar face is one even-odd face, its
+  /// loops joined by bridges; the rest of another face is triangles and their parts. Cut edges end
+  /// at the loops' points, bit for bit. The cut face is not included. Its objects are the mesh's;
+  /// some may have no faces.
   Mesh behind;
-  std::vector<std::size_t> face_of;  ///< of each face behind, which of the mesh it is a part of
-  /// What the side is that ends at each corner behind: the mesh's corner at which the side ends
-  /// that it is a part of; kInPlane; or kNoSide for a bridge, or a diagonal.
+  std::vector<std::size_t> face_of;  ///< for each face behind, its face of the mesh
+  /// For the side that ends at each corner behind: the mesh's corner at which the original side
+  /// ends; kInPlane; or kNoSide for a bridge or a diagonal.
   std::vector<std::size_t> side_of;
-  bool closed = true;  ///< each edge is used as often in one direction as in the other
+  bool closed = true;  ///< each edge is used equally often in both directions
 };
 
-/// Cuts a mesh. Each object has its own loops if each is closed by itself; faces are even-odd, and
-/// may have bridges. A vertex in the plane counts as before it: what is behind is
-/// closed by the loops, and a face in the plane is cut exactly where there is solid behind it.
-/// Throws Error for a normal of no length, or numbers that are not finite.
+/// Cuts a mesh. Each object has its own loops if each is closed by itself; faces are even-odd and
+/// may have bridges. A vertex in the plane counts as in front of it: the part behind is closed by
+/// the loops, and a face in the plane is cut exactly where there is solid behind it. Throws Error
+/// for a normal of length 0, or numbers that are not finite.
 Section section(const Mesh& mesh, const SectionPlane& plane);
 
 }  // namespace displayfile

@@ -14,12 +14,12 @@ struct MeshNode {
   glm::dmat4 to_world;
 };
 
-/// The library's matrix, whose rows are this one's.
+/// Converts the library's matrix, with the same rows.
 glm::dmat4 matrix(const aiMatrix4x4& m);
 
-/// How many nodes have meshes that a skin would move: one whose bones, where the scene has them,
-/// put a vertex elsewhere than the mesh's node does, by more than a thousandth of the mesh's size.
-/// Skins are not read.
+/// The number of nodes with meshes that a skin would move: whose bones, in the scene's pose, put a
+/// vertex elsewhere than the mesh's node does, by more than 1/1000 of the mesh's size. Skins are
+/// not read.
 std::size_t skins_that_move(const aiScene& scene, std::span<const MeshNode> nodes);
 
 }  // namespace displayfile

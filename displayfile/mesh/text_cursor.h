@@ -20,12 +20,12 @@
 
 namespace displayfile {
 
-/// Coordinates of meshes may be this large, so that every mesh can be fitted into a view.
+/// The largest coordinate of meshes, so that every mesh can be fitted into a view.
 inline constexpr double kLargestCoordinate = std::numeric_limits<float>::max();
 
-/// A field of up to 15 digits, one point among them at most and a minus before them, as what
-/// numbers in meshes are as a rule: the digits are a whole number that a double holds, so are the
-/// powers of ten that divide it, and one division rounds correctly. Nothing if it is another.
+/// Reads a field of up to 15 digits with at most one point and an optional minus, the usual form in
+/// meshes: the digits and the power of ten are exact doubles, and one division rounds correctly.
+/// Nothing for other forms.
 inline std::optional<double> short_decimal(std::string_view field) {
   constexpr std::array kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -51,7 +51,7 @@ inline std::optional<double> short_decimal(std::string_view field) {
   return negative ? -value : value;
 }
 
-/// A whole field as a number, correctly rounded; nothing if it is none or out of its range.
+/// Reads a whole field as a number, correctly rounded; nothing if it is invalid or out of range.
 template <class Number>
 std::optional<Number> number(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
@@ -65,30 +65,28 @@ std::optional<Number> number(std::string_view field) {
   return value;
 }
 
-/// Where lines end in a text whose first line ends in a CR without an LF behind it: at each CR, if
-/// most line ends are such ones, or without a look at the rest, where that is no text.
+/// Line ends of a text whose first line ends in a CR without an LF: each CR, if most line ends are
+/// CRs, or without examining the rest, where that is not text.
 enum class LineEnds { as_most, as_first };
 
-/// A file's text, read field by field: fields are parted by blanks, lines end in LF, CR LF, or all
-/// in one CR as on the Macintosh before 2001; a byte order mark of UTF-8 at the beginning is passed
-/// over.
+/// A file's text, read field by field: fields are separated by blanks, lines end in LF, CR LF, or
+/// all in CR as on the Macintosh before 2001; a byte order mark of UTF-8 at the beginning is
+/// skipped.
 class TextCursor {
  public:
   TextCursor(std::string_view path, std::string_view text, LineEnds ends = LineEnds::as_most);
 
   /// The next field of this line; empty at its end. A backslash before a line end joins lines.
   std::string_view field();
-  /// The next field on this line or a later one, comments passed over; empty at the end of the
-  /// file.
+  /// The next field on this line or a later one, skipping comments; empty at the end of the file.
   std::string_view field_on_any_line();
-  /// The fields that are left of this line, before a comment; no more than there is room for.
+  /// The remaining fields of this line, before a comment; at most as many as fit.
   std::span<const std::string_view> fields(std::span<std::string_view> room);
-  /// What is left of this line, without blanks around it.
+  /// The rest of this line, without surrounding blanks.
   std::string_view rest_of_line();
 
-  /// The next field of this line if it is digits alone, up to 9 of them, and something of the file
-  /// follows: the number that they are, and its place. Otherwise nothing, and it is still the next
-  /// field.
+  /// The next field of this line if it is up to 9 digits and not at the end of the file: its number
+  /// and position. Otherwise nothing, and the field is not consumed.
   struct Digits {
     std::int64_t value;
     std::size_t at;
@@ -99,40 +97,37 @@ class TextCursor {
   bool next_line();
   /// Moves to the start of the next line that is not blank or a comment; false if there is none.
   bool next_filled_line();
-  /// How many filled lines follow this one; it stands at the end of the file then.
+  /// Counts the filled lines after this one, moving to the end of the file.
   std::size_t count_filled_lines();
 
-  /// The next fields of this line as a position of so many coordinates, the others 0.
+  /// The next fields of this line as a position with this many coordinates, the others 0.
   Point3 position(int dimension = 3);
-  /// The position that the homogeneous coordinates x, y, z and this field stand for.
+  /// The position of the homogeneous coordinates x, y, z and this field.
   Point3 over_weight(const Point3& p, std::string_view w) const;
   /// The next three fields of this line as a direction, which need not be finite.
   Point3 direction();
 
-  /// Three or four fields as red, green, blue and opacity, if it is there. Nothing if they
-  /// are anything else.
+  /// Three or four fields as red, green, blue and optional opacity. Nothing for anything else.
   std::optional<Rgba> colour(std::span<const std::string_view> fields) const;
 
-  /// By how much the coordinates so far may be off, as their decimals are rounded; 0 if they are
-  /// meant as they stand.
+  /// The rounding error of the decimals so far; 0 if they are meant exactly.
   double rounding_of_coordinates() const { return digits_.rounding(); }
 
-  /// These throw Error at the field's place if it is no such number.
+  /// These throw Error at the field's position if it is not such a number.
   double coordinate(std::string_view f);
   double real(std::string_view f, std::string_view expected) const;
   double finite(std::string_view f, std::string_view expected) const;
   std::int64_t integer(std::string_view f, std::string_view expected) const;
-  /// A count that the file announces, of things each of which takes at least `least_bytes` of what
-  /// follows.
+  /// A count announced by the file, of elements that each take at least `least_bytes` of the rest.
   std::int64_t announced(std::string_view f, std::string_view what, std::size_t least_bytes) const;
 
-  /// Throws Error with the place of a field of this text; an empty one stands for where reading
-  /// has come to.
+  /// Throws Error with the position of a field of this text; an empty field stands for the current
+  /// position.
   [[noreturn]] void fail(std::string_view f, const std::string& what) const {
     fail(f.empty() ? at_ : offset(f), what);
   }
   [[noreturn]] void fail(std::size_t at, const std::string& what) const;
-  /// The line and the column of a place, as messages have them: "3:5".
+  /// Line and column of an offset, for messages: "3:5".
   std::string place(std::size_t at) const;
 
   std::size_t offset(std::string_view f) const {
@@ -147,7 +142,7 @@ class TextCursor {
 
  private:
   bool is_blank(char c) const;
-  /// Where a backslash before a line end is followed by the next line; npos if it is none.
+  /// The start of the line that a backslash before a line end joins; npos if it is none.
   std::size_t after_joined_line_end(std::size_t at) const;
 
   std::string_view path_, text_;
@@ -157,7 +152,7 @@ class TextCursor {
   WrittenDigits digits_;
 };
 
-/// A name as some programs write it, in quotation marks, without them.
+/// Removes quotation marks around a name.
 constexpr std::string_view without_quotation_marks(std::string_view name) {
   const bool quoted = name.size() > 1 && name.starts_with('"') && name.ends_with('"');
   return quoted ? name.substr(1, name.size() - 2) : name;

@@ -8,29 +8,29 @@
 
 namespace displayfile {
 
-/// The axis nearest to a direction; y where no other is nearer.
+/// The axis nearest to a direction; y in ties.
 Upright nearest_upright(const Point3& direction);
 
-/// True if a file of this format (".ogex") says in its text which axis is up.
+/// True if files of this format (".ogex") state the up axis in their text.
 bool text_says_upright(std::string_view extension);
 
-/// Sets which axis is up in a mesh by the format of its file, if that is one of README.md's table.
-/// The file's text may be empty where text_says_upright is false.
+/// Sets a mesh's up axis from its file's format, if that is in README.md's table. The text may be
+/// empty where text_says_upright is false.
 void set_upright_of_format(Mesh& mesh, std::string_view extension, std::string_view text);
 
-/// The axis of the world that is up in a picture of meshes. A modelling transformation that turns a
-/// mesh turns what is up in it: the nearest axis counts.
+/// The up axis of the world in a picture of meshes. A modelling transformation rotates a mesh's up
+/// axis: the nearest axis counts.
 class CommonUpright {
  public:
-  /// A camera that says what is up has its way.
+  /// A camera's up axis takes precedence.
   explicit CommonUpright(const Camera& camera) : camera_(camera) {}
   void add(const Mesh& mesh, const ModellingTransformation& modelling);
 
-  /// That of the camera, or else of the meshes that say one, or y.
+  /// The up axis of the camera, or else of the meshes that state one, or y.
   Upright upright() const;
-  /// The camera, which says so.
+  /// The camera with that up axis.
   Camera camera() const;
-  /// True if the camera does not say it, and the meshes not the same.
+  /// True if the camera states none and the meshes disagree.
   bool differ() const { return differ_; }
 
  private:
@@ -41,7 +41,6 @@ class CommonUpright {
 
 /// The warning if they differ.
 inline constexpr std::string_view kStandDifferently =
-    "it and what is drawn with it have different axes up: y is taken for all, where --up says "
-    "nothing else";
+    "inputs drawn together have different up axes: y is used for all unless --up is set";
 
 }  // namespace displayfile

@@ -9,12 +9,12 @@
 
 namespace displayfile {
 
-/// Faces of a mesh, their vertices of equal position, or within reach of each other, made one; only
-/// vertices that they use.
+/// Faces of a mesh, with vertices merged that are equal or within reach of each other; only used
+/// vertices.
 struct WeldedFaces {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;         ///< indices into vertices, as in the mesh
-  std::span<const std::size_t> first_corner;  ///< the mesh's, of each face; one more at the end
+  std::span<const std::size_t> first_corner;  ///< the mesh's, per face; one extra entry at the end
 
   std::size_t faces() const { return first_corner.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t i) const {
@@ -23,7 +23,7 @@ struct WeldedFaces {
   }
 };
 
-/// Calls visit(from, to) for every edge of every face, but for those of no length.
+/// Calls visit(from, to) for every edge of every face, except edges of length 0.
 template <class Visit>
 void for_each_edge(const WeldedFaces& faces, const Visit& visit) {
   for (std::size_t i = 0; i < faces.faces(); ++i) {
@@ -35,17 +35,17 @@ void for_each_edge(const WeldedFaces& faces, const Visit& visit) {
   }
 }
 
-/// All faces of a mesh, which must outlive them.
+/// Welds all faces of a mesh, which must outlive them.
 WeldedFaces weld(const Mesh& mesh, double reach = 0.0);
 
-/// Sides of faces that no other face runs through the other way, with the ends of others of them
-/// that are within reach, between their own (hidden/touching/vertices_within_reach.h).
+/// Unmatched sides of faces, with the ends of other such sides within reach between their own ends
+/// (hidden/touching/vertices_within_reach.h).
 class SidesWithVertices {
  public:
   SidesWithVertices(const WeldedFaces& faces, double reach);
 
   bool any() const { return !along_.empty(); }
-  /// The vertices along a side, in order from its start to its end, without these.
+  /// The vertices along a side, in order from its start to its end, excluding both.
   std::span<const std::uint32_t> along(std::uint32_t from, std::uint32_t to) const;
 
  private:
@@ -56,7 +56,7 @@ class SidesWithVertices {
   std::vector<Along> along_;  // in order
 };
 
-/// Faces with corners where vertices are along their sides.
+/// Faces with corners added where vertices are along their sides.
 class FacesWithCorners {
  public:
   FacesWithCorners(const WeldedFaces& faces, const SidesWithVertices& sides);

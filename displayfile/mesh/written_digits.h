@@ -5,16 +5,15 @@
 
 namespace displayfile {
 
-/// How exactly the decimal numbers of a file are written: by those of the most significant digits.
-/// Zeros that are written behind others count, as in 1.500000; those in front, as in 0.0015, do
-/// not.
+/// The precision of a file's decimals: that of the numbers with most significant digits. Trailing
+/// zeros count, as in 1.500000; leading ones, as in 0.0015, do not.
 class WrittenDigits {
  public:
   void see(std::string_view number) {
     if (number.size() >= most_) look_at(number);
   }
   /// Half a unit of the last digit of the longest numbers, the largest of these. 0 if none has 6
-  /// digits: such numbers are meant as they stand.
+  /// digits: such numbers are meant exactly.
   double rounding() const;
 
  private:

@@ -8,27 +8,27 @@
 
 namespace displayfile {
 
-/// A start tag of an XML text, as it is written: names with their prefixes, values of attributes
-/// without entities replaced.
+/// A start tag of an XML text, as written: names with prefixes, attribute values without entities
+/// replaced.
 struct XmlTag {
   std::string_view name;
   std::vector<std::pair<std::string_view, std::string_view>> attributes;
 
-  /// The name behind its prefix.
+  /// The name without its prefix.
   std::string_view local_name() const;
-  /// The value of the attribute with this whole name; nothing if there is none.
+  /// The value of the attribute with this full name; nothing if there is none.
   std::optional<std::string_view> value(std::string_view name_of_attribute) const;
 };
 
-/// The start tags of an XML text in UTF-8, in their order. Comments, CDATA sections, processing
-/// instructions, declarations and end tags are passed over. This is no check of the text: one that
-/// is not well-formed gives fewer tags or wrong ones.
+/// The start tags of an XML text in UTF-8, in order. Comments, CDATA sections, processing
+/// instructions, declarations and end tags are skipped. It does not validate: text that is not
+/// well-formed gives fewer or wrong tags.
 class XmlTags {
  public:
   /// The text must outlive the tags.
   explicit XmlTags(std::string_view text) : rest_(text) {}
 
-  /// The next one, until another one is taken; nothing at the end.
+  /// The next tag, valid until the next call; null at the end.
   const XmlTag* next();
 
  private:

@@ -25,8 +25,7 @@ ZipArchive::ZipArchive(const SharedLibrary& library, const std::string& path) : 
   try {
     library_ = std::make_unique<Library>(library);
   } catch (const Error& e) {
-    throw Error(
-        fmt::format("{}: the import library (Assimp) brings no minizip along: {}", path, e.what()));
+    throw Error(fmt::format("{}: the import library (Assimp) has no minizip: {}", path, e.what()));
   }
   archive_ = library_->Open64(path.c_str());
   if (archive_ == nullptr) {

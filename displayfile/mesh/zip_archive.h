@@ -11,14 +11,14 @@ namespace displayfile {
 /// A ZIP archive, read by minizip, with which the import library is linked.
 class ZipArchive {
  public:
-  /// `library` is the import library: what it is linked with has been loaded with it. Throws Error
-  /// if it has no minizip, or the file is no archive.
+  /// `library` is the import library, whose dependencies are loaded with it. Throws Error if it has
+  /// no minizip, or the file is not an archive.
   ZipArchive(const SharedLibrary& library, const std::string& path);
   ZipArchive(ZipArchive&&) = delete;
   ~ZipArchive();
 
-  /// The content of the file of this name, in letters of either case; nothing if there is none.
-  /// Throws Error if it is damaged.
+  /// The content of the file of this name, in either case; nothing if there is none. Throws Error
+  /// if it is damaged.
   std::optional<std::string> content(const std::string& name) const;
 
  private:

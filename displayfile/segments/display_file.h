@@ -35,12 +35,12 @@ class DisplayFile : public Watched<DisplayFile> {
   std::vector<const Segment*> visible_segments() const;
   std::size_t polygons() const;  ///< as entered
   std::size_t bytes() const;     ///< of the instruction arrays, as used
-  bool has_shadows() const;      ///< some fill of a visible segment shows them
-  bool has_texts() const;        ///< some visible segment has them
+  bool has_shadows() const;      ///< a fill of a visible segment shows shadows
+  bool has_texts() const;        ///< a visible segment has texts
 
-  /// All visible segments sorted together, back to front, points after the image
-  /// transformations: drawn in place of the segments' own orders. Null if they were not, or if a
-  /// segment was created, removed, renamed or asked for to be changed since.
+  /// All visible segments sorted together, back to front, points after the image transformations;
+  /// drawn instead of the segments' own orders. Null if they were not sorted, or if a segment was
+  /// created, removed, renamed or accessed for changes since.
   const std::shared_ptr<const SortedScene>& sorted() const { return sorted_; }
   void set_sorted(std::shared_ptr<const SortedScene> sorted) { sorted_ = std::move(sorted); }
 
@@ -48,13 +48,13 @@ class DisplayFile : public Watched<DisplayFile> {
   void require_new_name(int name) const;
   std::size_t place(int name) const;
 
-  // A segment keeps its number in order of creation when others go, and is found by it. To remove
-  // the oldest or the newest takes no longer where there are many.
+  // A segment keeps its number, by which it is found, when others are removed. Removing the oldest
+  // or newest takes constant time.
   std::deque<Segment> segments_;
   std::deque<std::uint64_t> numbers_;
   std::uint64_t next_number_ = 0;
   std::unordered_map<int, std::uint64_t> number_of_;  // by name
-  std::size_t last_found_ = 0;  // primitives are entered into one segment after another
+  std::size_t last_found_ = 0;                        // one segment is usually used repeatedly
   std::shared_ptr<const SortedScene> sorted_;
 };
 

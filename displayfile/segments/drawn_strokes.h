@@ -12,13 +12,13 @@ namespace displayfile {
 
 class ViewedScene;
 
-/// The strokes of an order of a scene's pieces (SortedPieces::first_stroke and those after it, by
-/// numbers from 0) as a picture has them: each place of the strokes of one segment and style once,
-/// and those known that join no other (hidden/lines/strokes_once.md).
+/// The strokes of a sorted scene (SortedPieces::first_stroke and those after it, by numbers from 0)
+/// as drawn in a picture: each position of the strokes of one segment and style once, with isolated
+/// strokes marked (hidden/lines/strokes_once.md).
 std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPieces& pieces);
 
-/// The visible lines of a scene as a picture draws them: each place once, without crumbs.
-/// `pixels` is the picture's size in the unit of widths; 0: crumbs are drawn too.
+/// The visible lines of a scene as drawn in a picture: each position once, without crumbs. `pixels`
+/// is the picture's size in the unit of widths; 0: crumbs are drawn too.
 std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const FoundLines& found,
                                             const Point2& pixels);
 

@@ -28,8 +28,7 @@ void require_hidden_lines_dumped(const DisplayFile& display_file, HiddenMethod m
                                  const HiddenSurfaceOptions& options) {
   if (options.hidden_lines != HiddenLines::dashed) return;
   if (!leaves_hidden_lines(display_file, true, options.threads)) return;
-  throw Error("hidden lines are found where a method puts in order, which '" +
-              std::string(name_of(method)) +
+  throw Error("hidden lines need a method that sorts, which '" + std::string(name_of(method)) +
               "' does not: expected bsp, depth-sort, map, a method that finds lines, or hidden "
               "lines none");
 }

@@ -9,19 +9,18 @@
 
 namespace displayfile {
 
-/// True for the methods that work in object space, which HIDDEN-SURFACE-CHECK runs: those that sort
-/// polygons and the map, also for the colour rule, and those that find lines.
+/// True for object-space methods, which HIDDEN-SURFACE-CHECK runs: those that sort polygons and the
+/// map, also for the colour rule, and those that find lines.
 bool is_object_space(HiddenMethod by);
 
 /// HIDDEN-SURFACE-CHECK (algorithm 9.8): a segment's polygons and lines back to front, by `bsp`,
-/// `plain_bsp` or `depth_sort`; by `map` the parts of polygons that are seen, which do not overlap,
-/// and after all of them what is seen of lines and sides; or by a method of lines what is seen of
-/// its lines and its polygons' sides, and no fills. If the plan has hidden lines, these are drawn
-/// dashed: before the visible ones, or after all fills. Points are those after the image
-/// transformation, and so are those of the result. Each piece of a polygon that was cut keeps its
-/// styles and its pick identifier, and if the polygon is shaded its place in the shade; sides that
-/// cuts made are invisible. A polygon that draws nothing, hollow and of line style none, is left
-/// out. The instructions must not grow while the result lives.
+/// `plain_bsp` or `depth_sort`; by `map` the visible parts of polygons, which do not overlap,
+/// followed by the visible parts of lines and sides; by a method of lines the visible parts of its
+/// lines and polygon sides, without fills. If the plan has hidden lines, these are drawn dashed:
+/// before the visible ones, or after all fills. Points are after the image transformation, in the
+/// input and the result. Each piece of a cut polygon keeps its styles, its pick identifier and its
+/// shading; sides made by cuts are invisible. Polygons that draw nothing, hollow with line style
+/// none, are omitted. The instructions must not grow during the result's lifetime.
 ///
 /// Throws Error for another method, and for more than 2^32 - 2 points.
 std::shared_ptr<const SortedScene> hidden_surface_check(
@@ -29,8 +28,8 @@ std::shared_ptr<const SortedScene> hidden_surface_check(
     const SurfacePlan& plan);
 
 /// HIDDEN-SURFACE-CHECK of several segments together, in order of creation, with a segment
-/// instruction wherever the segment changes. Of coplanar polygons the one of the segment created
-/// later is seen.
+/// instruction at each change of segment. Of coplanar polygons the one in the segment created later
+/// is visible.
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
                                                         const SurfacePlan& plan);
 

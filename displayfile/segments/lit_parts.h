@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// The pieces of a scene's map as pieces_of_map makes them, each of them lit or in shadow as
-/// SortedPieces::lights says (displayfile/segments/lit_parts.md). The scene shows shadows; the
-/// items are its own. Device coordinates.
+/// The pieces of a scene's map, as of pieces_of_map, each lit or in shadow by SortedPieces::lights
+/// (displayfile/segments/lit_parts.md). The scene shows shadows; `items` are its own. Device
+/// coordinates.
 SortedPieces lit_pieces_of_map(const ViewedScene& scene, const Primitives& items,
                                const MapOptions& options);
 

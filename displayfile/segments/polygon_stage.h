@@ -18,58 +18,56 @@
 
 namespace displayfile {
 
-/// What is drawn of a polygon in a view. Valid until the stage's next call, and as long as the
-/// attributes that it was viewed with.
+/// A polygon after viewing. Valid until the stage's next call, and as long as its attributes.
 struct StagedPolygon {
-  ClippedPolygon polygon;  ///< no vertices: nothing is drawn
+  ClippedPolygon polygon;  ///< no vertices: not drawn
   const FillStyle* fill = nullptr;
   const LineStyle* line = nullptr;  ///< of its sides
-  const Light* light = nullptr;     ///< null: there is none
+  const Light* light = nullptr;     ///< null: none
 
   VertexShading shading() const { return {polygon.intensities, polygon.normals, light}; }
 };
 
-/// The one way from world coordinates to a view, for polygons as they are entered and for a
-/// retained scene in a new view: through the clip pipeline, checked for a back face (the end of
-/// algorithm 9.2) and lit; and from there into the instructions of a segment.
+/// Transforms polygons from world coordinates to a view, when they are entered and for a retained
+/// scene in a new view: clips them, checks for back faces (the end of algorithm 9.2), lights them,
+/// and enters them into a segment's instructions.
 class PolygonStage {
  public:
   explicit PolygonStage(const ViewVolume& volume) : pipeline_(volume) {}
-  /// From here on in another view.
+  /// Changes the view.
   void set_volume(const ViewVolume& volume) { pipeline_.set_volume(volume); }
 
   StagedPolygon view_polygon(const WorldPolygon& polygon, const Attributes& attributes);
 
-  /// To be called when another segment is entered into or the attributes are others than in the
-  /// last call: a style is entered only then, but for fills where there is light.
+  /// Must be called when the segment or the attributes differ from the last call: styles are
+  /// entered only then, except fills where there is light.
   void attributes_changed() { fill_entered_ = line_entered_ = false; }
 
-  /// True if something of the polygon was entered: it is neither outside nor a back face that is
-  /// removed.
+  /// True if a part of the polygon was entered: it is neither outside nor a removed back face.
   bool enter_polygon(const WorldPolygon& polygon, const Attributes& attributes, Segment& segment);
-  /// Views vertices that several polygons share, once each, for enter_shared; they are numbered
-  /// from `first` on.
+  /// Transforms vertices that several polygons share, once each, for enter_shared; they are
+  /// numbered from `first`.
   void view_vertices(std::span<const Point3> world, std::uint32_t first = 0);
-  /// The same vertices as they were entered, before the modelling transformation of that matrix;
-  /// null: in world coordinates. Both must stay as long as the vertices are entered.
+  /// Sets the vertices as entered, before the modelling transformation of that matrix; null: in
+  /// world coordinates. Both must outlive the use of the vertices.
   void note_entered(std::span<const Point3> vertices, const glm::dmat4x3* modelling,
                     Segment& segment);
-  /// A triangle of such vertices.
+  /// A triangle of shared vertices.
   struct SharedTriangle {
-    std::array<std::uint32_t, 3> corners;      ///< their numbers
+    std::array<std::uint32_t, 3> corners;      ///< vertex numbers
     std::array<std::uint8_t, 3> edge_visible;  ///< 0 or 1, of the side that ends at the vertex
     std::int32_t pick;
   };
-  /// Enters it in little time if it needs no clipping and has neither smooth shading nor shadows;
-  /// `world` are all vertices. True if it was entered, false if nothing of it is inside or it is a
-  /// back face that is removed, nothing if it needs more: enter_shared.
+  /// Fast path for a triangle that needs no clipping, smooth shading or shadows; `world` are all
+  /// vertices. True if it was entered, false if it is outside or a removed back face, nothing if it
+  /// needs enter_shared.
   std::optional<bool> enter_triangle(std::span<const Point3> world, const SharedTriangle& triangle,
                                      const Attributes& attributes, Segment& segment);
-  /// A polygon whose vertices are those of these numbers among the ones viewed last. True if
-  /// something of it was entered.
+  /// Enters a polygon given by numbers of the vertices viewed last. True if a part of it was
+  /// entered.
   bool enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                     const Attributes& attributes, Segment& segment);
-  /// The line style is not none. False if nothing of the line is inside.
+  /// The line style must not be none. False if the line is outside.
   bool enter_line(const Point3& from, const Point3& to, const LineStyle& style, Segment& segment);
 
   /// A text at a point, in the attributes' line style and text style. False if the point is
@@ -81,7 +79,7 @@ class PolygonStage {
 
  private:
   struct Outcodes {
-    Outcode any, all;  ///< of corners: the bits of one, and those of each
+    Outcode any, all;  ///< of corners: or, and
   };
   Outcodes outcodes(std::span<const std::uint32_t> corners) const;
   const PipelineVertex& viewed(std::uint32_t corner) const {
@@ -103,11 +101,12 @@ class PolygonStage {
   GouraudLighting gouraud_;
   PhongNormals phong_;
   FillStyle lit_;
-  // The segment has these styles of the attributes; where there is light, each polygon's own fill.
+  // The segment has these styles of the attributes; where there is light, each polygon has its own
+  // fill.
   bool fill_entered_ = false, line_entered_ = false;
   std::vector<PipelineVertex> shared_;
   std::uint32_t first_shared_ = 0;
-  std::span<const Point3> entered_shared_;  // the same vertices, if they were noted
+  std::span<const Point3> entered_shared_;  // the same vertices as entered, if set
   const glm::dmat4x3* modelling_of_shared_ = nullptr;
   std::vector<Point3> device_;           // of a polygon
   std::vector<std::uint8_t> all_edges_;  // ones

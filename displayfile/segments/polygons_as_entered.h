@@ -18,31 +18,31 @@ namespace displayfile {
 class EnteredPolygons;
 class RetainedScene;
 
-/// The polygons of a scene as they were entered, by numbers, to find which of them lie in one
-/// plane. What is added must stay.
+/// A scene's polygons as entered, by index, for finding which of them are coplanar. Added objects
+/// must outlive it.
 class PolygonsAsEntered {
  public:
-  /// Those of a segment, which are numbered on from those before, and then its lines.
+  /// Adds a segment's polygons, then its lines, numbered after those before.
   void add(const EnteredPolygons& polygons);
-  /// The primitives of a scene, each numbered as there if nothing was added before; lines have two
-  /// points. Those of segments, by their places, that are not visible have none; empty: all are.
+  /// Adds a scene's primitives, numbered as in the scene if nothing was added before; lines have
+  /// two points. Those of invisible segments, by position, have no points; empty: all are visible.
   void add(const RetainedScene& scene, const std::function<bool(std::size_t)>& is_visible = {});
 
-  /// Throws LimitReached where the thread's budget is used up.
+  /// Throws LimitReached beyond the thread's budget.
   TouchingPlanes planes() const;
-  /// The same within a reach of 2^-24 of the largest coordinate, members alone, of polygons that
-  /// may have another plane near that in which they lie: planes that are so close would meet where
-  /// viewing's rounding says. Null if there are none.
+  /// The same with a reach of 2^-24 of the largest coordinate, members only, for polygons that may
+  /// have another plane near their own: planes this close would intersect where viewing's rounding
+  /// puts it. Null if there are none.
   std::shared_ptr<const TouchingPlanes> near_planes(const TouchingPlanes& touching) const;
   EnteredPolygon polygon(std::uint32_t number) const;
-  /// The numbers of those that are not flat (hidden/exact/bent_polygon.h), rising.
+  /// Indices of those that are not planar (hidden/exact/bent_polygon.h), ascending.
   const std::vector<std::uint32_t>& bent() const { return bent_; }
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 
  private:
   struct Part {
-    std::uint32_t first, end;         ///< of their numbers
-    const EnteredPolygons* polygons;  ///< null: they are those of the scene
+    std::uint32_t first, end;         ///< numbers
+    const EnteredPolygons* polygons;  ///< null: those of the scene
     const RetainedScene* scene;
     std::uint32_t first_of_scene;
     bool is_visible = true;

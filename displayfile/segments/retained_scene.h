@@ -26,39 +26,39 @@ namespace displayfile {
 class DisplayFile;
 class SideKinds;
 
-/// What an application drew, before viewing: polygons and lines in world coordinates, after the
-/// modelling transformation, in segments; of polygons also the points as they were entered, and
-/// the modelling matrices that were in force. A GraphicsSystem that was told to retain
-/// (GraphicsSystem::retain) fills it; displayfile/views/retained_views.h draws it in other views.
+/// An application's scene before viewing: polygons and lines in world coordinates, after the
+/// modelling transformation, in segments; for polygons also the points as entered, and the
+/// modelling matrices in force. A GraphicsSystem with retain() fills it;
+/// displayfile/views/retained_views.h draws it in other views.
 class RetainedScene : public Watched<RetainedScene> {
  public:
   using Primitive = RetainedPrimitive;
-  /// A surface over a grid that was entered at once.
+  /// A surface over a grid entered by one call.
   struct Surface {
-    Point3 upward;  ///< where its z grows toward
+    Point3 upward;  ///< its direction of growing z
     std::uint32_t x_points, y_points;
   };
   struct Segment {
     int name;
-    View view;                             ///< in which the application drew it
+    View view;                             ///< the application's view of it
     std::uint32_t first, end;              ///< of its primitives
-    std::uint32_t first_point, end_point;  ///< of their points, each of which some corner is
+    std::uint32_t first_point, end_point;  ///< of their points, all of them used
     std::uint32_t first_text = 0, end_text = 0;
-    /// Which sides are lines; null: those that the line style shows.
+    /// Which sides are lines; null: all that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
-    bool intersections = false;  ///< lines are too where polygons pass through each other
+    bool intersections = false;  ///< also draws lines where polygons intersect
     std::vector<Surface> surfaces = {};
     Touching touching{Touching::Kind::off};
   };
-  /// A text is no primitive: it hides nothing.
+  /// Texts are not primitives: they hide nothing.
   struct Text {
     Point3 anchor;
-    std::uint32_t next;  ///< the primitive that was entered after it
+    std::uint32_t next;  ///< the primitive entered after it
     std::uint32_t attributes;
     std::string characters;
   };
 
-  /// Another one since some time if the scene is no longer what it was then. For who watches it.
+  /// Changes when the scene changes, for observers.
   struct Edition {
     std::uint64_t edits = 0;
     std::size_t segments = 0, primitives = 0, corners = 0, points = 0, texts = 0;
@@ -73,8 +73,8 @@ class RetainedScene : public Watched<RetainedScene> {
   /// A modelling matrix: x' = column 0 x + column 1 y + column 2 z + column 3.
   using ModellingMatrix = glm::dmat4x3;
 
-  /// Segments in order of creation. What they are drawn with, visibility and image
-  /// transformation, is in the display file, under the same name.
+  /// Segments in order of creation. Their visibility and image transformation are in the display
+  /// file, under the same name.
   const std::vector<Segment>& segments() const { return segments_; }
   std::span<const Point3> points(const Segment& segment) const {
     return std::span<const Point3>(points_).subspan(segment.first_point,
@@ -92,132 +92,132 @@ class RetainedScene : public Watched<RetainedScene> {
     if (corners_.empty()) return of(points_, i);
     return {points_, corners(i)};
   }
-  /// The indices of its points; there must be shared ones.
+  /// The indices of its points. Requires shared points.
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
   /// The length of the longest column of the modelling matrices, at least 1.
   double longest_column() const;
-  /// Within which distance vertices of the segment's polygons are one, in world coordinates.
+  /// The distance within which vertices of the segment's polygons are merged, in world coordinates.
   double reach_in_world(const Segment& segment) const;
-  /// No world coordinate, nor any of the products that it is a sum of, is larger.
+  /// Bound on all world coordinates, and on the products summed for them.
   double largest_in_world() const;
-  /// By how many times 2^-53 of that world coordinates are off (hidden/exact/entered_polygon.h).
+  /// Their rounding error, in units of 2^-53 of that bound (hidden/exact/entered_polygon.h).
   double roundings_in_world() const { return has_cuts_ ? kRoundingsWhereCut : kRoundingsInWorld; }
-  /// No modelling transformation was in force.
+  /// True if no modelling transformation was in force.
   bool is_entered_in_world() const { return modellings_.empty(); }
-  /// A polygon's points as they were entered, before the modelling transformation; where cutting
-  /// planes have cut it, that is where they did. What operations of solids made counts as entered
-  /// in world coordinates; so do the ends of lines.
+  /// A polygon's points as entered, before the modelling transformation; if cutting planes cut it,
+  /// including the cut points. Results of solid operations count as entered in world coordinates,
+  /// and so do the ends of lines.
   PointRow entered_points(std::uint32_t i) const {
     if (entered_.empty()) return points(i);
     if (corners_.empty()) return of(entered_, i);
     return {entered_, corners(i)};
   }
-  /// The modelling matrix under which they were entered.
+  /// The modelling matrix in force when they were entered.
   const ModellingMatrix& modelling_matrix(std::uint32_t i) const;
-  /// The primitives of a segment as they were entered, in the scene's own arrays.
+  /// A segment's primitives as entered, in the scene's own arrays.
   RetainedPolygons entered_polygons(const Segment& segment) const;
-  /// Where the corners of a segment's primitives begin.
+  /// The first corner of a segment's primitives.
   std::uint32_t first_corner(const Segment& segment) const {
     return segment.first < size() ? primitives_[segment.first].first
                                   : static_cast<std::uint32_t>(all_corners());
   }
-  /// The primitive whose first corner that is.
+  /// The primitive with that first corner.
   std::uint32_t primitive_of_corner(std::uint32_t first) const;
-  /// True if the application may see the side that ends at that corner of the primitive, counted
-  /// from 0: it is none that cutting a polygon into triangles made.
+  /// True if the side that ends at this corner of the primitive, counted from 0, was not made by
+  /// cutting a polygon into triangles.
   bool edge_visible(std::uint32_t i, std::uint32_t corner) const {
     return edge_visible_[primitives_[i].first + corner] != 0;
   }
-  /// Some polygons were entered with vertices that they share.
+  /// True if some polygons were entered with shared vertices.
   bool has_shared() const { return !corners_.empty(); }
   Attributes attributes(std::uint32_t i) const;
-  /// The same but for the colour of the fill: polygons of many colours share all else.
+  /// The same, without the colour of the fill: polygons of many colours share all else.
   const Attributes& shared_attributes(std::uint32_t i) const {
     return attributes_[attributes_of_look(primitives_[i].look)];
   }
   const Colour& fill_colour(std::uint32_t i) const { return colours_[primitives_[i].look]; }
   std::span<const Colour> fill_colours() const { return colours_; }  ///< by look
   std::span<const Attributes> all_attributes() const { return attributes_; }
-  /// A place in all_attributes.
+  /// An index into all_attributes.
   std::uint32_t attributes_of_look(std::uint32_t look) const { return attributes_of_look_[look]; }
   const Attributes& attributes(const Text& text) const { return attributes_[text.attributes]; }
   /// A primitive that is a polygon, for a view stage.
   WorldPolygon polygon(std::uint32_t i) const;
   Point3 normal(std::uint32_t i) const;   ///< of a lit polygon, out of its light face, or 0
   bool is_smooth(std::uint32_t i) const;  ///< its vertices have normals
-  bool draws(std::uint32_t i) const;      ///< not a hollow polygon of line style none
-  /// How far a vertex lies from the plane that a tree takes the polygon to be in, at most: one of
-  /// more than three sides counts as flat within a tolerance (clip/planarity.h).
+  bool draws(std::uint32_t i) const;      ///< false for hollow polygons with line style none
+  /// The largest distance of a vertex from the plane that a tree uses for the polygon: one of more
+  /// than three sides counts as planar within a tolerance (clip/planarity.h).
   double off_plane(std::uint32_t i) const;
   double off_plane(std::uint32_t i, const Plane& plane) const;  ///< from that plane
 
-  /// Those primitives that draw something, as items of a sort in world coordinates; the points
-  /// and edges are the scene's own. primitive_of is filled with the items' primitives.
+  /// The primitives that draw something, as items of a sort in world coordinates; points and edges
+  /// are the scene's own. Fills primitive_of with the items' primitives.
   std::vector<Primitives::Item> items(std::vector<std::uint32_t>& primitive_of) const;
   Primitives primitives(std::span<const Primitives::Item> items) const {
     return {points_, corners_, edge_visible_, items};
   }
 
-  /// In some segment lines are where polygons pass through each other.
+  /// True if a segment has lines where polygons intersect.
   bool has_intersections() const;
-  /// Some segment draws other sides than those that the line style shows.
+  /// True if a segment selects sides other than those that the line style shows.
   bool selects_lines() const;
-  /// Those of some polygon of the segment are.
+  /// True if back faces of a polygon of the segment are removed.
   bool removes_back_faces(const Segment& segment) const;
-  /// For the side that ends at each corner of the scene its kinds in a view, 0 where it is not
-  /// drawn, whatever the line style; 1 of all that no segment was asked for.
+  /// The kinds in a view of the side that ends at each corner, 0 where it is not drawn, whatever
+  /// the line style; 1 for all sides of segments without a selection.
   void sides_in_view(const Eye& eye, std::vector<LineKinds>& of_corners) const;
-  /// The same of all views together: 0 where a side is drawn in none.
+  /// The same over all views: 0 for sides that no view draws.
   std::vector<LineKinds> sides_in_any_view() const;
 
-  /// A scene of those segments for which the function says so.
+  /// A scene of the segments for which the function returns true.
   RetainedScene selected(const std::function<bool(const Segment&)>& is_selected) const;
   /// A scene of the segments that are visible in the display file of the system that retained them.
   RetainedScene visible_in(const DisplayFile& display_file) const;
 
-  /// Enters one of the scene's segments into a display file's, whole and in order of entry, as the
-  /// application did, through the stage of a view; lights are turned by `lights_turned`. The sides
-  /// that are drawn are those that the segment selects for that eye, the view's. Calls
-  /// is_item(primitive) for each of which something was entered and that draws something: they
-  /// are the items, in order, of the viewed scene (displayfile/segments/viewed_scene.h).
+  /// Enters one of the scene's segments into a segment of a display file, completely and in order
+  /// of entry, through the stage of a view; lights are rotated by `lights_turned`. The drawn sides
+  /// are those that the segment selects for the view's eye. Calls is_item(primitive) for each
+  /// entered primitive that draws something: these are the items, in order, of the viewed scene
+  /// (displayfile/segments/viewed_scene.h).
   void enter_viewed(const Segment& part, const Eye& eye, PolygonStage& stage,
                     const glm::dmat3& lights_turned, displayfile::Segment& segment,
                     const std::function<void(std::uint32_t)>& is_item) const;
 
-  // For the GraphicsSystem, when the call has succeeded.
+  // Called by GraphicsSystem after a successful call.
   void open_segment(int name, const View& view, const Touching& touching = {Touching::Kind::off});
-  /// The segment opened last is complete: its lines are those that are selected.
+  /// Completes the segment opened last with this selection of lines.
   void close_segment(const LineSelection& lines);
-  /// It is not: more is to come.
+  /// Continues the segment closed last.
   void reopen_segment();
   void remove(int name);
   void remove_all();
   void rename(int from, int to);
-  /// Enters into the segment opened last. Throws Error, and enters nothing, if there are more than
-  /// 2^32 - 2 points then.
+  /// Enters into the segment opened last. Throws Error, before entering, for more than 2^32 - 2
+  /// points in total.
   void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);
   void enter_line(const Point3& from, const Point3& to, const Attributes& attributes,
                   std::int32_t pick);
-  /// The polygons that are entered by enter_shared from here on share so many vertices; those that
-  /// some polygon uses are kept, once each. Makes room for so many polygons and corners.
+  /// Polygons entered by enter_shared from now on share this many vertices; used ones are stored
+  /// once. Reserves capacity for polygons and corners.
   void begin_shared(std::size_t vertices, std::size_t polygons = 0, std::size_t corners = 0);
-  /// Vertices that polygons share: in world coordinates, and as they were entered, before the
-  /// modelling transformation of that matrix. Null: they were entered as they are.
+  /// Shared vertices: in world coordinates, and as entered, before the modelling transformation of
+  /// that matrix. Null: as entered.
   struct SharedVertices {
     std::span<const Point3> world;
     std::span<const Point3> entered = {};
     const ModellingMatrix* modelling = nullptr;
   };
-  /// A polygon whose vertices are those of these indices among the shared ones.
+  /// Enters a polygon given by indices of the shared vertices.
   void enter_shared(std::span<const std::uint32_t> corners, const WorldPolygon& polygon,
                     const Attributes& attributes);
-  /// The same for triangles, three corners each, all sides visible: the first has that pick
-  /// identifier, each other `step` more than the one before it.
+  /// The same for triangles, three corners each, all sides visible: the first has this pick
+  /// identifier, each next one `step` more.
   void enter_shared_triangles(const SharedVertices& vertices,
                               std::span<const std::uint32_t> corners, const Attributes& attributes,
                               std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
-  /// Its cells follow.
+  /// Its cells are entered next.
   void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
 
  private:
@@ -254,18 +254,18 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks
   GrowingArray<Point3> points_;
-  GrowingArray<Point3> entered_;  // the same as entered; empty: all were entered as they are
+  GrowingArray<Point3> entered_;  // the same as entered; empty: equal
   struct Modelling {
     std::uint32_t first_point;
     ModellingMatrix matrix;
   };
   std::vector<Modelling> modellings_;       // of the points from there on; the identity before
-  GrowingArray<std::uint32_t> corners_;     // their points; empty: these in a row
+  GrowingArray<std::uint32_t> corners_;     // their points; empty: the points in order
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
   std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such
   std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
-  bool has_cuts_ = false;                        // cutting planes have cut some polygon
+  bool has_cuts_ = false;                        // a polygon was cut by cutting planes
 };
 
 }  // namespace displayfile

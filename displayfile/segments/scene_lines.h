@@ -8,17 +8,17 @@
 
 namespace displayfile {
 
-// The lines of a viewed scene (hidden/lines/lines_in_order.h): its lines, and its polygons' sides
-// that are visible and have a line style.
+// The lines of a viewed scene (hidden/lines/lines_in_order.h): its lines, and its polygons' visible
+// sides with a line style.
 
 std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
-/// Items of different segments or line styles are not drawn by one stroke: a number for each
-/// segment and style, by item. Empty if there is one.
+/// For each item a number of its segment and line style, since one stroke does not join different
+/// ones. Empty if there is one.
 std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
 /// Throws Error for a plan whose method finds no lines.
 FoundLines find_lines(const ViewedScene& scene, const SurfacePlan& plan);
 
-/// What of one segment and line style is joined into chains.
+/// Joins lines of one segment and line style into chains.
 SortedPieces lines_in_order(const ViewedScene& scene, const FoundLines& found,
                             HiddenLines hidden_lines);
 SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& found,
@@ -27,9 +27,8 @@ SortedPieces lines_beside_sides(const ViewedScene& scene, const FoundLines& foun
 /// The scene's map, and after all fills its lines.
 SortedPieces map_in_order(const ViewedScene& scene, const SurfacePlan& plan);
 
-/// Adds to an order of the scene's polygons, after all fills, the lines of the plan that
-/// no polygon of the order has: those that are hidden, and where polygons pass through each
-/// other.
+/// Appends to an order of the scene's polygons, after all fills, the plan's lines that no polygon
+/// of the order has: hidden ones, and lines of intersection.
 void append_lines(const ViewedScene& scene, const SurfacePlan& plan, SortedPieces& sorted);
 
 }  // namespace displayfile

@@ -15,12 +15,12 @@
 
 namespace displayfile {
 
-/// One segment: a name, attributes, and its instructions in arrays of their own, so that
-/// it is edited or deleted without touching another segment's storage.
+/// One segment: a name, attributes, and its own instruction arrays, so that it is edited or deleted
+/// without touching another segment's storage.
 ///
-/// It keeps its instructions as they were entered and, if its hidden surfaces were sorted, also
-/// back to front. What is drawn is the sorted order, if there is one; what needs every polygon
-/// whole and in order of entry - the truth, the z-buffers - walks the entered one.
+/// It keeps its instructions as entered and, if its hidden surfaces were sorted, also back to
+/// front. The sorted order is drawn, if there is one; the truth and the z-buffers, which need whole
+/// polygons in order of entry, use the entered one.
 ///
 /// Points are normalised device coordinates before the image transformation. Copies of a closed
 /// segment share their instructions.
@@ -37,11 +37,11 @@ class Segment {
 
   bool visible = true;
   ImageTransformation image;
-  /// What close-segment put off, since all segments were to be sorted together: for the case that
+  /// The sort that close-segment postponed because all segments were to be sorted together, in case
   /// they are not.
   std::optional<SurfacePlan> put_off;
 
-  // Entering instructions (displayfile/entered/instructions.h). A sorted order is dropped.
+  // Entering instructions (displayfile/entered/instructions.h) drops a sorted order.
   void set_style(const FillStyle& fill) { writable().set_style(fill); }
   void set_style(const LineStyle& line) { writable().set_style(line); }
   void set_style(const TextStyle& text) { writable().set_style(text); }
@@ -60,45 +60,45 @@ class Segment {
   void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
     writable().enter_next_polygon(n, point, is_drawn);
   }
-  /// Keeps the polygons entered from here on as the application entered them, too
-  /// (displayfile/entered/entered_polygons.h). Nothing was entered yet.
+  /// Also keeps the polygons entered from now on as the application entered them
+  /// (displayfile/entered/entered_polygons.h). Must be called before the first.
   void keep_entered(const Touching& touching, const ViewVolume& volume) {
     writable().keep_entered(touching, volume);
   }
-  /// What is to be called after each polygon that is entered; null if they are not kept.
+  /// To be called after each polygon; null if they are not kept.
   EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }
-  /// The same; null also if the instructions are shared, so that others may be reading them.
+  /// The same; null also if the instructions are shared, as others may be reading them.
   EnteredPolygons* entered_alone() {
     return entered_.use_count() == 1 ? entered_->keeping_entered() : nullptr;
   }
-  /// Makes room for polygons of so many corners and fill styles in all.
+  /// Reserves capacity for polygons, corners and fill styles in total.
   void reserve_polygons(std::size_t polygons, std::size_t corners, std::size_t fills) {
     constexpr std::size_t kOtherCodes = 3;  // the polygon's own, and a pick identifier
     writable().reserve_more(corners + kOtherCodes * polygons, corners, fills);
     if (EnteredPolygons* const kept = keeping_entered()) kept->reserve_more(polygons, corners);
   }
-  /// In place of all instructions entered so far, those of another segment.
+  /// Replaces all instructions by those of another segment.
   void take_instructions(Segment&& other) {
     entered_ = std::move(other.entered_);
     sorted_.reset();
   }
-  /// Gives back the room for more instructions.
+  /// Frees the capacity for more instructions.
   void free_room() { writable().free_room(); }
-  /// No more instructions are to come: copies may share them.
+  /// After the last instruction: copies may share them from now on.
   void close() { closed_ = true; }
   bool is_closed() const { return closed_; }
 
-  /// Closed segments whose pointers are the same have the same instructions.
+  /// Closed segments with equal pointers have the same instructions.
   std::shared_ptr<const Instructions> entered() const { return entered_; }
   /// Null if the hidden surfaces were not sorted.
   const std::shared_ptr<const SortedScene>& sorted() const { return sorted_; }
   void set_sorted(std::shared_ptr<const SortedScene> sorted) { sorted_ = std::move(sorted); }
-  /// True if it was sorted with the image transformation that it has now.
+  /// True if it was sorted with its present image transformation.
   bool sorted_as_drawn() const { return sorted_ != nullptr && sorted_->image == image; }
 
-  /// Calls the visitor for each instruction in the order of drawing, with points after the image
-  /// transformation: what is drawn and dumped. An order that was found before an image
-  /// transformation is kept through it; one that was found with another is not.
+  /// Calls the visitor for each instruction in drawing order, with points after the image
+  /// transformation, as for drawing and dumps. An order found before an image transformation was
+  /// set is kept; one found with another is not.
   template <class Visitor>
   void walk_drawn(Visitor&& visit) const {
     if (sorted_as_drawn()) return sorted_->walk(visit);
@@ -112,14 +112,14 @@ class Segment {
   void walk_entered(Visitor&& visit) const {
     entered_->walk(visit);
   }
-  /// Walks the instructions in order of entry, with points after the image transformation: what is
-  /// judged.
+  /// Walks the instructions in order of entry, with points after the image transformation, as for
+  /// the truth.
   template <class Visitor>
   void walk_entered_drawn(Visitor&& visit) const {
     entered_->walk_transformed(image, visit);
   }
 
-  // What the instructions hold as they were entered.
+  // Contents of the entered instructions.
   std::size_t polygons() const { return entered_->polygons(); }
   std::size_t lines() const { return entered_->lines(); }
   bool stores_z() const { return entered_->stores_z(); }
@@ -129,7 +129,7 @@ class Segment {
   std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:
-  /// Instructions that no copy shares.
+  /// The instructions, copied if shared.
   Instructions& writable() {
     if (closed_ || sorted_ != nullptr) [[unlikely]]
       make_writable();

@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// Draws each stretch that is a line once, as far as it can be: by sides of polygons that face the
-/// viewer where there are such, since others may be removed.
+/// Draws each stretch that is a line once where possible, preferably by sides of polygons that face
+/// the viewer, since others may be removed.
 class SideKinds::Tiling {
  public:
   Tiling(const SideKinds& sides, std::span<const LineKinds> of_stretches,
@@ -45,7 +45,7 @@ class SideKinds::Tiling {
 
  private:
   static constexpr std::uint32_t kNobody = 0xffffffffu;
-  /// Sides of polygons that face the viewer, and that are drawn as all kinds of a stretch.
+  /// Sides of polygons that face the viewer and are drawn as all kinds of a stretch.
   struct Wanted {
     bool facing = false, whole = false;
   };
@@ -57,8 +57,8 @@ class SideKinds::Tiling {
     return last;
   }
 
-  /// Stretches of the same kinds: those that a polygon has which faces the viewer, and others, by
-  /// themselves if they can be, or else together.
+  /// Draws stretches of the same kinds: those of polygons that face the viewer and others
+  /// separately if possible, otherwise together.
   void tile_run(std::uint32_t first, std::uint32_t last) {
     bool are_all = true;
     for (const bool draws : {false, true}) {
@@ -70,7 +70,7 @@ class SideKinds::Tiling {
       if (!draws && !are_all && may_be_any(true) && tile(first, last, {}, true)) return;
     }
   }
-  /// By sides that may be drawn as all kinds of the stretches, if there are such.
+  /// Uses sides that may be drawn as all kinds of the stretches, if there are any.
   bool tile_alike(std::uint32_t first, std::uint32_t last, bool has_facing, bool draws) {
     for (const bool whole : {true, false}) {
       for (const bool facing : {true, false}) {
@@ -84,8 +84,8 @@ class SideKinds::Tiling {
     return !has_facing || turned_away_ != TurnedAway::removed;
   }
 
-  /// Draws stretches by sides that follow each other from the first stretch to
-  /// the last, if there are such sides: where a face was cut into others its sides are.
+  /// Draws stretches by successive sides from the first stretch to the last, if there are such:
+  /// where a face was divided into others, their sides are.
   bool tile(std::uint32_t first, std::uint32_t last, const Wanted& wanted, bool draws) {
     const auto from = std::ranges::lower_bound(sides_, first, {}, &PartedSide::first);
     for (auto side = from; side != sides_.end() && side->first < last; ++side) {
@@ -106,7 +106,7 @@ class SideKinds::Tiling {
     std::fill(reached_by_.begin() + first, reached_by_.begin() + last + 1, kNobody);
     return is_reached;
   }
-  /// Where some polygon that has a part of it faces the viewer.
+  /// Marks the stretches of a side whose polygon faces the viewer.
   void mark(const PartedSide& side) {
     const auto begin = has_facing_.begin();
     if (std::find(begin + side.first, begin + side.end, true) == begin + side.end) return;

@@ -14,29 +14,28 @@
 
 namespace displayfile {
 
-/// Throws Error if lines are to be drawn where they are hidden, and the method is the colour rule
-/// over surfaces that are in no order: it finds no lines.
+/// Throws Error if hidden lines are to be drawn and the method is the colour rule over unsorted
+/// surfaces, which finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
 
-/// A display file with its hidden surfaces sorted as the next drawing needs it. Kept from one
-/// drawing to the next, it sorts only what has changed since.
+/// A display file with its hidden surfaces sorted for the next drawing. Kept between drawings, it
+/// sorts only what has changed.
 class SortedDisplayFile {
  public:
-  /// Brings it up to date with the application's display file; `plan` is what the options and the
-  /// system give (resolve_surfaces).
+  /// Updates it from the application's display file; the plan is that of the options and the system
+  /// (resolve_surfaces).
   ///
-  /// `by` is the method in force, `automatic` replaced by what it means if that sorts; else
-  /// `automatic` is sorted as the map, and `none` is passed where nothing is to be sorted. If so,
+  /// `by` is the method in force, with `automatic` replaced by its choice if that sorts; otherwise
+  /// `automatic` is sorted as the map, and `none` is passed where nothing is to be sorted. If it
+  /// sorts,
   ///  - a method that the application set leaves the segments as close-segment left them, unless
   ///    the scope is all; only a segment that has an image transformation since, or for which the
   ///    options have another precision or other hidden lines, is sorted again;
   ///  - a method of the options sorts all visible segments together, each group that overlaps by
   ///    itself (displayfile/segments/segment_groups.h), or each on its own if the options or the
   ///    application set that scope; one that `automatic` means sorts all together, whatever the
-  ///    scope.
-  /// If it does not sort, a method of the options is drawn from the polygons as they were entered
-  /// and one that the application set from what close-segment left. Invisible segments stay as
-  /// they are.
+  /// If it does not sort, a method of the options is drawn from the polygons as entered, and one
+  /// set by the application from the segments as closed. Invisible segments stay unchanged.
   const DisplayFile& update(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
                             const SurfacePlan& plan, HiddenMethod by);
   /// The same with the plan that the options and the system give.
@@ -45,16 +44,16 @@ class SortedDisplayFile {
     return update(system, options, resolve_surfaces(system, options), by);
   }
 
-  /// Brings it up to date with a display file of its own, such as that of a new view: its visible
-  /// segments sorted by the plan's method, a sort or one that finds lines, together unless the
-  /// plan's scope is each segment.
+  /// Updates it from another display file, such as that of a new view: its visible segments are
+  /// sorted by the plan's method, a sort or one that finds lines, together unless the plan's scope
+  /// is `segment`.
   const DisplayFile& update(const DisplayFile& entered, const SurfacePlan& plan);
 
-  /// The display file as the last update left it; one that failed leaves it as it was.
+  /// The display file after the last successful update.
   const DisplayFile& display_file() const { return file_; }
 
-  /// The work of the last update with scope all: how many groups of segments that overlap there
-  /// are, and how many of them had to be sorted, since one of their segments changed.
+  /// Work of the last update with scope `all`: the number of groups of overlapping segments, and of
+  /// those that had to be sorted because a segment changed.
   struct Work {
     std::size_t groups = 0, sorted = 0;
   };
@@ -81,10 +80,10 @@ class SortedDisplayFile {
   Work work_;
 };
 
-/// The counts of the sorts that are drawn: the sums, and the deepest tree.
+/// The counts of the drawn sorts: sums, and the maximum depth of a tree.
 SortCounts counts_of_sorts(const DisplayFile& display_file);
 
-/// True if something is drawn in an order that is exactly back to front.
+/// True if a drawn order is exactly back to front.
 bool has_exact_order(const DisplayFile& display_file);
 
 }  // namespace displayfile

@@ -23,12 +23,12 @@
 
 namespace displayfile {
 
-/// What a sort of hidden surfaces cost.
+/// Costs of a sort of hidden surfaces.
 struct SortCounts {
-  std::uint64_t pieces = 0;  ///< polygons and lines in the order, cut ones once a piece
+  std::uint64_t pieces = 0;  ///< polygons and lines in the order, cut ones once per piece
   std::uint64_t cuts = 0;    ///< one piece in two
   std::uint64_t comparisons = 0;
-  std::uint32_t depth = 0;  ///< of the deepest tree; 0 where there is none
+  std::uint32_t depth = 0;  ///< maximum depth of a tree; 0: none
 
   SortCounts& operator+=(const SortCounts& other) {
     pieces += other.pieces;
@@ -44,8 +44,8 @@ struct OrderedScene {
   std::shared_ptr<const ViewedScene> scene;
   SortedPieces pieces;  ///< of the scene's items
 
-  /// Its strokes as a picture has them (displayfile/segments/drawn_strokes.h). They are found when
-  /// they are first needed, by whichever thread.
+  /// Its strokes as drawn in a picture (displayfile/segments/drawn_strokes.h). Found on first use,
+  /// by any thread.
   std::span<const StrokePart> strokes_of_picture() const;
 
   struct StrokesOfPicture {
@@ -55,31 +55,29 @@ struct OrderedScene {
   std::shared_ptr<StrokesOfPicture> of_picture = std::make_shared<StrokesOfPicture>();
 };
 
-/// What the hidden-surface check makes of one segment, or of several together: scenes of which none
-/// hides anything of another, each in order. It is no second display file: the instructions are
-/// made from the scenes when they are asked for.
+/// Result of the hidden-surface check of one segment, or of several together: scenes that hide
+/// nothing of each other, each in order. It is not a second display file: instructions are
+/// generated from the scenes on demand.
 struct SortedScene {
   std::vector<std::shared_ptr<const OrderedScene>> parts;
-  ImageTransformation image;  ///< that the points of a single segment went through before
-  SurfacePlan plan;           ///< that they were sorted by
+  ImageTransformation image;  ///< already applied to the points of a single segment
+  SurfacePlan plan;           ///< the plan by which they were sorted
   SortCounts counts;
-  /// How far a boundary may lie from where the polygons as entered have it, beyond the rounding of
-  /// a cut's own coordinates: by viewing, and where the cuts were made before it. Device
-  /// coordinates.
+  /// The largest distance of a boundary from that of the polygons as entered, beyond the rounding
+  /// of a cut's coordinates: caused by viewing, including cuts made before it. Device coordinates.
   double boundary_error = 0.0;
 
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
-  /// front, as Instructions::walk does; a style, a pick identifier and a segment where they change,
-  /// and, if the visitor has them, line_kinds(LineKinds), line_pick(int) and line_cuts(LineCuts) of
-  /// the lines that follow, kDrawn, -1 and none at first; and corner_cuts(span<const uint8_t>)
-  /// before a polygon of which a side that is drawn was cut: 1 for each corner where it was.
-  /// A visitor that draws a picture has is_crumb(Point3, Point3), which tells whether a stroke of
-  /// the line style in force is shorter than its pen is wide: it gets strokes as pictures have them
-  /// (OrderedScene::strokes_of_picture), without crumbs.
-  /// disjoint_polygons(true), if the visitor has it, comes before the polygons of a map, which do
-  /// not overlap, and disjoint_polygons(false) after them: a segment that was named between them is
-  /// over then. Texts follow all else. A fill whose shadows were found has the colour that it has
-  /// in the light or in the shadow, and shows none.
+  /// front, as Instructions::walk does; styles, pick identifiers and segments where they change,
+  /// and, if the visitor has them, line_kinds(LineKinds), line_pick(int) and line_cuts(LineCuts)
+  /// for the lines that follow, initially kDrawn, -1 and none; and corner_cuts(span<const uint8_t>)
+  /// before a polygon with a cut drawn side: 1 for each corner at a cut. A visitor that draws a
+  /// picture has is_crumb(Point3, Point3), which returns whether a stroke in the line style in
+  /// force is shorter than its pen is wide: it gets strokes as drawn in pictures
+  /// (OrderedScene::strokes_of_picture), without crumbs. disjoint_polygons(true), if the visitor
+  /// has it, precedes the polygons of a map, which do not overlap, and disjoint_polygons(false)
+  /// follows them: a segment named in between has then ended. Texts come last. A fill with known
+  /// shadows has its colour in light or in shadow, and no shadow.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -95,7 +93,7 @@ struct SortedScene {
   std::size_t bytes() const;     ///< of the scenes' own arrays and the orders, as used
 };
 
-/// What is in force while pieces are made into instructions.
+/// State while pieces are made into instructions.
 template <class Visitor>
 class PieceWriter {
  public:
@@ -104,7 +102,7 @@ class PieceWriter {
   void save_polygons_in_order(const OrderedScene& ordered) {
     save_pieces(ordered, 0, std::min(ordered.pieces.first_stroke, ordered.pieces.pieces.size()));
   }
-  /// What is drawn as lines after all polygons.
+  /// Sends lines that are drawn after all polygons.
   void save_strokes(const OrderedScene& ordered) {
     const std::size_t first = ordered.pieces.first_stroke;
     if constexpr (kDrawsPicture) {
@@ -122,7 +120,7 @@ class PieceWriter {
     for (std::size_t k = from; k < to; ++k) save_piece(ordered, k);
   }
 
-  /// What follows names its segment, whichever it is.
+  /// Makes the next instruction name its segment.
   void name_segment_again() { segment_ = 0; }
 
   /// For a visitor that takes texts.
@@ -156,7 +154,7 @@ class PieceWriter {
     send_to_df(piece);
   }
 
-  /// Whose fill style is in force, and in which light.
+  /// The item whose fill style is in force, and its light.
   struct StyledItem {
     const ViewedScene* scene = nullptr;
     ViewedScene::Item item = 0;
@@ -267,15 +265,15 @@ class PieceWriter {
             cuts.at_end || is_clipped(piece.item, part[1])};
   }
 
-  /// Whether the point is on a border of the item's viewport that is no border of the picture.
+  /// True if the point is on a border of the item's viewport that is not a border of the picture.
   bool is_clipped(std::uint32_t item, const Point3& p) const {
     const auto [x_min, x_max, y_min, y_max] = scene().viewport_of(item);
     return (p.x == x_min && x_min > 0.0) || (p.x == x_max && x_max < 1.0) ||
            (p.y == y_min && y_min > 0.0) || (p.y == y_max && y_max < 1.0);
   }
 
-  /// The corners at which a drawn side ends and the next is not drawn, or the other way round, and
-  /// which are no vertices of the whole polygon, or clipped.
+  /// Finds the corners at which a drawn side ends and the next is not drawn, or the reverse, that
+  /// are not vertices of the whole polygon, or are clipped.
   void check_corner_cuts(const SortedPiece& piece, std::span<const Point3> points) {
     const PointRow own = scene().points(piece.item);
     cut_corners_.assign(std::max<std::size_t>(points.size(), 3), 0);
@@ -298,7 +296,7 @@ class PieceWriter {
     return std::span<const Point3>(part_points_);
   }
 
-  /// A piece of an edge-on polygon may be a single side; a polygon instruction has three or more.
+  /// A piece of an edge-on polygon may be a single side; polygon instructions have at least three.
   void send_polygon(const SortedPiece& piece, std::span<const Point3> points) {
     sides_.clear();
     kinds_.clear();
@@ -331,7 +329,7 @@ class PieceWriter {
     visit_.polygon(points, std::span<const std::int32_t>(sides_));
   }
 
-  /// A piece of a shaded polygon lies in the picture of the whole one.
+  /// Interpolates a piece's shading from that of the whole polygon.
   VertexShading shading_of(const SortedPiece& piece, std::span<const Point3> points) {
     if (light_ == Lit::in_shadow) return {};
     const VertexShading whole = scene().shading(piece.item);
@@ -349,7 +347,7 @@ class PieceWriter {
     return {.normals = normals_, .light = whole.light};
   }
 
-  /// Fewer than three become three; none stay none.
+  /// Extends one or two values to three; none stay none.
   template <class Value>
   static std::span<const Value> padded(std::span<const Value> values, std::vector<Value>& room) {
     if (values.empty()) return {};

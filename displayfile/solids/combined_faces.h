@@ -7,14 +7,13 @@
 
 namespace displayfile {
 
-/// Some faces of a solid, each of one loop, as triangles; the source of each is its face.
+/// Some faces of a solid, each with one loop, as triangles, whose source is the face.
 BoundingTriangles triangles_of(const SolidFaces& solid, std::size_t first_face,
                                std::size_t end_face);
 
-/// What was made of solids, as faces again: all triangles of one source are one face, which looks
-/// as its source does. A side is drawn unless what it parts are faces of one polygon, or, exactly
-/// in one plane, faces that look the same. Vertices and faces are in an order that does not depend
-/// on the library.
+/// Converts a result to faces: all triangles of one source are one face with the source's
+/// attributes. A side is drawn unless it separates faces of one polygon, or exactly coplanar faces
+/// with equal attributes. The order of vertices and faces does not depend on the library.
 SolidFaces combined_faces(const BoundingTriangles& result, const SolidFaces& sources);
 
 }  // namespace displayfile

@@ -23,7 +23,7 @@ class CombiningSteps {
 /// force. There is a limit without a budget, too, so that each combination ends.
 class CountedSteps final : public CombiningSteps {
  public:
-  /// Where no other limit is set.
+  /// The default limit.
   static constexpr std::uint64_t kMost = 100'000'000;
 
   /// `what` names the combination in messages, such as "the union with part 2 of 3".

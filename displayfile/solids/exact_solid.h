@@ -14,14 +14,14 @@ namespace displayfile {
 
 /// Triangles that bound a solid. World coordinates.
 struct BoundingTriangles {
-  std::vector<Point3> vertices;                         ///< no two of one position
+  std::vector<Point3> vertices;                         ///< with distinct positions
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices
-  std::vector<std::uint32_t> source;                    ///< of each: what it is a part of
-  /// Whether the triangle beyond the side that ends at each vertex lies in the same plane,
-  /// exactly, and on the other side of it. Only told of results.
+  std::vector<std::uint32_t> source;                    ///< per triangle
+  /// True if the triangle beyond the side that ends at the vertex is exactly coplanar, on the other
+  /// side of it. Results only.
   std::vector<std::array<std::uint8_t, 3>> is_flat;
-  /// Whether the vertex lies, within reach, between two others on the one line along which
-  /// triangles of different sources meet there. Only told of results.
+  /// True if the vertex lies, within reach, between two others on the one line along which
+  /// triangles of different sources meet there. Results only.
   std::vector<std::uint8_t> is_between;
 };
 
@@ -31,13 +31,13 @@ class ExactSolid {
  public:
   struct Body;  ///< the module's
 
-  /// Triangles that are closed: turned so that they bound a volume, a shell within another being a
-  /// hollow. Throws Error if they are not closed, pass through each other, or touch each other
-  /// elsewhere than at shared sides and corners of one fan; `name` says which solid that is.
+  /// From closed triangles: oriented so that they bound a volume, a shell within another being a
+  /// hollow. Throws Error if they are not closed, intersect, or touch each other elsewhere than at
+  /// shared sides and corners of one fan; `name` names the solid in messages.
   ExactSolid(const BoundingTriangles& triangles, std::string_view name);
 
-  /// The result may touch itself, in points and along edges. Throws Error if that takes more than
-  /// CombiningSteps::kMost steps, and LimitReached; `name` says which solid b is.
+  /// The result may touch itself, in points and along edges. Throws Error beyond
+  /// CountedSteps::kMost steps, and LimitReached; `name` names solid b in messages.
   static ExactSolid combined(SolidOperation operation, const ExactSolid& a, const ExactSolid& b,
                              std::string_view name);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the files that use CGAL, and no others.
+// For the files that use CGAL only.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -19,9 +19,9 @@ using ExactPoint = ExactKernel::Point_3;
 struct ExactSurface {
   using Triangle = std::array<std::uint32_t, 3>;
 
-  std::vector<ExactPoint> points;      ///< no two of one position
+  std::vector<ExactPoint> points;      ///< with distinct positions
   std::vector<Triangle> triangles;     ///< indices into points
-  std::vector<std::uint32_t> sources;  ///< of each triangle: the face that it is a part of
+  std::vector<std::uint32_t> sources;  ///< the face of each triangle
 };
 
 }  // namespace displayfile

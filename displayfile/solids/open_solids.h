@@ -15,8 +15,8 @@
 
 namespace displayfile {
 
-/// Solids that are being entered, one within another: what is entered of each is collected until it
-/// ends (displayfile/solids/README.md). World coordinates.
+/// Nested solids being entered: each collects its contents until it ends
+/// (displayfile/solids/README.md). World coordinates.
 class OpenSolids {
  public:
   static constexpr std::size_t kDeepest = 32;
@@ -24,24 +24,22 @@ class OpenSolids {
   bool empty() const { return levels_.empty(); }
   std::size_t depth() const { return levels_.size(); }
 
-  /// What is entered from now on is a part of the solid that is open, as one. Throws Error beyond
-  /// kDeepest.
+  /// Begins a solid, which is one part of the solid around it. Throws Error beyond kDeepest.
   void begin(SolidOperation operation);
-  /// A polygon of the innermost solid; `polygon` numbers the call that entered it.
+  /// Adds a polygon to the innermost solid; `polygon` numbers the call that entered it.
   void add(const WorldPolygon& polygon, const Attributes& attributes, std::uint32_t polygon_number);
-  /// Combines the parts of the innermost solid, which becomes a part of the one around it; of the
-  /// outermost it is the faces that are returned, none if nothing is left. Throws Error if it has
-  /// no parts, or one of them is no closed solid, and those of ExactSolid; nothing has changed
-  /// then.
+  /// Combines the parts of the innermost solid, which becomes a part of the one around it; for the
+  /// outermost, returns its faces, which may be none. Throws Error, without changes, if it has no
+  /// parts or a part is not a closed solid, and those of ExactSolid.
   std::optional<SolidFaces> end();
-  /// The innermost is as if it had not begun.
+  /// Discards the innermost solid.
   void discard();
 
-  /// The corners of all that was collected.
+  /// The corners of all collected polygons.
   std::span<const Point3> vertices() const { return collected_.vertices; }
 
  private:
-  /// Faces that were entered, or what was made of some.
+  /// Faces entered, or combined from others.
   struct Part {
     std::size_t first_face, end_face;
     std::optional<ExactSolid> made;

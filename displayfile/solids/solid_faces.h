@@ -13,7 +13,7 @@
 namespace displayfile {
 
 /// The surface of a solid in world coordinates: faces that share vertices, each a polygon or
-/// several loops, filled even-odd, with what they are drawn with.
+/// several loops, filled even-odd, with attributes.
 struct SolidFaces {
   struct Corner {
     std::uint32_t vertex;
@@ -21,13 +21,13 @@ struct SolidFaces {
     Point3 normal{0.0};         ///< if the face is smooth
   };
   struct Face {
-    Point3 normal{0.0};  ///< Newell's of the whole polygon that it is of, where there is light
+    Point3 normal{0.0};  ///< Newell's normal of the whole polygon, where there is light
     std::int32_t pick = 0;
     std::uint32_t attributes = 0;
     std::uint32_t polygon = 0;  ///< the call that entered it
     bool smooth = false;        ///< its corners have normals
     int cut_by = 0;             ///< the cutting plane whose cut face it is, or 0
-    std::size_t end_loop = 0;   ///< its loops begin where those of the face before end
+    std::size_t end_loop = 0;   ///< end of its loops, which follow those of the face before
   };
 
   std::vector<Point3> vertices;
@@ -43,14 +43,13 @@ struct SolidFaces {
     const std::size_t first = i == 0 ? 0 : end_corner[i - 1];
     return std::span(corners).subspan(first, end_corner[i] - first);
   }
-  /// Adds a loop of the face that `add` ends; one of fewer than three corners is none.
+  /// Adds a loop to the face that `add` ends; loops with fewer than three corners are ignored.
   void add_loop(std::span<const Corner> loop);
-  /// The face of the loops that were added since the last one; nothing if there are none.
+  /// Adds a face of the loops added since the last one; no effect without loops.
   void add(const Face& face);
 };
 
-/// A face as one even-odd polygon: its loops are joined by sides there and back, which are not
-/// drawn.
+/// A face as one even-odd polygon: its loops are joined by undrawn sides there and back.
 struct FacePolygon {
   std::vector<Point3> vertices;
   std::vector<std::uint8_t> edge_visible;  ///< of the side that ends at the vertex
@@ -58,17 +57,16 @@ struct FacePolygon {
 };
 void set_to_face(FacePolygon& polygon, const SolidFaces& solid, std::size_t face);
 
-/// A side that is used more often in its own direction than in the other one: what has one is not
-/// closed.
+/// A side used more often in its direction than in the reverse: its surface is not closed.
 using OpenSide = std::pair<Point3, Point3>;
 
-/// Nothing if each side of these polygons is used as often in one direction as in the other;
-/// vertices of equal position are one. As in polygons_abs_3, three corners each if `sides` is
-/// empty.
+/// Returns an open side, or nothing if each side of these polygons is used equally often in both
+/// directions; vertices with equal positions are one. As in polygons_abs_3, three corners each if
+/// `sides` is empty.
 std::optional<OpenSide> open_side(std::span<const Point3> vertices,
                                   std::span<const std::uint32_t> corners,
                                   std::span<const std::uint32_t> sides);
-/// The same of some faces of a solid.
+/// The same for some faces of a solid.
 std::optional<OpenSide> open_side(const SolidFaces& solid, std::size_t first_face,
                                   std::size_t end_face);
 

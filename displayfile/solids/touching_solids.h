@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// Combines solids that may touch themselves, and each other in any way: by the arrangement of
-/// their triangles, without rounding. The result may touch itself, too. Where faces of both
-/// coincide the result has the source of a's. Throws what steps throw.
+/// Combines solids that may touch themselves and each other in any way, by the arrangement of their
+/// triangles, without rounding. The result may touch itself, too. Coincident faces of both have a's
+/// source in the result. Throws what `steps` throws.
 ///
 /// Source: Zhou, Grinspun, Zorin, Jacobson, "Mesh arrangements for solid geometry", ACM
 /// Transactions on Graphics 35 (4), 2016, with two solids and without rounding.

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-// What arguments that are one word may be, beside the numbers, points and texts of program_line.h.
+// One-word arguments other than the numbers, points and texts of program_line.h.
 
 template <>
 bool ProgramLine::take<bool>();

@@ -13,23 +13,22 @@ std::size_t utf8_length(std::string_view text);
 /// True if a text begins in UTF-16: with its byte order mark, and a character of ASCII.
 bool begins_in_utf16(std::string_view text);
 
-/// The text but for the byte order mark of UTF-8 with which some editors begin one.
+/// The text without a UTF-8 byte order mark.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// How many bytes at the start of the text are characters that can be drawn: UTF-8, without control
-/// characters and what Unicode says is no character (U+FDD0 to U+FDEF, and U+FFFE, U+FFFF and so on
-/// of each plane). All of them, if the text is one.
+/// The length in bytes of the drawable characters at the start of the text: UTF-8, without control
+/// characters and Unicode's noncharacters (U+FDD0 to U+FDEF, and U+FFFE, U+FFFF and so on of each
+/// plane). The full length if all are drawable.
 std::size_t drawable_length(std::string_view text);
 
-/// What is wrong at the start of a text whose first byte is of no character that can be drawn: for
-/// messages.
+/// The error at the start of a text that does not begin with a drawable character, for messages.
 std::string not_drawable(std::string_view text);
 
-/// The text with '?' in the place of what cannot be drawn.
+/// The text with '?' for characters that cannot be drawn.
 std::string drawable(std::string_view text);
 
-/// The text in quotation marks, as drawing programs and dumps have it: a backslash stands before
-/// quotation marks and backslashes, and nowhere else.
+/// The text in quotation marks, as in drawing programs and dumps: with a backslash before quotation
+/// marks and backslashes only.
 std::string in_quotation_marks(std::string_view text);
 
 }  // namespace displayfile

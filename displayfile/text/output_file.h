@@ -10,19 +10,19 @@
 
 namespace displayfile {
 
-/// A file that appears whole or not at all. What is written goes to a temporary file in the
-/// target's folder, which has no name where the file system can do that: commit() puts it on the
-/// disk and renames it over the target. Without commit() the destructor removes it and the target
-/// is what it was; so does UnfinishedPath::remove_all, for a process that is told to stop. A
-/// process that is killed leaves at most one file beside the target, whose name begins with a dot,
-/// and where temporary files have no name only if it was killed while they get one.
+/// A file that is written completely or not at all. Data goes to a temporary file in the target's
+/// folder, without a name where the file system supports that: commit() puts it on the disk and
+/// renames it over the target. Without commit() the destructor removes it and the target is
+/// unchanged; UnfinishedPath::remove_all does so for a process ended by a signal. A killed process
+/// leaves at most one file beside the target, whose name begins with a dot; where temporary files
+/// have no name, only if it was killed while naming it.
 ///
 ///   OutputFile out("picture.svg");
 ///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
 ///   out.commit();
 ///
-/// The path "-" is standard output, and so are /dev/stdout and its other names: what is written
-/// goes to a temporary file too, and commit() copies it there.
+/// The path "-" is standard output, and so are /dev/stdout and its other names: data goes to a
+/// temporary file too, which commit() copies there.
 class OutputFile : public Output {
  public:
   /// Creates the temporary file. Throws Error, naming the path, if the folder does not exist
@@ -32,26 +32,26 @@ class OutputFile : public Output {
   ~OutputFile() override;
 
   const std::string& name() const override { return path_; }  ///< the target's path
-  /// What to open for a writer that takes a path; the file exists and is empty. It is in the
+  /// The path for a writer that opens files itself; the file exists and is empty. It is in the
   /// target's folder, or in that for temporary files if it is to be copied to standard output, a
-  /// device or a pipe; and ends in the target's extension. Do not use stream() then.
+  /// device or a pipe, and has the target's extension. stream() must not be used then.
   const std::string& temporary_path();
   /// Binary; the first call opens it.
   std::ostream& stream() override;
 
-  /// What several files need before the first of them is committed: all is written and on the disk,
-  /// with every other writer of temporary_path() closed. Throws Error, naming the path, if anything
-  /// could not be written (a full disk); the temporary file is then gone.
+  /// Called for several files before the first is committed: writes all data to the disk; every
+  /// other writer of temporary_path() must be closed. Throws Error, naming the path, if anything
+  /// could not be written (a full disk), and removes the temporary file.
   void finish() override;
 
-  /// finish(), if that has not been called, and the file has its name. Throws Error too if the
-  /// rename fails, and the temporary file is then gone; or if it has its name, but that may not be
-  /// on the disk. To be called once.
+  /// Calls finish() if necessary and names the file. Throws Error too if the rename fails, after
+  /// removing the temporary file; or if the file is named, but the name may not be on the disk. To
+  /// be called once.
   void commit() override;
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
-  [[noreturn]] void fail_to_write() const;  // with the reason in errno
+  [[noreturn]] void fail_to_write() const;  // by errno
   [[noreturn]] void fail_at_the_end(const std::string& what, int reason);
   void create_temporary();
   bool create_nameless();
@@ -66,9 +66,9 @@ class OutputFile : public Output {
 
   std::string path_, target_, temporary_;  // target_: path_ with a symbolic link followed
   bool standard_output_ = false;
-  bool copied_ = false;    // standard output, a device or a pipe takes what is in a temporary file
+  bool copied_ = false;    // the temporary file is copied to standard output, a device or a pipe
   bool direct_ = false;    // the target is written to in place
-  bool pending_ = false;   // the temporary file has a name that is ours to remove
+  bool pending_ = false;   // the temporary file has a name and must be removed
   bool finished_ = false;  // and on the disk
   int descriptor_ = -1;    // of the temporary file, or of the target that is written to in place
   UnfinishedPath unfinished_;

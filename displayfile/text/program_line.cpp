@@ -57,7 +57,7 @@ double number(std::string_view word) {
 
 std::string_view hint_at(std::string_view word) {
   return word.find(',') != word.npos && word[0] != '"'
-             ? ": numbers have no commas: blanks part them, a point their decimals"
+             ? ": numbers have no commas: separate them by blanks, and write decimals with a point"
              : "";
 }
 

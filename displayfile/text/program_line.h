@@ -12,13 +12,13 @@
 
 namespace displayfile {
 
-/// An error whose place in the text is known.
+/// An Error with its position in the text.
 struct ErrorAt : Error {
   ErrorAt(const char* place, const std::string& message) : Error(message), at(place) {}
   const char* at;
 };
 
-/// What `read` makes of a word; its Error, at the word.
+/// Returns the result of `read` for a word; its Error gets the word's position.
 template <class Read>
 auto understood(std::string_view word, const Read& read) {
   try {
@@ -28,12 +28,12 @@ auto understood(std::string_view word, const Read& read) {
   }
 }
 
-/// What may be wrong with a word in which a number was expected, or numbers: how a message about it
-/// ends. Empty if nothing is known.
+/// A hint for a message about a word where a number, or numbers, were expected. Empty if there is
+/// none.
 std::string_view hint_at(std::string_view word);
 
-/// One line of a drawing program as words: the routine's name, then its arguments, which are
-/// taken in order. What stands in quotation marks is one word, with them.
+/// One line of a drawing program as words: the routine's name, then its arguments, which are read
+/// in order. A quoted text is one word, including its quotation marks.
 class ProgramLine {
  public:
   void split(std::string_view text);
@@ -42,13 +42,12 @@ class ProgramLine {
   std::string_view name() const { return words_[0]; }
   std::size_t arguments() const { return words_.size() - 1; }
   std::string_view argument(std::size_t i) const { return words_[i + 1]; }
-  /// Takes one argument, or as many as T has coordinates: a number, a point, or a text in
-  /// quotation marks, without them, valid until the next is taken; what else T may be is for the
-  /// routines to say (argument_words.h). Throws ErrorAt for a word that is not one; there must be
-  /// enough words.
+  /// Reads one argument, or as many as T has coordinates: a number, a point, or a text without its
+  /// quotation marks, valid until the next read; for other T see argument_words.h. Throws ErrorAt
+  /// for an invalid word; there must be enough words.
   template <class T>
   T take();
-  /// Takes all that are left; there must be whole points. Valid until the next line is split.
+  /// Reads all remaining arguments, which must be whole points. Valid until the next line is split.
   template <class Point>
   std::span<const Point> take_points();
   std::string_view take_word() { return words_[taken_++]; }

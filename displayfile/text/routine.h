@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// An entry of the table of user routines (routines.cpp): what is said of it, and its call with the
-/// arguments of a line, which has as many as the entry says unless that varies.
+/// An entry of the table of user routines (routines.cpp): its description, and its call with a
+/// line's arguments, whose number is as in the entry unless it varies.
 struct Routine : UserRoutine {
   void (*call)(GraphicsSystem&, ProgramLine&, const Routine&);
 };
@@ -51,14 +51,14 @@ consteval Routine fixed(std::string_view name, std::string_view expected,
   return {{name, expected, Api<routine>::words, meaning}, Api<routine>::call};
 }
 
-/// One whose call takes as many words as it expects.
+/// A routine whose call reads as many words as it expects.
 template <auto call>
 consteval Routine counted(std::string_view name, std::string_view expected,
                           std::string_view meaning) {
   return {{name, expected, words_in(expected), meaning}, call};
 }
 
-/// One whose call looks to the number of words itself.
+/// A routine whose call checks the number of words itself.
 template <auto call>
 consteval Routine varying(std::string_view name, std::string_view expected,
                           std::string_view meaning) {

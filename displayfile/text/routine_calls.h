@@ -6,8 +6,8 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/routine.h"
 
-/// The calls of user routines that are not a call of the application API with its arguments one
-/// after another. Each throws ErrorAt for arguments that are wrong, and what the API throws.
+/// Calls of user routines that do not simply pass their arguments to the application API. Each
+/// throws ErrorAt for invalid arguments, and what the API throws.
 namespace displayfile::routine_calls {
 
 void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
@@ -26,7 +26,7 @@ void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 
-/// A setting of how hidden surfaces are found.
+/// A hidden-surface setting.
 template <auto member>
 void setting(GraphicsSystem& system, ProgramLine& line, const Routine&) {
   HiddenSurfaceSettings settings;
@@ -42,7 +42,7 @@ void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
   (system.*routine)(line.take_points<Point>());
 }
 
-// The two below, the setting, and sphere, take what the table has counted, in its order.
+// The two below, the setting, and sphere read the number of words in the table, in its order.
 
 /// The least and the greatest coordinate of each axis.
 template <auto shape>
@@ -55,7 +55,7 @@ void of_corners(GraphicsSystem& system, ProgramLine& line, const Routine&) {
   shape(system, low, high);
 }
 
-/// A place, two lengths and a number of facets.
+/// A position, two lengths and a number of facets.
 template <auto shape>
 void of_lengths(GraphicsSystem& system, ProgramLine& line, const Routine&) {
   const auto place = line.take<Point3>();

@@ -32,248 +32,246 @@ using G = GraphicsSystem;
 constexpr auto kPrimitives = std::to_array<Routine>({
     varying<points<Point3, &G::polygon_abs_3>>(
         "polygon-abs-3", "a multiple of 3: x y z ...",
-        "A polygon of 3 or more vertices. It may be concave or cross itself, and is filled by the "
-        "even-odd rule. The current position is then its last vertex."),
+        "A polygon of 3 or more vertices. It may be concave or self-crossing and is filled by the "
+        "even-odd rule. The current position becomes its last vertex."),
     fixed<&G::line_abs_3>(
         "line-abs-3", "x y z",
-        "A line from the current position to the point, which is the current position then."),
-    fixed<&G::move_abs_3>("move-abs-3", "x y z", "The current position is the point."),
-    varying<points<Point2, &G::polygon_abs_2>>(
-        "polygon-abs-2", "a multiple of 2: x y ...",
-        "A polygon as polygon-abs-3's, at the current position's z."),
-    fixed<&G::line_abs_2>("line-abs-2", "x y",
-                          "A line as line-abs-3's, at the current position's z."),
-    fixed<&G::move_abs_2>("move-abs-2", "x y",
-                          "The current position is the point, at its z of before."),
-    varying<points<Point3, &G::polygon_rel_3>>(
-        "polygon-rel-3", "a multiple of 3: dx dy dz ...",
-        "A polygon as polygon-abs-3's, each vertex relative to the one before, the first to the "
-        "current position."),
+        "A line from the current position to the point, which becomes the current position."),
+    fixed<&G::move_abs_3>("move-abs-3", "x y z", "Moves the current position to the point."),
+    varying<points<Point2, &G::polygon_abs_2>>("polygon-abs-2", "a multiple of 2: x y ...",
+                                               "As polygon-abs-3, at the current position's z."),
+    fixed<&G::line_abs_2>("line-abs-2", "x y", "As line-abs-3, at the current position's z."),
+    fixed<&G::move_abs_2>("move-abs-2", "x y", "As move-abs-3; keeps the current position's z."),
+    varying<points<Point3, &G::polygon_rel_3>>("polygon-rel-3", "a multiple of 3: dx dy dz ...",
+                                               "As polygon-abs-3, with each vertex relative to the "
+                                               "one before, the first to the current position."),
     fixed<&G::line_rel_3>("line-rel-3", "dx dy dz",
-                          "A line as line-abs-3's, to a point relative to the current position."),
-    fixed<&G::move_rel_3>("move-rel-3", "dx dy dz", "The current position is moved by so much."),
-    varying<points<Point2, &G::polygon_rel_2>>(
-        "polygon-rel-2", "a multiple of 2: dx dy ...",
-        "A polygon as polygon-rel-3's, at the current position's z."),
-    fixed<&G::line_rel_2>("line-rel-2", "dx dy",
-                          "A line as line-rel-3's, at the current position's z."),
+                          "As line-abs-3, to a point relative to the current position."),
+    fixed<&G::move_rel_3>("move-rel-3", "dx dy dz", "Moves the current position by this offset."),
+    varying<points<Point2, &G::polygon_rel_2>>("polygon-rel-2", "a multiple of 2: dx dy ...",
+                                               "As polygon-rel-3, at the current position's z."),
+    fixed<&G::line_rel_2>("line-rel-2", "dx dy", "As line-rel-3, at the current position's z."),
     fixed<&G::move_rel_2>("move-rel-2", "dx dy",
-                          "The current position is moved by so much in x and y."),
-    fixed<&G::text>(
-        "text", "\"characters\"",
-        "A text at the current position, which stays: one line of UTF-8, at most 65535 bytes. It "
-        "is seen where its point is, upright and in the text style and the line style's colour."),
+                          "Moves the current position by this offset in x and y."),
+    fixed<&G::text>("text", "\"characters\"",
+                    "A text at the current position, which is unchanged: one line of UTF-8, at "
+                    "most 65535 bytes. It is upright, in the text style and the line style's "
+                    "colour, and visible where its anchor is."),
     varying<surface>(
         "surface-3", "6 and heights: x-min x-max x-points y-min y-max y-points z ...",
         "The surface z = F(x, y) over an even grid of x-points times y-points heights, x fastest. "
-        "A height may be nan: the cells around it are left out. A cell has one pick identifier."),
+        "A height may be nan: the cells around it are omitted. Each cell has one pick identifier."),
     varying<axes>(
         "axes-3", "6 or 9: x-min x-max y-min y-max z-min z-max [\"x\" \"y\" \"z\"]",
         "The axes of a box with ticks, numbers and names, in the line style and the text style, "
-        "each along an edge at the box's outline. An axis whose ends are equal is left out."),
+        "each along an edge on the box's outline. An axis whose ends are equal is omitted."),
 });
 
 constexpr auto kShapes = std::to_array<Routine>({
     counted<of_corners<box_3>>("box-3", "x-min x-max y-min y-max z-min z-max", "A box."),
     counted<of_corners<wedge_3>>("wedge-3", "x-min x-max y-min y-max z-min z-max",
-                                 "The half of a box below the plane from its upper edge at x-min "
-                                 "to its lower edge at x-max."),
+                                 "A wedge: the half of a box below the plane from its upper edge "
+                                 "at x-min to its lower edge at x-max."),
     counted<of_lengths<prism_3>>("prism-3", "x y z radius height sides",
-                                 "A prism along z on the middle of its base, a regular polygon "
-                                 "whose first corner is in the direction of x."),
+                                 "A prism along z over a regular polygon centred at x y z, whose "
+                                 "first corner is in the direction of x."),
     counted<of_lengths<cylinder_3>>(
         "cylinder-3", "x y z radius height facets",
-        "A cylinder along z on the middle of its base, of 3 to 1000 facets around."),
-    varying<cone>("cone-3", "6 or 7: x y z radius height facets [top-radius]",
-                  "A cone along z on the middle of its base; with a radius at the top, truncated."),
+        "A cylinder along z with its base centred at x y z and 3 to 1000 facets around."),
+    varying<cone>(
+        "cone-3", "6 or 7: x y z radius height facets [top-radius]",
+        "A cone along z with its base centred at x y z; truncated if top-radius is above 0."),
     counted<sphere>("sphere-3", "x y z radius facets",
-                    "A sphere about its centre, of 3 to 1000 facets around and half as many from "
-                    "pole to pole, along z."),
+                    "A sphere about x y z with 3 to 1000 facets around and half as many from pole "
+                    "to pole, along z."),
     counted<of_lengths<torus_3>>(
         "torus-3", "x y z radius tube-radius facets",
-        "A ring about a line along z through its centre, with half as many "
-        "facets around the tube."),
+        "A torus about the line along z through x y z, with half as many facets around the tube."),
     varying<extrude>("extrude-3", "2 and a multiple of 2: z-min z-max  x y ...",
-                     "A profile in the x-y plane, extruded along z. It has 3 points or more, may "
-                     "be concave, runs either way around and does not cross itself."),
+                     "A profile in the x-y plane, extruded along z. It has 3 or more points in "
+                     "either orientation, may be concave and must not cross itself."),
     varying<turn>("turn-3", "1 and a multiple of 2: facets  x z ...",
-                  "A profile at x of 0 or more in the x-z plane, turned about the z axis."),
-    fixed<&G::begin_solid>(
-        "begin-solid", "union|intersection|difference",
-        "The primitives from here to end-solid are one solid: its parts combined, in their order. "
-        "A part is a shape, a solid, or closed polygons."),
-    fixed<&G::end_solid>("end-solid", "", "The innermost solid is combined and entered."),
-    fixed<&G::discard_solid>("discard-solid", "", "The innermost solid is as if it had not begun."),
+                  "A profile in the x-z plane with x of 0 or more, revolved about the z axis."),
+    fixed<&G::begin_solid>("begin-solid", "union|intersection|difference",
+                           "Begins a solid, ended by end-solid: its parts combined in their order. "
+                           "A part is a shape, a solid, or closed polygons."),
+    fixed<&G::end_solid>("end-solid", "",
+                         "Combines the parts of the innermost solid and enters the result."),
+    fixed<&G::discard_solid>("discard-solid", "", "Discards the innermost solid."),
 });
 
 constexpr auto kAttributes = std::to_array<Routine>({
     fixed<&G::set_pick_id>(
         "set-pick-id", "n",
-        "The pick identifier of the polygons and lines that follow, 0 or more. -1 gives each "
-        "polygon its ordinal in the program again, and lines none."),
+        "The pick identifier of the polygons and lines that follow, 0 or more. -1 restores the "
+        "default: each polygon's ordinal in the program, and none for lines."),
     varying<fill_style>("set-fill-style", "solid r g b | hollow",
-                        "How polygons that follow are filled [solid 0.8 0.8 0.8]."),
+                        "Fill style of the polygons that follow [solid 0.8 0.8 0.8]."),
     varying<line_style>("set-line-style",
                         "solid r g b [width] | dashed r g b [width [dash gap]] | none",
-                        "How lines and the sides of polygons that follow are drawn [solid 0 0 0 "
-                        "1]. Width, dash and gap are in pixels."),
-    varying<text_style>(
-        "set-text-style", "size [left|centre|right] [always]",
-        "The size of letters of texts that follow, in heights of the picture, and which point of "
-        "the base line is at the current position [0.03 left]. With always nothing hides them."),
+                        "Style of the lines and polygon sides that follow [solid 0 0 0 1]. Width, "
+                        "dash and gap are in pixels."),
+    varying<text_style>("set-text-style", "size [left|centre|right] [always]",
+                        "Size of the letters of texts that follow, as a fraction of the picture's "
+                        "height, and the point of the base line at the current position [0.03 "
+                        "left]. With always, nothing hides them."),
     varying<light>("set-light", "3 or 4: x y z [ambient]",
-                   "The direction toward the light, in world coordinates and of any length, and "
-                   "the part of it that comes from all around [no light; ambient 0.2]."),
+                   "Direction toward the light, in world coordinates and of any length, and the "
+                   "share of ambient light [no light; ambient 0.2]."),
     fixed<&G::set_shading>(
         "set-shading", "flat|gouraud|phong",
-        "Where there is light: one intensity for a polygon; intensities at its vertices, "
-        "interpolated; or normals interpolated, and each pixel lit [flat]."),
+        "Shading where there is light: flat, one intensity per polygon; gouraud, intensities "
+        "interpolated between vertices; phong, normals interpolated and each pixel lit [flat]."),
     varying<points<Point3, &G::set_vertex_normals>>(
         "set-vertex-normals", "a multiple of 3: x y z ...",
-        "The normals of the next polygon's vertices, in its order, for smooth shading. 0 0 0 is "
-        "the polygon's own; no normals take back what was set."),
-    fixed<&G::set_shadows>(
-        "set-shadows", "on|off",
-        "Polygons that follow show the shadows of all solid fills, where there is light [off]."),
+        "Vertex normals of the next polygon, in the order of its vertices, for smooth shading. 0 0 "
+        "0 is the polygon's own normal; no arguments discard normals set before."),
+    fixed<&G::set_shadows>("set-shadows", "on|off",
+                           "Whether the polygons that follow show shadows of solid fills, where "
+                           "there is light [off]."),
     varying<cutting_plane>("set-cutting-plane", "5: n a b c d, or 2: n off",
-                           "Plane n, from 1 to 6: what has a x + b y + c z + d < 0 in world "
-                           "coordinates is cut away from all that follows [off]."),
+                           "Cutting plane n, 1 to 6: parts with a x + b y + c z + d < 0 in world "
+                           "coordinates are cut away from the primitives that follow [off]."),
     varying<cut_faces>("set-cut-faces", "open | closed | hatched [spacing|usual [angle]]",
-                       "How the faces are drawn where planes cut closed solids that follow. "
-                       "Spacing is in world units, the angle in degrees [open]."),
+                       "The faces made where planes cut closed solids that follow. Spacing is in "
+                       "world units, the angle in degrees [open]."),
     varying<background>("set-background", "r g b | none",
-                        "The colour of pictures where nothing is drawn, for all segments [1 1 1]."),
+                        "Background colour of pictures, shared by all segments [1 1 1]."),
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both",
-                                  "Which curves of surfaces that follow are drawn [both]."),
+                                  "Curves drawn on the surfaces that follow [both]."),
     fixed<&G::set_surface_sides>(
         "set-surface-sides", "upper|lower|both",
-        "On which side the curves of surfaces that follow are drawn [both]."),
+        "Sides on which curves of the surfaces that follow are drawn [both]."),
     varying<lower_line_style>("set-lower-line-style",
                               "solid r g b [width] | dashed r g b [width [dash gap]] | none | same",
-                              "The line style of the lower side of surfaces that follow [same]."),
+                              "Line style of the lower side of the surfaces that follow [same]."),
 });
 
 constexpr auto kSegments = std::to_array<Routine>({
-    fixed<&G::open_segment>("open-segment", "name",
-                            "Begins a segment; what is entered goes into it. Names are from 1."),
+    fixed<&G::open_segment>(
+        "open-segment", "name",
+        "Opens a segment, into which primitives are entered. Names start at 1."),
     fixed<&G::close_segment>("close-segment", "",
-                             "Ends the open segment. Where hidden-line removal is on, and the "
-                             "method asks for it, what it holds is put in order."),
+                             "Closes the open segment and, if hidden-line removal is on with a "
+                             "method that sorts, sorts its contents."),
     fixed<&G::delete_segment>("delete-segment", "name", "Deletes a segment, which must be closed."),
     fixed<&G::delete_all_segments>("delete-all-segments", "",
-                                   "Deletes all segments, of which none may be open."),
+                                   "Deletes all segments; none may be open."),
     fixed<&G::rename_segment>("rename-segment", "name new-name",
-                              "Gives a segment, which must be closed, another name."),
+                              "Renames a segment, which must be closed."),
     fixed<&G::set_visibility>("set-visibility", "name on|off",
-                              "Whether a segment is drawn, and can be picked [on]."),
+                              "Whether a segment is drawn and can be picked [on]."),
     fixed<&G::set_image_translation>("set-image-translation", "name tx ty",
                                      "Moves a segment's image, after its scale and rotation, in "
                                      "normalised device coordinates [0 0]."),
     fixed<&G::set_image_scale>("set-image-scale", "name sx sy",
-                               "Scales a segment's image about its image's centre [1 1]."),
+                               "Scales a segment's image about the image's centre [1 1]."),
     fixed<&G::set_image_rotation>(
         "set-image-rotation", "name angle",
-        "Turns a segment's image counterclockwise about its image's centre, in degrees [0]."),
-    fixed<&G::set_image_centre>("set-image-centre", "name x y",
-                                "The point that scale and rotation leave where it is, in "
-                                "normalised device coordinates [0 0]."),
+        "Rotates a segment's image counterclockwise about the image's centre, in degrees [0]."),
+    fixed<&G::set_image_centre>(
+        "set-image-centre", "name x y",
+        "Centre of the image's scale and rotation, in normalised device coordinates [0 0]."),
 });
 
 constexpr auto kTransformation = std::to_array<Routine>({
     fixed<&G::create_transformation_3>(
         "create-transformation-3", "",
-        "The modelling transformation is the identity, or else what was saved last."),
+        "Resets the modelling transformation to the one saved last, or to the identity."),
     fixed<&G::translate_3>(
         "translate-3", "tx ty tz",
-        "Moves what follows, after what the modelling transformation does already."),
+        "Translates primitives that follow, after the modelling transformation in force."),
     fixed<&G::scale_3>("scale-3", "sx sy sz",
-                       "Scales what follows about the origin, after what the modelling "
-                       "transformation does already."),
+                       "Scales primitives that follow about the origin, after the modelling "
+                       "transformation in force."),
     fixed<&G::rotate_x_3>(
         "rotate-x-3", "angle",
-        "Turns what follows about the x axis, after what the modelling transformation does "
-        "already: in degrees, counterclockwise as seen from the axis's positive end."),
+        "Rotates primitives that follow about the x axis, after the modelling transformation in "
+        "force: in degrees, counterclockwise seen from the axis's positive end."),
     fixed<&G::rotate_y_3>("rotate-y-3", "angle",
-                          "Turns what follows about the y axis, as rotate-x-3 about the x axis."),
+                          "Rotates about the y axis, as rotate-x-3 about the x axis."),
     fixed<&G::rotate_z_3>("rotate-z-3", "angle",
-                          "Turns what follows about the z axis, as rotate-x-3 about the x axis."),
+                          "Rotates about the z axis, as rotate-x-3 about the x axis."),
     fixed<&G::save_transformation_3>(
         "save-transformation-3", "",
-        "Saves the modelling transformation on a stack of at most 1024. It stays in force, and "
-        "what is called next acts before it: in a part's own coordinates."),
+        "Pushes the modelling transformation on a stack of at most 1024. It stays in force, and "
+        "later routines act before it, in a part's own coordinates."),
     fixed<&G::restore_transformation_3>("restore-transformation-3", "",
-                                        "The modelling transformation is what was saved last."),
+                                        "Pops the modelling transformation saved last."),
 });
 
 constexpr auto kView = std::to_array<Routine>({
     fixed<&G::set_view_reference_point>("set-view-reference-point", "x y z",
-                                        "The point in world coordinates that the window, the view "
-                                        "distance and the view depth are measured from [0 0 0]."),
+                                        "Point in world coordinates from which window, view "
+                                        "distance and view depth are measured [0 0 0]."),
     fixed<&G::set_view_plane_normal>(
         "set-view-plane-normal", "dx dy dz",
         "The direction away from the viewer, into the scene, of any length [0 0 -1]."),
     fixed<&G::set_view_distance>(
         "set-view-distance", "distance",
-        "From the reference point to the view plane, along the normal [0]."),
+        "Distance from the reference point to the view plane, along the normal [0]."),
     fixed<&G::set_view_up>("set-view-up", "dx dy dz",
                            "A world direction that appears upright, of any length [0 1 0]."),
     fixed<&G::set_parallel>(
         "set-parallel", "dx dy dz",
         "Parallel projection along a world direction; oblique if it is not the normal's [0 0 1]."),
-    fixed<&G::set_perspective>("set-perspective", "x y z",
-                               "Perspective from a centre of projection in world coordinates."),
+    fixed<&G::set_perspective>(
+        "set-perspective", "x y z",
+        "Perspective projection from a centre of projection in world coordinates."),
     fixed<&G::set_view_depth>("set-view-depth", "front back",
-                              "The distances of the front and the back plane from the reference "
-                              "point, along the normal [-1 3]."),
+                              "Distances of the front and back planes from the reference point, "
+                              "along the normal [-1 3]."),
     fixed<&G::set_front_plane_clipping>(
         "set-front-plane-clipping", "on|off",
-        "Whether what is before the front plane is cut away [off]."),
+        "Whether parts in front of the front plane are clipped [off]."),
     fixed<&G::set_back_plane_clipping>("set-back-plane-clipping", "on|off",
-                                       "Whether what is behind the back plane is cut away [off]."),
+                                       "Whether parts behind the back plane are clipped [off]."),
     fixed<&G::set_window>("set-window", "x-min x-max y-min y-max",
-                          "The visible part of the view plane, in its coordinates [-1 1 -1 1]."),
-    fixed<&G::set_viewport>("set-viewport", "x-min x-max y-min y-max",
-                            "Where in the picture it is seen, within 0 to 1 [0 1 0 1]."),
+                          "The visible rectangle in view-plane coordinates [-1 1 -1 1]."),
+    fixed<&G::set_viewport>(
+        "set-viewport", "x-min x-max y-min y-max",
+        "The rectangle of the picture to which the window is mapped, within 0 to 1 [0 1 0 1]."),
     fixed<&G::set_window_fit>("set-window-fit", "widen|stretch",
-                              "How a window fits a viewport of another shape in the picture "
-                              "[widen, unless window or viewport were set]."),
+                              "How a window is mapped to a viewport with another aspect ratio in "
+                              "the picture [widen, unless window or viewport were set]."),
 });
 
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({
     counted<setting<&HiddenSurfaceSettings::removal>>(
         "set-hidden-line-removal", "on|off",
-        "Whether hidden surfaces and lines are removed, by the "
-        "hidden method; back faces too [pictures: by auto, back "
-        "faces kept, unless all points have one depth]."),
+        "Whether hidden surfaces and lines are removed by the hidden method, and back faces too "
+        "[unset: pictures use auto and keep back faces, unless all points have one depth]."),
     fixed<&G::set_back_face_removal>(
         "set-back-face-removal", "on|off",
         "Whether polygons that face away from the viewer are removed [off]."),
     counted<setting<&HiddenSurfaceSettings::method>>(
         "set-hidden-method", "method",
-        "How hidden surfaces or lines are found: auto, map, bsp, "
-        "depth-sort, z-buffer, franklin and others [auto]."),
+        "Method for hidden surfaces or lines: auto, map, bsp, depth-sort, z-buffer, franklin and "
+        "others [auto]."),
     counted<setting<&HiddenSurfaceSettings::scope>>(
         "set-hidden-scope", "segment|all",
-        "Whether each segment is put in order by itself as it is closed, "
-        "or all that are visible together as they are drawn [segment]."),
+        "Whether each segment is sorted by itself when it is closed, or all visible segments "
+        "together when they are drawn [segment]."),
     varying<lines>("set-lines",
                    "one or more of all outline boundary crease[=DEGREES] material intersection",
-                   "Which sides of polygons are lines, of segments that are closed from then on. "
-                   "Unless it is all alone it comes before the first segment [all; crease 30]."),
+                   "Kinds of polygon sides drawn as lines, for segments closed from now on. Any "
+                   "value except all alone must be set before the first segment [all; crease 30]."),
     counted<setting<&HiddenSurfaceSettings::precision>>(
         "set-precision", "exact|roundoff[=EPS]",
-        "True signs, or the textbook's ROUNDOFF, as a part of the scene's size; the map is always "
-        "exact, and the lines over it heed a ROUNDOFF [exact; EPS 1e-9]."),
+        "Exact decisions, or the textbook's ROUNDOFF as a fraction of the scene's size; the map is "
+        "always exact, but the lines over it use ROUNDOFF [exact; EPS 1e-9]."),
     counted<setting<&HiddenSurfaceSettings::hidden_lines>>(
         "set-hidden-lines", "none|dashed",
-        "Whether lines are drawn dashed where they are hidden [none]."),
+        "Whether hidden parts of lines are drawn dashed [none]."),
     counted<setting<&HiddenSurfaceSettings::touching>>(
         "set-touching", "auto|off|LENGTH",
-        "Within which distance polygons of segments opened from then on touch: what touches a "
-        "plane lies in it, and of polygons in one plane the one entered later is seen. auto is by "
-        "the precision of the numbers, a LENGTH is before the modelling transformation [auto]."),
+        "Distance within which polygons touch, for segments opened from now on: a polygon that "
+        "touches a plane is taken to lie in it, and of coplanar polygons the one entered last is "
+        "visible. auto: from the precision of the numbers; a LENGTH is before the modelling "
+        "transformation [auto]."),
     counted<setting<&HiddenSurfaceSettings::z_buffer>>(
-        "set-z-buffer", "on|off", "The interpreter's z-buffer, whatever the method [off]."),
+        "set-z-buffer", "on|off",
+        "Whether to draw with the interpreter's z-buffer, whatever the method [off]."),
 });
 
 /// All of them, each with its section.

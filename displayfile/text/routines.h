@@ -5,9 +5,8 @@
 
 namespace displayfile {
 
-/// Calls the user routine that the line names, with its arguments. The line must not be empty.
-/// Throws ErrorAt if there is no such routine or its arguments are wrong, and what it throws
-/// itself.
+/// Calls the user routine named by the line, with its arguments. The line must not be empty. Throws
+/// ErrorAt for an unknown routine or invalid arguments, and what the routine throws.
 void call_routine(ProgramLine& line, GraphicsSystem& system);
 
 }  // namespace displayfile

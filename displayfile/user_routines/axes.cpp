@@ -245,7 +245,8 @@ class AxesOfBox {
   Point2 seen(const Point3& p) const {
     const std::optional<Point3> device = system_.to_device(p);
     if (!device)
-      throw Error("axes: their box and what stands beside it are not wholly before the eye");
+      throw Error(
+          "axes: the box or the numbers and names beside it are not entirely in front of the eye");
     return {device->x * system_.aspect_ratio(), device->y};
   }
 
@@ -381,7 +382,7 @@ void require_box(const Point3& low, const Point3& high) {
                     "x-min x-max y-min y-max z-min z-max",
                     axis, low[a], high[a], axis, axis));
   }
-  if (low == high) throw Error("axes of a point: expected x-min < x-max, or so for y or z");
+  if (low == high) throw Error("axes of a point: expected x-min < x-max, or likewise for y or z");
 }
 
 void require_drawable(std::string_view name) {

@@ -15,10 +15,10 @@ namespace displayfile {
 void GraphicsSystem::State::retain_for(std::string_view what) {
   if (retained() != nullptr) return;
   if (!display_file_.segments().empty()) {
-    throw Error(fmt::format(
-        "{} needs world coordinates, which the segments that there are have not retained: expected "
-        "it before the first segment",
-        what));
+    throw Error(
+        fmt::format("{} needs world coordinates, which the existing segments have not retained: "
+                    "expected it before the first segment",
+                    what));
   }
   own_retained_.emplace();
 }

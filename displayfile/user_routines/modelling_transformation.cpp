@@ -50,8 +50,8 @@ void GraphicsSystem::rotate_z_3(double angle) {
 
 void GraphicsSystem::save_transformation_3() {
   if (state_->modelling_.saved() == kMostSaved) {
-    throw Error(fmt::format("{} transformations are saved: expected no more, or one to be restored",
-                            kMostSaved));
+    throw Error(
+        fmt::format("{} transformations are saved: expected one to be restored first", kMostSaved));
   }
   state_->modelling_.save();
   state_->record("save-transformation-3", {});

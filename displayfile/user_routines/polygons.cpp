@@ -160,7 +160,7 @@ std::size_t require_polygons(const ManyPolygons& many) {
   const std::size_t corners = many.corners.size();
   if (many.sides.empty() ? corners % 3 != 0 : of_all != corners) {
     throw Error(fmt::format("{} corners: expected {}", corners,
-                            many.sides.empty() ? "three of each polygon" : std::to_string(of_all)));
+                            many.sides.empty() ? "three per polygon" : std::to_string(of_all)));
   }
   for (const std::uint32_t corner : many.corners) {
     if (corner >= many.vertices.size()) {
@@ -174,15 +174,15 @@ std::size_t require_polygons(const ManyPolygons& many) {
 /// Checks what they look like.
 void require_looks(const ManyPolygons& many, std::size_t polygons) {
   if (many.fills.size() > 1 && many.fills.size() != polygons) {
-    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one for each",
+    throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one per polygon",
                             many.fills.size(), polygons));
   }
   if (!many.picks.empty() && many.picks.size() != polygons) {
-    throw Error(fmt::format("{} pick identifiers of {} polygons: expected one for each, or none",
+    throw Error(fmt::format("{} pick identifiers of {} polygons: expected one per polygon, or none",
                             many.picks.size(), polygons));
   }
   if (!many.normals.empty() && many.normals.size() != many.vertices.size()) {
-    throw Error(fmt::format("{} normals of {} vertices: expected one for each, or none",
+    throw Error(fmt::format("{} normals of {} vertices: expected one per vertex, or none",
                             many.normals.size(), many.vertices.size()));
   }
   for (const FillStyle& fill : many.fills) {

@@ -7,15 +7,15 @@
 
 namespace displayfile {
 
-/// A limit of magnitudes, and how messages write it.
+/// A limit of magnitudes, and its text in messages.
 struct Limit {
   double most;
   const char* text;
 };
 
-/// Throws Error, saying what it is, for a value that is not finite or is larger.
+/// Throws Error, naming the value, if it is not finite or is larger.
 void require_within(const Limit& limit, std::initializer_list<double> values, const char* what);
-/// Does so for a value larger than kCoordinateLimit.
+/// The same with kCoordinateLimit.
 void require_finite(std::initializer_list<double> values, const char* what);
 
 /// Throws Error for a component outside of [0,1].

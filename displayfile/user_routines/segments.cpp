@@ -23,7 +23,7 @@ constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
 
 void require_no_segments(const DisplayFile& display_file) {
   if (display_file.segments().empty()) return;
-  throw Error("there are segments already: expected to retain from the first one on");
+  throw Error("there are segments already: expected retain() before the first one");
 }
 
 }  // namespace
@@ -245,7 +245,7 @@ void GraphicsSystem::set_image_centre(int name, double x, double y) {
 void GraphicsSystem::retain(RetainedScene* scene) {
   if (scene != nullptr) require_no_segments(state_->display_file_);
   if (scene == nullptr && !state_->surfaces_.lines.is_all_alone()) {
-    throw Error("lines are selected among what is retained: expected set-lines all before");
+    throw Error("the selection of lines needs the retained scene: expected set-lines all first");
   }
   state_->retained_ = scene;
   state_->own_retained_.reset();

@@ -38,7 +38,7 @@ constexpr Word<CutFaces::Kind> kCutFaces[] = {{CutFaces::Kind::open, "open"},
 }  // namespace
 
 SolidOperation solid_operation(std::string_view text) {
-  return value_of(kOperations, text, "what is made of solids is");
+  return value_of(kOperations, text, "the operation on solids is");
 }
 std::string_view name_of(SolidOperation operation) { return word_of(kOperations, operation); }
 

@@ -23,14 +23,14 @@
 
 namespace displayfile {
 
-/// The insides of a GraphicsSystem, and the steps that its routines share.
+/// The state of a GraphicsSystem, and the steps that its routines share.
 struct GraphicsSystem::State {
   struct Pen {
-    Point3 object{0.0};  ///< the current position as the application gave it
-    Point3 world{0.0};   ///< the same after the modelling transformation of that time
+    Point3 object{0.0};  ///< the current position as passed by the application
+    Point3 world{0.0};   ///< the same after the modelling transformation then in force
   };
 
-  /// All that entering primitives changes beside the segments, and settings made meanwhile.
+  /// All state that entering primitives changes besides the segments, and settings made meanwhile.
   struct Entered {
     std::size_t segments;
     Pen pen;
@@ -75,7 +75,7 @@ struct GraphicsSystem::State {
   void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
   struct Hatching {
     double spacing;
-    bool is_there;  ///< its face is, in the view
+    bool is_there;  ///< its face is in the view
   };
   void enter_hatching(const SolidFaces& solid, std::size_t face, const Hatching& hatching);
   void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
@@ -88,7 +88,7 @@ struct GraphicsSystem::State {
                             std::size_t corners, std::size_t fills);
   void enter_shared(const RetainedScene::SharedVertices& vertices,
                     std::span<const std::uint32_t> corners, Segment& segment);
-  /// Primitives go into the retained scene alone, at least until the segment is closed.
+  /// True if primitives go into the retained scene only, at least until the segment is closed.
   bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
   const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
@@ -128,7 +128,7 @@ struct GraphicsSystem::State {
   Pen pen_;
   Attributes attributes_;
   Background background_;
-  std::vector<Point3> vertex_normals_;  // of the next polygon, as the application gave them
+  std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
   CuttingPlanes cutting_planes_;
   CutFaces cut_faces_;
   OpenSolids solids_;
@@ -148,9 +148,9 @@ struct GraphicsSystem::State {
   bool lines_replaced_ = false;
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's
-  std::optional<RetainedScene> own_retained_;  // in its place, for world_ray_cast and set_lines
+  std::optional<RetainedScene> own_retained_;  // the system's, for world_ray_cast and set_lines
   bool retains_alone_ = false;
-  bool views_at_close_ = false;            // lines were selected when the segment was opened
+  bool views_at_close_ = false;            // lines were selected at open_segment
   RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
 
   Triangulation triangulation_;

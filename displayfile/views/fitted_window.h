@@ -7,9 +7,9 @@
 
 namespace displayfile {
 
-/// The window of this aspect ratio (width over height) around what is seen (view plane
-/// coordinates), with a twentieth of itself left free at each side where the scene is widest; no
-/// lower than that leaves of `least_height`.
+/// The window with this aspect ratio (width over height) around `seen` (view-plane coordinates),
+/// with at least a twentieth of it free at each side; its height is at least what that leaves for
+/// `least_height`.
 inline Rectangle fitted_window(const Bounds& seen, double aspect, double least_height = 0.0) {
   constexpr double kMargin = 0.05;
   const Point3 size = seen.high - seen.low, middle = seen.middle();

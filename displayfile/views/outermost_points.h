@@ -8,15 +8,14 @@
 
 namespace displayfile {
 
-/// A scene that turns about an axis before a camera that stays.
+/// A scene that rotates about an axis in front of a fixed camera.
 struct TurningPoints {
   std::span<const Point3> points;  ///< in world coordinates, before the first turn
   Point3 axis, middle;             ///< a unit vector, and a point that does not move
 };
 
-/// Those of its points that may be seen beyond the bounds (x and y in the view plane's coordinates)
-/// in some turn, in order. All others are within them in any turn, however the way there is
-/// rounded.
+/// The points, in order, that may be outside of the bounds (x and y in view-plane coordinates) in
+/// some rotation. All others are within them in any rotation, with any rounding.
 std::vector<Point3> points_beyond(const TurningPoints& scene, const View& view, const Bounds& seen);
 
 }  // namespace displayfile

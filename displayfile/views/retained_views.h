@@ -15,42 +15,41 @@
 
 namespace displayfile {
 
-/// One tree, many views: the hidden surfaces of a retained scene sorted once, in world coordinates,
-/// and put in order for each view by a walk of the tree (hidden/sort/world_tree.md).
+/// One tree, many views: a retained scene's hidden surfaces are sorted once, in world coordinates,
+/// and ordered for each view by a traversal of the tree (hidden/sort/world_tree.md).
 class RetainedViews {
  public:
-  /// Takes the visible segments of the scene; `attributes` is the display file of the system that
-  /// retained them and says which are visible, and their image transformations. Both may be edited
-  /// and moved: the next view sorts anew. Once one of them is gone, views are of what was taken
-  /// last. Throws Error for more than 2^32 - 1 points, and if segments with different image
-  /// transformations are to be sorted together: those act after viewing.
+  /// Prepares for the visible segments of the scene; `attributes` is the display file of the system
+  /// that retained them, with their visibility and image transformations. Both may be edited and
+  /// moved: the next view sorts anew. After one is destroyed, views show the last state prepared.
+  /// Throws Error for more than 2^32 - 1 points, and if segments with different image
+  /// transformations are to be sorted together, since these act after viewing.
   ///
-  /// With scope `segment` each segment has a tree, otherwise there is one for all. Of the plan the
-  /// trees follow precision, root and most_pieces; hidden lines are found in each view, and drawn
-  /// too. Progress is not reported.
+  /// With scope `segment` each segment has a tree, otherwise there is one for all. The trees use
+  /// the plan's precision, root and most_pieces; hidden lines are found and drawn in each view.
+  /// Progress is not reported.
   RetainedViews(const RetainedScene& scene, const DisplayFile& attributes,
                 const SurfacePlan& plan = {});
   RetainedViews(RetainedViews&&) noexcept;
   RetainedViews& operator=(RetainedViews&&) noexcept;
   ~RetainedViews();
 
-  /// What the scene is in this view, as if the application had drawn it there: the polygons clipped
-  /// and checked for back faces, whole and in order of entry; and sorted, with the lines over them
-  /// that close-segment would find: where polygons pass through each other, if segments select
-  /// that, and hidden ones if the plan has them. Lights are turned by
-  /// `lights_turned`, a rotation. Throws Error as ViewVolume does, and as the constructor for a
-  /// scene that was edited.
+  /// The scene in this view, as if the application had drawn it there: the polygons clipped and
+  /// checked for back faces, whole and in order of entry; and sorted, with the lines over them that
+  /// close-segment would find: lines of intersection if segments select them, and hidden ones if
+  /// the plan has them. `lights_turned` rotates the lights. Throws Error as ViewVolume does, and as
+  /// the constructor for an edited scene.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// The trees are those that this plan would make.
+  /// True if the trees are those of this plan.
   bool are_of(const SurfacePlan& plan) const;
 
-  /// Here as below of the scene as it was taken last.
+  /// Here and below: for the last state prepared.
   std::size_t trees() const { return parts_.size(); }
   /// The counts of the trees, for all views. Comparisons are those of building them.
   const SortCounts& counts() const { return counts_; }
   std::uint64_t walks() const;   ///< of a tree
-  std::uint64_t reused() const;  ///< orders that needed no walk, since the eye crossed no plane
+  std::uint64_t reused() const;  ///< orders reused because the eye crossed no plane
 
  private:
   class Part;

@@ -18,9 +18,9 @@ SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& 
       first = &segment;
       result.view = segment.view;
     } else if (segment.view != first->view) {
-      throw Error(fmt::format(
-          "segments {} and {} are drawn in different views: expected one view to turn before",
-          first->name, segment.name));
+      throw Error(
+          fmt::format("segments {} and {} are drawn in different views: expected one view for all",
+                      first->name, segment.name));
     }
     const auto points = scene.points(segment);
     for (const Point3& p : points) result.bounds.include(p);

@@ -19,16 +19,16 @@
 
 namespace displayfile {
 
-/// A retained scene in new views, without a sort: what is in a view, for any method that works in
-/// image space (displayfile/views/scene_viewer.md). A vertex is viewed once however many polygons
+/// A retained scene in new views, unsorted, for image-space methods
+/// (displayfile/views/scene_viewer.md). Each vertex is transformed once, however many polygons
 /// share it; polygons that are outside, turned away or between pixel centres cost a few
-/// instructions; and from the third view on no memory is asked for, as long as what is clipped does
+/// instructions; and from the third view on no memory is allocated, as long as the clipped parts do
 /// not grow and no lines are selected.
 class SceneViewer {
  public:
-  /// The scene, and the display file of the system that retained it, which says which segments are
-  /// visible and how their images are transformed. Both must live on. Vertices that are equal to
-  /// the last bit are found here, if the application shared none.
+  /// The scene, and the display file of the system that retained it, with the visibility and image
+  /// transformations of segments. Both must outlive it. Vertices equal bit for bit are merged here,
+  /// if the application shared none.
   SceneViewer(const RetainedScene& scene, const DisplayFile& attributes);
   ~SceneViewer();
   SceneViewer(SceneViewer&&) noexcept;
@@ -37,32 +37,31 @@ class SceneViewer {
   struct Wanted {
     View view;
     glm::dmat3 lights_turned = glm::dmat3(1.0);  ///< a rotation
-    /// For a picture of that size alone: fills of no drawn side that cannot cover a pixel's centre
-    /// are left out, unless shadows, lines or texts are seen. Sides up to 65535.
+    /// For a picture of this size only: omits fills without drawn sides that cannot cover a pixel
+    /// centre, unless shadows, lines or texts are drawn. Sides up to 65535.
     std::optional<PictureSize> centres_of = std::nullopt;
-    int threads = 1;  ///< the scene is the same for any number
+    int threads = 1;  ///< the result does not depend on it
   };
-  /// Takes up anew a scene that is no longer what it was. Returns true if it was not, and view()
-  /// does it too. Throws Error if the scene or the display file is gone.
+  /// Prepares again for a scene that has changed; view() does it too. Returns true if it had
+  /// changed. Throws Error if the scene or the display file is destroyed.
   bool bring_up_to_date();
   const RetainedScene& scene() const { return taken_.scene(); }
   const DisplayFile& attributes() const { return taken_.attributes(); }
 
-  /// The visible segments as they are now, in that view: the scene that display_file(view) has, but
-  /// for what is left out. It stays until the next call. Throws Error as ViewVolume does, and as
+  /// The visible segments in their present state, in that view: the scene of display_file(view),
+  /// without omitted fills. Valid until the next call. Throws Error as ViewVolume does, and as
   /// bring_up_to_date.
   const ViewedScene& view(const Wanted& wanted);
 
-  /// The primitives of the scene that the items of the last view are of, in order; empty where no
-  /// shadows are seen.
+  /// The primitives of the last view's items, in order; empty without shadows.
   std::span<const std::uint32_t> primitive_of_items() const { return primitive_of_items_; }
-  bool shows_shadows() const { return shows_shadows_; }  ///< in some view
+  bool shows_shadows() const { return shows_shadows_; }  ///< in a view
   bool is_lit() const { return is_lit_; }                ///< so that colours follow the lights
-  /// In the last view some visible segment's image was transformed.
+  /// True if a visible segment's image was transformed in the last view.
   bool has_images() const;
 
-  /// What the display file would be if the application had drawn in that view: the polygons clipped
-  /// and checked for back faces, whole and in order of entry.
+  /// The display file as if the application had drawn in that view: the polygons clipped and
+  /// checked for back faces, whole and in order of entry.
   DisplayFile display_file(const View& view,
                            const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
 
@@ -70,10 +69,10 @@ class SceneViewer {
 
  private:
   class Part;
-  /// What viewing asks of attributes, in few bytes.
+  /// The attributes relevant to viewing, in few bytes.
   struct Look {
-    bool is_nothing;  ///< hollow, and of line style none
-    bool is_plain;    ///< solid, of no drawn side and no shadow
+    bool is_nothing;  ///< hollow, with line style none
+    bool is_plain;    ///< solid, without drawn sides and shadows
     bool is_lit, removes_back_faces;
   };
   static Look look_of(const Attributes& attributes);
@@ -108,10 +107,10 @@ class SceneViewer {
   void view_texts(const ViewVolume& volume);
 
   TakenScene taken_;
-  const RetainedScene* scene_ = nullptr;  // in the view at hand, as the next
+  const RetainedScene* scene_ = nullptr;  // in the current view, as the next
   const DisplayFile* attributes_ = nullptr;
   std::uint64_t palette_ = 0;  // of all its viewed scenes
-  /// The scene's polygons as they were entered, and which of them touch, found once for all views.
+  /// The scene's polygons as entered, and which of them touch, found once for all views.
   struct Entered;
   std::shared_ptr<Entered> entered_;
   std::vector<Point3> welded_;      // points, if the application shared none
@@ -121,7 +120,7 @@ class SceneViewer {
   bool selects_lines_ = false;
   std::vector<LineKinds> sides_;  // of the corners in the last view, if lines are selected
   std::vector<Look> looks_;       // of attributes, but for colours
-  bool shows_shadows_ = false;    // then what covers no centre matters
+  bool shows_shadows_ = false;    // then polygons between pixel centres matter
   bool shows_lines_ = false;      // or texts: the same
   bool is_lit_ = false;
   std::vector<SegmentNow> segments_;

@@ -19,7 +19,7 @@
 
 namespace displayfile {
 
-/// Calls visit(first, end) for runs of at most `most` that together are all from `first` on.
+/// Calls visit(first, end) for consecutive ranges of at most `most`, from `first` on.
 template <class Visit>
 void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Visit&& visit) {
   for (; first < end; first += std::min(most, end - first)) {
@@ -27,21 +27,21 @@ void for_each_run(std::uint32_t first, std::uint32_t end, std::uint32_t most, Vi
   }
 }
 
-/// Some primitives of one segment, and what of them is in the view: the items of a scene whose
-/// points are those of all, and after these its own.
+/// Some primitives of one segment, and their items in the view, whose points are those of the whole
+/// scene followed by its own.
 class SceneViewer::Part {
  public:
   Part(std::uint32_t segment, std::uint32_t first, std::uint32_t end)
       : segment_(segment), first_(first), end_(end) {}
 
   std::uint32_t segment() const { return segment_; }
-  /// What was viewed into memory of its own.
+  /// The result in own memory.
   const ViewedScene& seen() const { return own_; }
-  /// The primitives that the items seen are of; empty where no shadows are.
+  /// The primitives of the items; empty without shadows.
   std::span<const std::uint32_t> primitives() const { return own_primitives_; }
   std::size_t bytes() const { return own_.bytes() + primitives().size_bytes(); }
 
-  /// Finds the triangles in a row that need to be looked at one by one only if the sieve says so.
+  /// Finds runs of triangles that need individual treatment only if the sieve says so.
   void find_rows(const SceneViewer& viewer) {
     const RetainedScene& scene = *viewer.scene_;
     for (std::uint32_t i = first_; i < end_; ++i) {
@@ -57,14 +57,14 @@ class SceneViewer::Part {
     }
   }
 
-  /// What is the same for all parts.
+  /// Data common to all parts.
   struct InView {
     const SceneViewer& viewer;
     const Wanted& wanted;
     const ViewVolume& volume;
     bool by_centres;
   };
-  /// Into memory of its own.
+  /// Views into own memory.
   void view(const InView& in_view, const ImageTransformation& image) {
     own_primitives_.clear();
     own_.clear();
@@ -74,11 +74,11 @@ class SceneViewer::Part {
     own_.pick_.reserve(end_ - first_);
     view(in_view, image, own_, {0, 0}, own_primitives_);
   }
-  /// What a scene has that is not parts' own.
+  /// Data of the scene that is not the parts'.
   struct Shared {
     std::size_t points, corners;
   };
-  /// Behind what is in a scene.
+  /// Appends to a scene.
   void view(const InView& in_view, const ImageTransformation& image, ViewedScene& seen,
             const Shared& shared, std::vector<std::uint32_t>& primitives) {
     seen_ = &seen;
@@ -106,7 +106,7 @@ class SceneViewer::Part {
 
  private:
   using Primitive = RetainedScene::Primitive;
-  /// Primitives that have the same attributes, and their corners in a row.
+  /// Successive primitives with the same attributes and consecutive corners.
   struct Row {
     std::uint32_t first, end;
     std::uint32_t attributes;
@@ -149,7 +149,7 @@ class SceneViewer::Part {
     }
   }
 
-  /// What it is drawn with, but for its colour; a light is turned as the view wants.
+  /// Sets its attributes except the colour; lights are rotated for the view.
   void take_shared(const Primitive& primitive) {
     const RetainedScene& scene = *in_view_->viewer.scene_;
     const std::uint32_t attributes = scene.attributes_of_look(primitive.look);
@@ -167,7 +167,7 @@ class SceneViewer::Part {
     if (!view_whole(i, primitive)) view_in_stage(i, primitive);
   }
 
-  /// The same for what large meshes are: triangles of no drawn side.
+  /// The same for the usual case of large meshes: triangles without drawn sides.
   void view_triangle(std::uint32_t i, const Primitive& primitive, const Look& look) {
     const SceneViewer& viewer = in_view_->viewer;
     const std::uint32_t* const corner = viewer.viewed_.corners_.data() + primitive.first;
@@ -214,7 +214,7 @@ class SceneViewer::Part {
   struct Centres {
     CentresBetween columns, rows;
   };
-  /// Those that a polygon of these corners may cover, all of which are inside.
+  /// The centres that a polygon with these corners may cover; all corners are inside.
   Centres centres_in_box(std::span<const std::uint32_t> corners) const {
     const PicturePlace* const places = in_view_->viewer.places_.data();
     PicturePlace low = places[corners[0]], high = low;
@@ -226,8 +226,8 @@ class SceneViewer::Part {
     return {{low.x, high.x}, {low.y, high.y}};
   }
 
-  /// A polygon none of whose vertices is outside, and that is lit evenly: its points are among
-  /// those of all. False if it needs more.
+  /// Fast path for a polygon without outside vertices and with flat shading: its points are shared.
+  /// False if it needs more.
   bool view_whole(std::uint32_t i, const Primitive& primitive) {
     if (matrix_ || primitive.is_line()) return false;
     const SceneViewer& viewer = in_view_->viewer;

@@ -5,11 +5,11 @@
 
 namespace displayfile {
 
-/// Sets where the view plane is and how it is projected to. Throws Error as the system's routines
-/// do, here as below.
+/// Sets the view plane and the projection. Throws Error as the system's routines do, here and
+/// below.
 void set_camera(const View& view, GraphicsSystem& system);
 
-/// Sets all of the view but the viewport.
+/// Sets all of the view except the viewport.
 void set_view(const View& view, GraphicsSystem& system);
 
 }  // namespace displayfile

@@ -9,15 +9,14 @@
 
 namespace displayfile {
 
-/// The plane that each primitive of a scene lies in with others, as they were entered
-/// (hidden/touching/touching_planes.md), and that of those that are bent
-/// (hidden/exact/bent_polygon.h), in world coordinates: by the numbers of three of the scene's
-/// points, as Primitives::planes has them. Empty if no two polygons lie in one plane, and none is
-/// bent.
+/// The plane that each primitive of a scene shares with others as entered
+/// (hidden/touching/touching_planes.md), and that of bent ones (hidden/exact/bent_polygon.h), in
+/// world coordinates: by indices of three of the scene's points, as in Primitives::planes. Empty if
+/// no two polygons are coplanar and none is bent.
 std::vector<Primitives::PlanePoints> shared_planes(const RetainedScene& scene);
 
-/// The support plane of a polygon as it was entered, by three of the scene's points. Nothing if
-/// these are in line.
+/// The support plane of a polygon as entered, by three of the scene's points. Nothing if these are
+/// collinear.
 std::optional<Primitives::PlanePoints> support_plane(const RetainedScene& scene,
                                                      std::uint32_t primitive);
 

@@ -9,29 +9,28 @@
 
 namespace displayfile {
 
-/// A retained scene, and the display file that has what its segments are drawn with, as an object
-/// keeps them that made something of both: it tells whether they still are what they were then.
-/// Both may be moved.
+/// A retained scene and its display file, held by an object derived from both: detects whether they
+/// have changed since. Both may be moved.
 class TakenScene {
  public:
-  /// Nothing has been taken yet.
+  /// Nothing has been recorded yet.
   TakenScene(const RetainedScene& scene, const DisplayFile& attributes);
 
-  /// As they are now. Throws Error if one of the two is gone.
+  /// Their present state. Throws Error if either is destroyed.
   const RetainedScene& scene() const;
   const DisplayFile& attributes() const;
-  bool is_gone() const;  ///< one of the two
+  bool is_gone() const;  ///< either is destroyed
 
-  /// True if what was drawn is what was taken last. Throws Error as scene() does.
+  /// True if the primitives are those recorded last. Throws Error as scene() does.
   bool has_same_scene() const;
-  /// The same, and each segment is as visible as it was and has the image transformation that it
-  /// had. Throws Error too for a segment that the display file has not.
+  /// The same, and each segment has the same visibility and image transformation. Throws Error too
+  /// for a segment that the display file does not have.
   bool is_same() const;
-  /// What they are now is what something has been made of.
+  /// Records their present state.
   void take();
 
  private:
-  /// What a segment is drawn with.
+  /// A segment's visibility and image transformation.
   struct Look {
     bool visible;
     ImageTransformation image;

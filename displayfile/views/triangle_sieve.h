@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// Where a viewed vertex is in a picture of up to 65535 pixels a side: in 2^-15 pixels, rounded to
-/// the nearest, so that it is off by no more than one of them.
+/// A transformed vertex in a picture of up to 65535 pixels per side: in 2^-15 pixels, rounded to
+/// nearest, with an error of at most one unit.
 struct PicturePlace {
   std::int32_t x, y;
   static constexpr int kBits = 15;
@@ -19,8 +19,8 @@ struct PicturePlace {
   static constexpr std::int32_t kOutside = std::numeric_limits<std::int32_t>::min();
 };
 
-/// The centres of pixels along a side of the picture that may lie between two places: all that do
-/// are among them.
+/// The range of pixel centres along a side of the picture that may lie between two places; it
+/// contains all that do.
 struct CentresBetween {
   CentresBetween(std::int32_t low, std::int32_t high)
       : first((low - 1 + kPixel - 1 - kHalf) >> PicturePlace::kBits),
@@ -30,16 +30,15 @@ struct CentresBetween {
   static constexpr std::int32_t kPixel = 1 << PicturePlace::kBits, kHalf = kPixel / 2;
 };
 
-/// The places of vertices in a picture of that size. `device` are their device coordinates, 0 of
-/// those that their outcode says to be outside. Returns the largest |z| of them. In vectors: the
-/// widest that the processor has.
+/// The places of vertices in a picture of that size. `device` are their device coordinates, 0 for
+/// outside ones by outcode. Returns their largest |z|. Uses the processor's widest vectors.
 double find_places(std::span<const Point3> device, std::span<const std::uint8_t> outcodes,
                    const PictureSize& size, std::span<PicturePlace> places);
 
-/// Centres are looked at one by one where there are no more columns, and no more rows, of them.
+/// Centres are tested one by one if there are at most this many columns and rows of them.
 inline constexpr std::int32_t kFewCentres = 3;
 
-/// What is certain of some triangles; bit i is triangle i's.
+/// Certain results for some triangles; bit i is triangle i's.
 struct SievedTriangles {
   static constexpr std::size_t kMost = 64;
   std::uint64_t stays = 0;        ///< has an area, and may cover a centre
@@ -47,10 +46,10 @@ struct SievedTriangles {
   std::uint64_t turned_away = 0;  ///< of those that stay: runs clockwise
 };
 
-/// Looks at n triangles, kMost at most, whose corners are the places of those three numbers each,
-/// less than 2^30; what neither stays nor needs more covers no centre of a pixel. In vectors, with
-/// single precision: a centre that is farther outside of a side than rounding can do is not
-/// covered.
+/// Classifies n triangles, at most kMost, whose corners are the places with those three indices
+/// each, less than 2^30; a triangle that neither stays nor needs more covers no pixel centre. In
+/// vectors, with single precision: a centre farther outside of a side than the rounding error is
+/// not covered.
 ///
 /// The error: a triangle is measured from a centre in its box or a pixel beside it, so its
 /// coordinates are at most m + 1, where m is the longer side of the box, in pixels. They are off by

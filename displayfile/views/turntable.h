@@ -9,9 +9,9 @@
 
 namespace displayfile {
 
-/// Turns what is drawn about the view-up axis, or another, through its middle, before a camera and
-/// lights that stay: as the world is not to move (its tree is built once), the camera and the
-/// lights go round it the other way.
+/// Rotates a scene about the view-up axis, or another, through its middle, in front of a fixed
+/// camera and fixed lights: since the world must not move (its tree is built once), the camera and
+/// the lights are rotated the other way.
 class Turntable {
  public:
   struct Turn {
@@ -19,20 +19,20 @@ class Turntable {
     glm::dmat3 lights;  ///< a rotation
   };
 
-  /// A turntable for the scene's visible segments, all drawn in one view; `attributes` says which
-  /// are visible. Without any, `otherwise` is the view. Throws Error if they were drawn in several
+  /// A turntable for the scene's visible segments, all drawn in one view; `attributes` has their
+  /// visibility. Without any, `otherwise` is the view. Throws Error if they were drawn in several
   /// views.
   Turntable(const RetainedScene& scene, const DisplayFile& attributes, const View& otherwise);
 
-  /// The scene turned by so many degrees, counterclockwise seen from above. At 0 the view is what
-  /// it was, to the last bit.
+  /// The scene rotated by this angle in degrees, counterclockwise seen from above. At 0 the view is
+  /// unchanged, bit for bit.
   Turn at(double degrees) const;
 
-  /// Turns about another axis than the view's up, of any length but zero.
+  /// Sets the axis, of any non-zero length; the default is the view's up.
   void set_axis(const Point3& world);
 
-  /// Sets the window so that it shows the scene whole, with a small margin, in as many views
-  /// evenly around; its aspect ratio stays.
+  /// Sets the window to show the whole scene, with a small margin, in this many views at equal
+  /// angles; its aspect ratio is unchanged.
   void fit_window(int views);
 
  private:

@@ -7,16 +7,16 @@
 
 namespace displayfile {
 
-/// How far, in device coordinates along x and along y, the boundary of a piece that was cut in
-/// world coordinates and then viewed may lie from the same boundary of the whole polygon, viewed
+/// Bounds the distance, in device coordinates along x and y, between the boundary of a piece that
+/// was cut in world coordinates and then viewed, and that of the whole polygon, viewed
 /// (hidden/sort/world_tree.md, "What rounding may move").
 class ViewRounding {
  public:
-  /// `volume` is the view's, and must stay.
+  /// `volume` is the view's, and must outlive it.
   ViewRounding(const View& view, const ViewVolume& volume);
 
-  /// The bound for a polygon or line and its pieces. `device` is what clipping left of it,
-  /// `off_plane` how far a vertex lies from the plane that the tree takes the polygon to be in.
+  /// The bound for a polygon or line and its pieces. `device` is its clipped part, `off_plane` the
+  /// largest distance of a vertex from the plane that the tree uses for the polygon.
   double of(std::span<const Point3> world, std::span<const Point3> device, double off_plane) const;
 
  private:

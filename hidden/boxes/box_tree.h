@@ -13,15 +13,14 @@
 
 namespace displayfile {
 
-/// A hierarchy of bounding boxes, for every search among them (hidden/boxes/box_tree.md): a tree of
-/// up to eight branches a node, each with the box of all that is in it. What is put in, an item, is
-/// its index in the list. Each has a position in the tree too, and those at close positions are
-/// close to each other. The tree is a function of the boxes alone.
+/// A hierarchy of bounding boxes, for all searches (hidden/boxes/box_tree.md): a tree with up to
+/// eight branches per node, each with the box of its contents. An item is an index into the input
+/// list. Each item also has a position in the tree; items at close positions are close to each
+/// other. The tree is a function of the boxes alone.
 ///
-/// `Boxes` are eight boxes of a kind, laid out so that one loop tests all of them:
+/// `Boxes` are eight boxes of a type, laid out so that one loop tests all of them:
 ///   Boxes::Box                  one: Box::nothing(), include(const Box&)
-///   void set(k, const Box&)     puts a box in a place from 0 to 7
-/// and, where pairs() is asked for, Lanes meets(const Box&) const and Box box(k) const.
+/// and, for pairs(), Lanes meets(const Box&) const and Box box(k) const.
 template <class Boxes>
 class BoxTree {
  public:
@@ -29,19 +28,19 @@ class BoxTree {
   using Item = std::uint32_t;
   using Position = std::uint32_t;
   static constexpr std::size_t kBranches = 8;
-  /// For each of eight boxes 1 if it is met, or 0.
+  /// 1 or 0 for each of eight boxes.
   using Lanes = std::array<std::int32_t, kBranches>;
 
-  /// Puts in fewer than 2^31 items, each with its box, in place of what was there; on up to so many
-  /// threads, with the same result. What divides the boxes is chosen where each kind of tree is
-  /// declared.
+  /// Builds the tree of fewer than 2^31 items, each with its box, replacing the contents; on up to
+  /// `threads` threads, with the same result. The rule of division is chosen where each type of
+  /// tree is declared.
   void build(std::size_t items, const std::function<Box(Item)>& box_of, int threads);
   void build(std::span<const Box> boxes, int threads) {
     build(
         boxes.size(), [&](Item i) { return boxes[i]; }, threads);
   }
 
-  /// Levels of nodes; with 2^31 boxes no more than kDeepest.
+  /// Levels of nodes; at most kDeepest with 2^31 boxes.
   std::size_t depth() const { return depth_; }
   static constexpr std::size_t kDeepest = 160;
 
@@ -53,27 +52,27 @@ class BoxTree {
   /// The item at each position.
   std::span<const Item> order() const { return order_; }
 
-  /// Calls visit(position) for what lies in boxes that are met, of eight as meets(boxes) tells,
-  /// until it returns true: then true.
+  /// Calls visit(position) for items in boxes that are met, by meets(boxes) for eight boxes, until
+  /// it returns true: then returns true.
   template <class Meets, class Visit>
   bool any(const Meets& meets, Visit&& visit) const;
 
-  /// Calls visit(position) for what lies in boxes that are met, the branches that begin nearer
-  /// first: meets(boxes, nearest) tells which of eight are, and how near each begins, by a number
-  /// that grows toward the viewer. Leaves out a branch when hidden(nearest), asked before each
-  /// visit, says that nothing so far away can be seen any more.
+  /// Calls visit(position) for items in boxes that are met, nearest branches first: meets(boxes,
+  /// nearest) returns which of eight are met, and the nearest value of each, which grows toward the
+  /// viewer. Skips a branch if hidden(nearest), called before each visit, returns true: everything
+  /// that far away is hidden.
   template <class Nearness, class Meets, class Hidden, class Visit>
   void near_to_far(const Meets& meets, Hidden&& hidden, Visit&& visit) const;
 
-  /// Calls found(p, q), of positions p < q, once for each pair whose boxes meet, p in the leaves
-  /// numbered from `from` to before `to`; for all pairs, from 0 to leaves().
+  /// Calls found(p, q) once for each pair of positions p < q whose boxes meet, p in the leaves
+  /// numbered [from, to); from 0 to leaves() for all pairs.
   template <class Found>
   void pairs(std::uint32_t from, std::uint32_t to, Found&& found) const;
   std::uint32_t leaves() const { return static_cast<std::uint32_t>(leaves_.size()); }
 
  private:
   static constexpr std::uint32_t kItem = 0x80000000;  // marks a branch that is an item's position
-  /// Besides what is on its way down, a search keeps the other branches of each node on it.
+  /// A search keeps the other branches of each node on its way down.
   static constexpr std::size_t kMostWaiting = (kBranches - 1) * kDeepest + 1;
 
   struct Node {
@@ -140,7 +139,7 @@ void BoxTree<Boxes>::near_to_far(const Meets& meets, Hidden&& hidden, Visit&& vi
     const Node& node = nodes_[at];
     std::array<Nearness, kBranches> nearest;
     const Lanes met = meets(node.boxes, nearest);
-    // The nearest comes to lie on top.
+    // The nearest ends on top.
     const std::size_t base = count;
     for (std::size_t k = 0; k < kBranches; ++k) {
       if (met[k] == 0 || node.branch[k] == 0) continue;
@@ -164,7 +163,8 @@ void BoxTree<Boxes>::near_to_far(const Meets& meets, Hidden&& hidden, Visit&& vi
   }
 }
 
-/// Each leaf looks for what meets it, the whole leaf at once, and takes what has a later position.
+/// Each leaf searches for items that meet it, the whole leaf at once, and keeps those with later
+/// positions.
 template <class Boxes>
 template <class Found>
 void BoxTree<Boxes>::pairs(std::uint32_t from, std::uint32_t to, Found&& found) const {
@@ -190,7 +190,7 @@ void BoxTree<Boxes>::pairs_of_leaf(const Node& own, Position first, const Box& a
   waiting[0] = 0;
   for (std::size_t count = 1; count > 0;) {
     const Node& node = nodes_[waiting[--count]];
-    std::uint32_t items = 0;  // a bit for each that is met
+    std::uint32_t items = 0;  // one bit per item met
     for (std::uint32_t met = bits(node.boxes.meets(all)); met != 0; met &= met - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(met));
       const std::uint32_t branch = node.branch[k];

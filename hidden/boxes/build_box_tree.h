@@ -11,19 +11,19 @@
 #include "clip/base/parallel.h"
 #include "hidden/boxes/box_tree.h"
 
-// What makes a tree of boxes (hidden/boxes/box_tree.md); for the files that say what divides them.
+// Builds a tree of boxes (hidden/boxes/box_tree.md); included by files that define the rule of
+// division.
 
 namespace displayfile {
 
-/// A box while it is being put in order.
+/// A box during sorting.
 template <class Box>
 struct BoxEntry {
   Box box;
   std::uint32_t item;
 };
 
-/// Where the entries' middles lie along each axis of Box: from the least to the greatest of
-/// box.position(axis).
+/// The range of the entries' middles along each axis of Box, from box.position(axis).
 template <class Box>
 struct MiddlesSpread {
   std::array<double, Box::kAxes> low, high;
@@ -40,7 +40,7 @@ struct MiddlesSpread {
     }
   }
   double along(std::size_t axis) const { return high[axis] - low[axis]; }
-  /// The axis along which the middles spread the farthest, the first of equal ones.
+  /// The axis with the largest range of middles, the first of equal ones.
   std::size_t widest() const {
     std::size_t widest = 0;
     for (std::size_t axis = 1; axis < Box::kAxes; ++axis) {
@@ -50,8 +50,8 @@ struct MiddlesSpread {
   }
 };
 
-/// Puts the lower half along an axis first, and says how many it is: whole nodes of eight. Of equal
-/// middles the lower item comes first.
+/// Moves the lower half along an axis to the front, and returns its size: whole nodes of eight. Of
+/// equal middles the lower item comes first.
 template <class Box>
 std::size_t halve(std::span<BoxEntry<Box>> entries, std::size_t axis) {
   constexpr std::size_t kNode = 8;
@@ -65,10 +65,10 @@ std::size_t halve(std::span<BoxEntry<Box>> entries, std::size_t axis) {
   return half;
 }
 
-/// The rule that divides across the axis along which the middles spread the farthest, in halves:
-/// quick to build. A rule says what it costs to leave a branch undivided, and divides one: which
-/// entries come first, and how many they are, is a function of the entries and not of their order;
-/// the smaller part has at least an eighth of them, or as many as a node.
+/// The rule that halves across the axis with the largest range of middles: quick to build. A rule
+/// gives the cost of leaving a branch undivided, and divides one: the entries of the first part are
+/// a function of the set of entries, not of their order; the smaller part has at least an eighth of
+/// them, or as many as a node.
 template <class Box>
 struct Halves {
   static double cost(const Box&, std::size_t items) { return static_cast<double>(items); }
@@ -80,20 +80,20 @@ struct Halves {
 template <class Boxes>
 template <class Rule>
 struct BoxTree<Boxes>::Builder {
-  /// The items of a branch, as a part of the entries, and the box of them all.
+  /// The items of a branch, as a range of the entries, and their box.
   struct Part {
     std::size_t begin, end;
     Box box;
     std::size_t size() const { return end - begin; }
   };
-  /// A node to be made, and what becomes of it.
+  /// A node to be built, and its result.
   struct Work {
     std::uint32_t node;
     Part part;
     std::vector<Part> branches{};
   };
 
-  std::vector<BoxEntry<Box>> entries{};  // moved about together
+  std::vector<BoxEntry<Box>> entries{};  // reordered together
 
   Part part(std::size_t begin, std::size_t end) const {
     Part p{begin, end, Box::nothing()};
@@ -101,8 +101,8 @@ struct BoxTree<Boxes>::Builder {
     return p;
   }
 
-  /// Divides what costs most until there are as many branches as a node has. A leaf has none; its
-  /// items are put in order: what was used to divide them may have left them in any.
+  /// Divides the branch with the highest cost until the node is full. A leaf has no branches; its
+  /// items are sorted, since dividing them may have left any order.
   void branch(Work& work) {
     std::vector<Part>& branches = work.branches;
     const auto all = std::span(entries).subspan(work.part.begin, work.part.size());
@@ -128,12 +128,12 @@ struct BoxTree<Boxes>::Builder {
   }
 };
 
-/// Level by level, so that a level's nodes can be made side by side and numbered in order.
+/// Level by level, so that a level's nodes can be built in parallel and numbered in order.
 template <class Boxes>
 template <class Rule>
 void BoxTree<Boxes>::build_by(std::size_t items, const std::function<Box(Item)>& box_of,
                               int threads) {
-  constexpr std::size_t kWorthThreads = 2000;  // fewer are done sooner than threads are woken
+  constexpr std::size_t kWorthThreads = 2000;  // fewer take less time than waking threads
   assert(items < kItem);
   nodes_.clear();
   end_.clear();

@@ -19,11 +19,11 @@ float rounded_down(double v);
 struct Extent {
   float x_min, x_max, y_min, y_max, z_min, z_max;
 
-  /// Holds nothing, and meets only what has no bounds.
+  /// The empty extent; it meets only unbounded ones.
   static Extent nothing();
-  /// Has all points between these.
+  /// Contains all points between these.
   static Extent between(const Point3& low, const Point3& high);
-  /// Takes in a box of that radius around the point.
+  /// Includes a box of this radius around the point.
   void include(const Point3& p, double radius = 0.0);
   void include(const Extent& other);
 
@@ -47,7 +47,7 @@ struct FlatBox {
     y_max = std::max(y_max, o.y_max);
   }
 
-  /// Twice the middle along an axis, for a BoxTree; 0 for what has no bounds, or holds nothing.
+  /// Twice the middle along an axis, for a BoxTree; 0 for unbounded and empty ones.
   static constexpr std::size_t kAxes = 2;
   double position(std::size_t axis) const {
     const float sum = axis == 0 ? x_min + x_max : y_min + y_max;
@@ -83,8 +83,8 @@ struct FlatBoxes {
   }
 };
 
-/// Finds all pairs of extents that meet in the projection, without comparing all: n log n to build,
-/// and for each the cost of those it meets and of the way to them. It is halved.
+/// Finds all pairs of extents that meet in the projection without comparing all: n log n to build,
+/// then the cost of the pairs and of the paths to them. Divided in halves.
 using ExtentTree = BoxTree<FlatBoxes>;
 template <>
 void ExtentTree::build(std::size_t items, const std::function<FlatBox(Item)>& box_of, int threads);

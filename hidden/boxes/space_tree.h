@@ -25,13 +25,13 @@ struct SpaceBoxes {
   }
 };
 
-/// A tree of boxes in space, for rays of any direction and all views; of finite coordinates. It is
-/// halved, so that no input makes a deep tree.
+/// A tree of boxes in space, for rays of any direction and all views; finite coordinates. Divided
+/// in halves, so that no input makes a deep tree.
 using SpaceTree = BoxTree<SpaceBoxes>;
 template <>
 void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads);
 
-/// A ray from a point, without end; the direction is not zero.
+/// An infinite ray from a point; the direction is not zero.
 class SpaceRay {
  public:
   SpaceRay(const Point3& from, const Point3& direction) : from_(from) {
@@ -41,8 +41,8 @@ class SpaceRay {
       per_direction_[k] = 1.0 / (std::abs(d) < kLeast ? std::copysign(kLeast, d) : d);
     }
   }
-  /// Which of the boxes the ray meets the inside of; may be some too that it passes by within a few
-  /// roundings. (Whoever needs the faces makes the boxes larger, as Shadows does.)
+  /// The boxes whose interior the ray meets, possibly with some that it misses by a few roundings.
+  /// (Callers that need the faces enlarge the boxes, as Shadows does.)
   SpaceTree::Lanes operator()(const SpaceBoxes& boxes) const {
     constexpr double kFarther = 1.0 + 0x1p-48;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ class SpaceRay {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double from = from_[static_cast<int>(axis)];
       const double per_direction = per_direction_[static_cast<int>(axis)];
-      // The face that is met first, known by the direction.
+      // The face met first, by the direction.
       const auto& near = per_direction < 0.0 ? boxes.high[axis] : boxes.low[axis];
       const auto& far = per_direction < 0.0 ? boxes.low[axis] : boxes.high[axis];
       for (std::size_t k = 0; k < SpaceBoxes::kBoxes; ++k) {

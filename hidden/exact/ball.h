@@ -8,10 +8,10 @@
 
 namespace displayfile {
 
-/// An interval, kept as its middle and its radius: the true value lies within `radius` of
-/// `middle`. The operations enclose the exact result whatever the rounding mode, because
-/// each adds its own rounding by the model of rounding.h (predicates.md, section 3). A radius is
-/// not negative; an infinite or NaN one says that nothing is known.
+/// An interval as its middle and radius: the true value lies within `radius` of `middle`. The
+/// operations enclose the exact result in every rounding mode, because each adds its own rounding
+/// by the model of rounding.h (predicates.md, section 3). A radius is not negative; an infinite or
+/// NaN radius means that nothing is known.
 struct Ball {
   double middle = 0.0;
   double radius = 0.0;
@@ -48,7 +48,7 @@ inline Ball operator/(const Ball& a, const Ball& b) {
   return {m, spread * kInflate + kTiny};
 }
 
-/// True if the ball says which side of zero the value is on; decided(-a) = decided(a).
+/// True if the ball decides the value's sign; decided(-a) = decided(a).
 inline bool decided(const Ball& a) {
   assert(!(a.radius < 0.0));
   return std::abs(a.middle) > a.radius;

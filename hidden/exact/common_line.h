@@ -8,20 +8,20 @@
 
 namespace displayfile {
 
-/// A part of the line that two planes have in common, neither of them edge-on, between two points
-/// that are kept as what they are: what a hidden-line method asks of a line, exactly. The
-/// parameters are shares of its projection from 0 to 1, each the true one rounded once.
+/// A segment of the intersection of two planes, neither of them edge-on, between two defined
+/// points: answers a hidden-line method's queries exactly. Parameters are fractions of its
+/// projection from 0 to 1, each the true one rounded once.
 class CommonLine {
  public:
   /// The ends are on both planes, and defined by the stored points and these planes in this order.
-  /// Rounded, as their `near`, they differ in the projection. The points stay the caller's.
+  /// Their rounded `near` points differ in the projection. The caller owns the points.
   CommonLine(std::span<const Point3> points, const std::array<Plane, 2>& planes,
              const DefinedPoint& from, const DefinedPoint& to)
       : points_(points), planes_(planes), from_(from), to_(to) {}
 
-  /// Which side of the line the point is on in the projection: 1 where the first plane is nearer
-  /// than the second, -1 where the second is, 0 on the line. It flips where the planes change
-  /// places.
+  /// The side of the line on which the point is in the projection: 1 where the first plane is
+  /// nearer than the second, -1 where the second is, 0 on the line. The sign flips if the planes
+  /// are exchanged.
   int side(const Point3& p) const;
 
   /// The sign of the plane's depth less the line's, at its start or at its end; the plane faces the
@@ -29,8 +29,8 @@ class CommonLine {
   int nearer_at_start(const Plane& plane) const { return nearer(from_, plane); }
   int nearer_at_end(const Plane& plane) const { return nearer(to_, plane); }
 
-  /// Where the line through p and q crosses it, cut off at its ends; where the point p that lies on
-  /// it is; and where the plane has its depth, which is nearer at one end only.
+  /// The parameter where the line through p and q crosses it, clamped to its ends; where the point
+  /// p on it is; and where the plane has its depth, being nearer at one end only.
   double crossing(const Point2& p, const Point2& q) const;
   double at_point(const Point2& p) const;
   double meeting(const Plane& plane) const;
@@ -47,7 +47,7 @@ class CommonLine {
   std::span<const Point3> points_;
   std::array<Plane, 2> planes_;
   DefinedPoint from_, to_;
-  mutable std::optional<Ends> ends_;  // found when they are first asked for
+  mutable std::optional<Ends> ends_;  // found on first use
 };
 
 }  // namespace displayfile

@@ -8,18 +8,17 @@
 
 namespace displayfile {
 
-/// depth_order(a, b, at), asked at many places: what takes exact arithmetic is done once, where
-/// the first filter is undecided (predicates.md, section 6). Two planes that are given by two
-/// common points, as neighbours in a mesh are, change their order along the line through these: it
-/// is found out on one side of it. Otherwise the difference of the two depths, linear in the
-/// projection, is computed exactly and then rounded, so that what is lost between planes that
-/// nearly agree is not lost in the filter that decides from then on.
+/// depth_order(a, b, at) at many points: exact arithmetic is done once, when the first filter is
+/// undecided (predicates.md, section 6). Two planes with two common points, as neighbours in a
+/// mesh, change their order along the line through these: the order on one side is computed.
+/// Otherwise the difference of the depths, linear in the projection, is computed exactly and then
+/// rounded, so that the later filter does not suffer from cancellation between nearly equal planes.
 class DepthComparison {
  public:
   DepthComparison() = default;
   /// Neither plane may be edge-on.
   DepthComparison(const Plane& a, const Plane& b) : a_(a), b_(b) {}
-  /// It is ready.
+  /// Prepared at once.
   DepthComparison(const PlaneInPicture& a, const PlaneInPicture& b) { difference_.emplace(a, b); }
 
   /// The order at a pixel's centre; the planes in device coordinates.
@@ -33,21 +32,20 @@ class DepthComparison {
     return order != 0 ? order : exact(at);
   }
 
-  /// The order at a point of the projection, if that takes no exact arithmetic with both planes
-  /// now.
+  /// The order at a point of the projection, if no exact arithmetic with both planes is needed now.
   std::optional<int> order_at_hand(const Point2& at) const;
 
-  /// True once more is known than the first filter.
+  /// True after preparation, when the first filter was undecided.
   bool is_ready() const { return hinge_ || difference_; }
   void make_ready();
-  /// True if that found that they are one plane.
+  /// True if the planes were found to be equal.
   bool is_one_plane() const {
     return (hinge_ && hinge_->order_on_left == 0) || (difference_ && difference_->is_zero());
   }
 
-  /// What is known once it is ready: za - zb at (x, y) is x slope_x + y slope_y + constant times
-  /// some positive number. Each is off by less than 2^-38 of the largest, which is from 1/2 to 1
-  /// unless all are zero. Planes that meet in a line far off the picture have none.
+  /// The prepared difference: za - zb at (x, y) is x slope_x + y slope_y + constant times a
+  /// positive number. Each is off by less than 2^-38 of the largest, which is from 1/2 to 1 unless
+  /// all are zero. Planes that meet in a line far outside of the picture have none.
   struct Linear {
     double slope_x = 0.0, slope_y = 0.0, constant = 0.0;
   };
@@ -66,15 +64,15 @@ class DepthComparison {
     Difference(const Plane& a, const Plane& b);
     Difference(const PlaneInPicture& a, const PlaneInPicture& b);
     void make_near();
-    bool is_zero() const;  ///< one plane
+    bool is_zero() const;  ///< equal planes
     int filtered(const Position& at) const;
     int exact(const PixelCentre& centre) const;
     int exact(const Point2& at) const;
 
     ExactNumber slope_x, slope_y, constant;
     Linear near;
-    /// In whole numbers of 62 bits, if they fit: planes through points of a grid meet where exact
-    /// arithmetic alone tells, and most of those grids are coarse.
+    /// In integers of 62 bits, if they fit: planes through grid points meet where only exact
+    /// arithmetic decides, and most such grids are coarse.
     struct Whole {
       std::int64_t slope_x, slope_y, constant;
     };

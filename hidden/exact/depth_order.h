@@ -35,9 +35,9 @@ inline PlaneValue slope_value(const Plane& plane, const Position& at) {
   return {value, bound};
 }
 
-/// (za - zb) Ca Cb, without a quotient, with its bound (predicates.md, section 6); an infinite one
-/// where figures are too large. The heights of the planes' own points are subtracted first, so that
-/// level planes are told apart however close. Linear in the projection.
+/// (za - zb) Ca Cb, without a quotient, with its bound (predicates.md, section 6), which is
+/// infinite for large numbers. The heights of the planes' own points are subtracted first, so that
+/// level planes are distinguished however close. Linear in the projection.
 inline PlaneValue depth_difference(const Plane& a, const Plane& b, const Position& at) {
   constexpr double kLargestFactor = 0x1p+330;  // three of them are far below the largest double
   const double ca = a.normal.z, cb = b.normal.z;
@@ -54,7 +54,7 @@ inline PlaneValue depth_difference(const Plane& a, const Plane& b, const Positio
                                                 : std::numeric_limits<double>::infinity()};
 }
 
-/// The filter: the sign of that difference over that of Ca Cb, which is the order; 0 where it is
+/// The filter: the sign of that difference divided by that of Ca Cb, which is the order; 0:
 /// undecided.
 inline int filtered_depth_order(const Plane& a, const Plane& b, const Position& at) {
   const auto [difference, bound] = depth_difference(a, b, at);

@@ -15,7 +15,7 @@ struct DoubleDouble {
   double high = 0.0, low = 0.0;
 };
 
-/// True if the operations err by no more than is said: in rounding to nearest, to doubles.
+/// True if the error bounds stated here hold: in rounding to nearest, to doubles.
 inline bool is_double_double_sound() {
   return FLT_EVAL_METHOD == 0 && std::fegetround() == FE_TONEAREST;
 }

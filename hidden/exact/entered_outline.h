@@ -27,23 +27,23 @@ struct EnteredOutline {
   std::vector<Vertex> vertices;
 };
 
-/// How polygons of a segment come from the points that were entered into the picture, as
-/// interp/truth/entered_truth.md defines it: modelling matrix, view, viewport and image
-/// transformation are the doubles that they hold, and products of these are exact; so is clipping.
-/// The doubles of a display file are the same, rounded.
+/// The projection of a segment's polygons from the points as entered, as defined in
+/// interp/truth/entered_truth.md: modelling matrix, view, viewport and image transformation are
+/// taken as their doubles, and products and clipping are exact. The doubles of a display file are
+/// the same, rounded.
 class EnteredProjection {
  public:
   EnteredProjection(const ViewVolume& volume, const ImageTransformation& image);
 
-  /// Makes the outline of a polygon. False, and no outline, if some of it inside of the window is
-  /// not in front of the eye, which no view volume allows whose matrix is within range.
+  /// Computes a polygon's outline. False, without an outline, if a part inside of the window is not
+  /// in front of the eye, which no view volume with a matrix in range allows.
   bool outline(const EnteredPolygon& polygon, EnteredOutline& outline);
 
-  /// True if these are the polygon's points in the picture, and nothing was rounded on the way: the
-  /// outline is then theirs. Not always found out.
+  /// True if these are the polygon's points in the picture without any rounding: the outline then
+  /// equals them. Not always detected.
   bool are_unrounded(const EnteredPolygon& polygon, std::span<const Point3> device) const;
 
-  /// The polygon's support plane; none if its vertices are in line.
+  /// The polygon's support plane; none if its vertices are collinear.
   std::optional<PlaneInPicture> plane(const EnteredPolygon& polygon) const;
 
  private:
@@ -66,7 +66,7 @@ class EnteredProjection {
   std::array<ExactNumber, 4> of_z_;                       // the row of Z
   std::array<std::array<ExactNumber, 3>, 2> to_picture_;  // of X, Y, W to device x and y
   ExactNumber front_z_, back_z_, nearest_w_;
-  std::vector<Side> sides_;  // that clip
+  std::vector<Side> sides_;  // clipping planes
   std::vector<Vertex> polygon_, clipped_;
   std::vector<ExactNumber> distances_;
 };

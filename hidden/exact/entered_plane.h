@@ -13,24 +13,24 @@
 
 namespace displayfile {
 
-/// Bounds of a length that need not be a double.
+/// Bounds of a length that may not be a double.
 struct Reach {
   double low = 0.0, high = 0.0;
 };
 
-/// A modelling matrix, whose twelve doubles are taken as they are, and the reach of what is entered
+/// A modelling matrix, with its twelve doubles taken as exact, and the reach of polygons entered
 /// under it (hidden/touching/touching_planes.md).
 class Modelling {
  public:
   /// Null: the identity. `reach` is before the modelling transformation, finite, at least 0.
   Modelling(const glm::dmat4x3* matrix, double reach);
 
-  /// True if it is made of this matrix, null for the identity.
+  /// True if it was made from this matrix, null for the identity.
   bool is_of(const glm::dmat4x3* matrix) const;
   bool is_identity() const { return is_identity_; }
-  /// The matrix flattens space.
+  /// True if the matrix is singular.
   bool is_singular() const { return is_singular_; }
-  /// Three points are in line in the world, exactly.
+  /// True if three points are collinear in the world, exactly.
   bool puts_in_line(const Point3& p, const Point3& q, const Point3& r) const;
   double entered_reach() const { return entered_reach_; }
   /// The same times the length of the longest of the first three columns.
@@ -40,9 +40,8 @@ class Modelling {
   Point3 apply(const Point3& p) const {
     return is_identity_ ? p : Point3(matrix_ * HomogeneousPoint(p, 1.0));
   }
-  /// The largest sum of the magnitudes that are added up for a coordinate of the point in the
-  /// world; 0 under the identity. Each coordinate of apply(p) is off by at most 3.01 roundings of
-  /// it.
+  /// The largest sum of magnitudes for one world coordinate of the point; 0 under the identity.
+  /// Each coordinate of apply(p) is off by at most 3.01 roundings of it.
   double magnitude(const Point3& p) const { return is_identity_ ? 0.0 : largest_sum(p); }
   /// World coordinates as sums of two doubles, off by at most 13 u^2 magnitude(p), u = 2^-53.
   std::array<DoubleDouble, 3> apply_closely(const Point3& p) const;
@@ -61,17 +60,17 @@ class Modelling {
   Reach reach_;
 };
 
-/// Which three of a polygon's vertices its support plane goes through, by the definition
-/// (interp/truth/entered_truth.md), from the points as they were entered; nothing if all of them
-/// are in line, exactly.
+/// The three vertices through which a polygon's support plane passes, by the definition
+/// (interp/truth/entered_truth.md), from the points as entered; nothing if all are collinear,
+/// exactly.
 std::optional<std::array<std::size_t, 3>> support_of_entered(std::span<const Point3> entered);
 
-/// The support plane of a polygon as it was entered, made ready for many points.
+/// The support plane of a polygon as entered, prepared for many points.
 class EnteredPlane {
  public:
   using Corners = std::array<Point3, 3>;  ///< before the modelling transformation
 
-  /// Through three points that are not in line in the world. The matrix must stay.
+  /// Through three points that are not collinear in the world. The matrix must outlive it.
   EnteredPlane(const Corners& corners, const Modelling& modelling);
 
   /// True if a point, as entered under that matrix, is no farther from the plane than the larger of
@@ -84,7 +83,7 @@ class EnteredPlane {
 
   /// A unit normal in the world.
   const Point3& normal() const { return normal_; }
-  /// By how much it is off at most, in length; infinite if nothing is known.
+  /// Bound on its error in length; infinite if unknown.
   double normal_error() const { return direction_error_ + 8.0 * kRounding; }
 
  private:

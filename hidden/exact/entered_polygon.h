@@ -8,12 +8,11 @@
 
 namespace displayfile {
 
-/// World coordinates are off from what was entered by no more than so many times 2^-53 of the
-/// largest sum of the products that they are sums of: where a modelling transformation made them,
-/// and where up to six cutting planes have cut there, each of which interpolates and rounds twice.
+/// Error of world coordinates in units of 2^-53 of the largest sum of magnitudes: after a modelling
+/// transformation, and after up to six cutting planes, each of which interpolates and rounds twice.
 inline constexpr double kRoundingsInWorld = 4.0, kRoundingsWhereCut = 128.0;
 
-/// A polygon as it was entered.
+/// A polygon as entered.
 struct EnteredPolygon {
   PointRow points;  ///< before the modelling transformation
   const glm::dmat4x3* modelling =

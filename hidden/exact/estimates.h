@@ -12,17 +12,17 @@
 
 namespace displayfile {
 
-// What predicates of stored points ask the sign of, as the sum of two doubles with a bound: their
+// The expressions of predicates on stored points, as the sum of two doubles with a bound: their
 // middle stage, between doubles and exact numbers, where is_double_double_sound
 // (hidden/exact/predicates.md, sections 5 and 9).
 
-/// A value and by how much it may be off.
+/// A value and its error bound.
 struct Estimate {
   DoubleDouble value;
   double error;
 };
 
-/// The value's sign; 0 where it is undecided. Errors leave room for the lower part.
+/// The value's sign; 0: undecided. The error bounds allow for ignoring the lower part.
 inline int decided_sign(const Estimate& estimate) {
   assert(!(estimate.error < 0.0));
   return std::abs(estimate.value.high) > estimate.error ? sign_of(estimate.value.high) : 0;
@@ -39,7 +39,7 @@ inline Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const Do
   return {left - right, kError * (std::abs(left.high) + std::abs(right.high)) + kTiny};
 }
 
-/// How far a plane's points, and another, lie from its first along an axis.
+/// The largest distance along an axis of a plane's points, and another, from its first point.
 inline double reach_along(const Plane& plane, double at, int axis) {
   return std::max({std::abs(plane.q[axis] - plane.p[axis]), std::abs(plane.r[axis] - plane.p[axis]),
                    std::abs(at - plane.p[axis])});
@@ -52,7 +52,7 @@ inline DoubleDouble normal_along(const Plane& plane, int axis) {
   return side(plane.q, j) * side(plane.r, k) - side(plane.q, k) * side(plane.r, j);
 }
 
-/// The plane's value at v. Of a plane with rests nothing is known, here and below.
+/// The plane's value at v. Nothing is known for planes with rests, here and below.
 inline Estimate estimated_value(const Plane& plane, const Point3& v) {
   constexpr double kError = 0x1p-97;
   constexpr double kUnderflow = 0x1p-700;
@@ -66,7 +66,7 @@ inline Estimate estimated_value(const Plane& plane, const Point3& v) {
   return {sum, kError * size + kUnderflow};
 }
 
-/// What the depths of planes are compared by.
+/// The terms for comparing depths of planes.
 struct PlaneEstimate {
   explicit PlaneEstimate(const Plane& plane_)
       : plane(plane_),
@@ -96,7 +96,7 @@ inline Estimate estimated_apart(const PlaneEstimate& one, const PlaneEstimate& o
   const double high_one = reach_along(one.plane, one.plane.p.z, 2);
   const double high_other = reach_along(other.plane, other.plane.p.z, 2);
   const double high = std::abs(apart.high) + high_one + high_other;
-  // Larger figures could make much of what is lost to underflow.
+  // Larger numbers could magnify underflow.
   if (!(std::max(std::max(flat_one, flat_other), high) < kLargestFigure))
     return {value, kNothingKnown};
   return {value, kError * (flat_one * flat_other * high) + kUnderflow};

@@ -8,7 +8,7 @@ namespace displayfile::digits {
 // of 64 bits, the least significant first. Implemented by exact_digits_gmp.cpp, or in a build
 // without GMP by exact_digits_boost.cpp.
 
-/// Writes a 2^bits, for 0 < bits < 64; returns the limb that stands above those.
+/// Writes a 2^bits, for 0 < bits < 64; returns the limb above those.
 std::uint64_t shift_up(const std::uint64_t* a, int count, unsigned bits, std::uint64_t* to);
 
 /// -1, 0 or 1: which of two of the same length is larger.
@@ -26,8 +26,8 @@ void subtract(const std::uint64_t* a, int count_a, const std::uint64_t* b, int c
 void multiply(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b,
               std::uint64_t* to);
 
-/// digits 2^exponent: the whole part of a quotient that was scaled to have 62 or 63 digits. The
-/// last digit is 1 too if the division leaves a rest.
+/// digits 2^exponent: the integer part of a quotient scaled to 62 or 63 bits. The last bit is also
+/// 1 if the division leaves a remainder.
 struct Quotient {
   std::uint64_t digits;
   std::int64_t exponent;

@@ -31,7 +31,7 @@ class ExactNumber {
   struct Leading {
     double mantissa;
     std::int64_t exponent;
-    bool is_all;  ///< it is the number itself
+    bool is_all;  ///< exact
   };
   Leading leading() const;
 

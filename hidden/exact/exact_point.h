@@ -30,9 +30,9 @@ ExactPoint exact_point(const Definitions& all, const DefinedPoint& v);
 /// Nothing if it does not exist.
 std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const DefinedPoint& v);
 
-/// The doubles nearest to the coordinates of the point that v defines, each as the exact numbers
-/// give it, if double-doubles say which they are; they do but for one in 10^13 or so, and for what
-/// is badly conditioned.
+/// The doubles nearest to the coordinates of the point that v defines, as exact numbers would give
+/// them, if double-doubles decide them; they do except about once in 10^13, and for badly
+/// conditioned points.
 std::optional<Point3> rounded_closely(const Definitions& all, const DefinedPoint& v);
 
 /// w times the plane's value at the point.

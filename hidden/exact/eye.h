@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-/// From where a scene is seen, in world coordinates.
+/// The viewpoint of a scene, in world coordinates.
 struct Eye {
   /// The centre of a perspective projection.
   static Eye at(const Point3& centre) { return {centre, false}; }

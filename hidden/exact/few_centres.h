@@ -7,10 +7,9 @@
 
 namespace displayfile {
 
-/// True if a triangle in device coordinates certainly covers no pixel centre, of the few in the box
-/// of its corners: those of `columns` columns from `column` on and `rows` rows from `row` on. A
-/// centre that is farther outside of a side than rounding can do is not covered; if that is left
-/// open, it may be.
+/// True if a triangle in device coordinates certainly covers no pixel centre, of the few in its
+/// corners' box: those of `columns` columns from `column` on and `rows` rows from `row` on. A
+/// centre farther outside of a side than the rounding error is not covered; undecided ones may be.
 ///
 /// The error: on a picture of up to 65535 pixels a side a corner's place in pixels is off by less
 /// than 2^-36, and what is computed with sides of up to a few pixels by less than 2^-30.
@@ -23,7 +22,7 @@ inline bool covers_none_of_few(const Point3& a, const Point3& b, const Point3& c
   const double bx = b.x * size.width - left, by = b.y * size.height - bottom;
   const double cx = c.x * size.width - left, cy = c.y * size.height - bottom;
   const double turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0.0 ? -1.0 : 1.0;
-  // How far inside of each side the first centre is, and what a column and a row more add.
+  // The signed distance of the first centre to each side, and its increments per column and row.
   const double of_ab = turn * (ax * by - ay * bx), of_bc = turn * (bx * cy - by * cx),
                of_ca = turn * (cx * ay - cy * ax);
   const double ab_x = turn * (ay - by), bc_x = turn * (by - cy), ca_x = turn * (cy - ay);

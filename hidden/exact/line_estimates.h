@@ -12,17 +12,16 @@
 
 namespace displayfile {
 
-// What is linear along a line, at one of its ends: where its quotient with the other end's value is
-// zero, something meets the line (line_parameter.h, line_place.h). First as the sum of two doubles
-// with a bound, and then exactly.
+// Linear functions along a line, at one of its ends: a zero is where something meets the line
+// (line_parameter.h, line_place.h). First as the sum of two doubles with a bound, then exactly.
 
-/// A share of the way along a line, and by how much it may be off.
+/// A fraction of the way along a line, and its error bound.
 struct EstimatedShare {
   DoubleDouble t;
   double error;
 };
 
-/// at_a / (at_a - at_b); nothing if the difference is not known well enough.
+/// at_a / (at_a - at_b); nothing if the difference is too inaccurate.
 inline std::optional<EstimatedShare> estimated_share(const Estimate& at_a, const Estimate& at_b) {
   constexpr double kDifference = 0x1p-103, kQuotient = 0x1p-100;
   const DoubleDouble whole = at_a.value - at_b.value;
@@ -39,8 +38,8 @@ inline std::optional<EstimatedShare> estimated_share(const Estimate& at_a, const
           kTiny};
 }
 
-/// The double that all values so close to a sum of two round to; nothing if they do not round to
-/// one.
+/// The double to which all values within `error` of the sum round; nothing if they round to
+/// different ones.
 inline std::optional<double> rounded_sum(const DoubleDouble& sum, double error) {
   const double low = sum.high + (sum.low - error), high = sum.high + (sum.low + error);
   if (low != high) return std::nullopt;  // false for NaN, where something overflowed

@@ -19,19 +19,19 @@ namespace displayfile {
 // kCoordinateLimit. Rounding keeps order, so what is found out about intervals between such
 // parameters is true of the exact ones, but for those that vanish (predicates.md, section 9).
 //
-// The parameter of what meets the line depends on where it does alone: p and q may change places,
-// and so may a plane's points, or two planes. Along the line from b to a it is 1 - t rounded once,
-// which need not be 1 less the rounded t.
+// The parameter depends only on the meeting point: p and q may be exchanged, and so may a plane's
+// points, or two planes. Along the line from b to a it is 1 - t rounded once, which may differ from
+// 1 minus the rounded t.
 
 /// Where the line through p and q crosses it in the projection. They must not be parallel.
 double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 
-/// Crossings outside the line are cut off with the filter, as most are.
+/// Crossings outside the line, the usual case, are clamped by the filter.
 inline double crossing_parameter(const Point2& a, const Point2& b, const Point2& p,
                                  const Point2& q) {
   const OrientationValue at_a = orientation_value(p, q, a), at_b = orientation_value(p, q, b);
   const double size_a = std::abs(at_a.determinant), size_b = std::abs(at_b.determinant);
-  // The filter's bound is one of the sign; that of the value has the value's own rounding too.
+  // The filter bounds the sign; the bound of the value includes the value's own rounding.
   const double bound_a = at_a.bound + 4.0 * kUnit * size_a;
   const double bound_b = at_b.bound + 4.0 * kUnit * size_b;
   const bool one_side = size_a > bound_a && size_b > bound_b &&
@@ -54,8 +54,8 @@ double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, con
 
 // ---- Lines whose ends are no doubles --------------------------------------------------------
 
-/// An end of a line as it was defined, and close to it: each coordinate as the sum of two doubles,
-/// off by 2^-104 of it at most.
+/// An end of a line as defined, and an approximation: each coordinate as the sum of two doubles,
+/// off by at most 2^-104 of it.
 struct DefinedEnd {
   DefinedEnd(const Definitions& all, const DefinedPoint& v);
 
@@ -63,7 +63,7 @@ struct DefinedEnd {
   std::array<DoubleDouble, 3> close;
 };
 
-/// The same three questions of such a line.
+/// The same three functions for such a line.
 double crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
                           const Point2& q);
 double point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p);

@@ -7,9 +7,9 @@
 namespace displayfile {
 
 // Where something meets the line from a to b in the projection, as a point: each coordinate the
-// true one rounded once, to the nearest double. The same bits for whoever asks, since the point is
-// the same, for coordinates up to kCoordinateLimit: crossing_place(a, b, p, q) =
-// crossing_place(p, q, a, b), and the ends of each line may change places.
+// true one rounded once, to the nearest double. Independent of the caller, since the point is the
+// same, for coordinates up to kCoordinateLimit: crossing_place(a, b, p, q) = crossing_place(p, q,
+// a, b), and the ends of each line may be exchanged.
 
 /// Where the line through p and q crosses it. They must not be parallel.
 Point2 crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q);

@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// The order of points on the line that two planes have in common, by x, then y, in the projection:
-/// compare_xy of such points, with what the line's direction tells without exact arithmetic.
+/// The order of points on the intersection of two planes, by x, then y, in the projection:
+/// compare_xy of such points, using the line's direction to avoid exact arithmetic.
 class OrderOnLine {
  public:
   OrderOnLine() = default;

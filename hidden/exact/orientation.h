@@ -17,8 +17,7 @@ int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int exact_facing(std::span<const Point3> vertices);
 
-/// The determinant whose sign is asked, in doubles: as large as it is beyond the bound, it has the
-/// true sign.
+/// The determinant in doubles; beyond its bound it has the true sign.
 struct OrientationValue {
   double determinant, bound;
 };

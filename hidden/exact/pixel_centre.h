@@ -46,8 +46,8 @@ int exact_compare_with_centres(double coordinate, std::int32_t pixels, std::int3
 /// centres (pixels is the picture's height, index the row), or its x against a column's. It does
 /// not fall as the coordinate grows, nor rise as the index does.
 ///
-/// The rounded product is on the wrong side of an odd number for no rounding mode, since
-/// rounding keeps order: only where it is that number is more to be asked.
+/// Since rounding is monotonic, the rounded product is never on the wrong side of an odd number:
+/// only equality needs more.
 inline int compare_with_centres(double coordinate, std::int32_t pixels, std::int32_t index) {
   assert(pixels > 0);
   const double twice = coordinate * (2.0 * pixels);

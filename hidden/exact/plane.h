@@ -9,13 +9,13 @@
 namespace displayfile {
 
 /// A plane given by three points, exactly; and its normal in doubles with the bounds that the
-/// filters need. Any coordinate system; z toward the viewer where a depth is asked for. The
-/// positive side is the one from which p, q, r run counterclockwise: for a light face seen by
-/// the viewer, the viewer's. Points in line give no plane: every point is then on it.
+/// filters need. Any coordinate system; z toward the viewer for depths. The positive side is the
+/// one from which p, q, r run counterclockwise: for a light face visible to the viewer, the
+/// viewer's. Collinear points give no plane: every point is then on it.
 ///
-/// Where doubles say too little of a plane's depth, each point's z has a rest beside it: z and rest
-/// together are its depth, exactly. Few planes have rests; no rest is larger than the rounding that
-/// it stands for.
+/// Where doubles are too coarse for a plane's depth, each point's z has a rest: z and rest together
+/// are its exact depth. Few planes have rests; no rest is larger than the rounding that it
+/// represents.
 struct Plane {
   Plane() = default;
   Plane(const Point3& p_, const Point3& q_, const Point3& r_, const Point3& rest_ = Point3(0.0));
@@ -26,12 +26,12 @@ struct Plane {
   bool goes_through(const Point3& v) const {
     return (v == p || v == q || v == r) && (is_plain() || goes_through_point(v));
   }
-  /// No point has a rest.
+  /// True if no point has a rest.
   bool is_plain() const { return rest == Point3(0.0); }
 
   Point3 p{0.0}, q{0.0}, r{0.0};
   Point3 rest{0.0};    ///< of the depths of p, q and r
-  double off = kTiny;  ///< how much of a value is left out with p's rest, at least kTiny
+  double off = kTiny;  ///< error of a value from omitting p's rest, at least kTiny
   Point3 normal{0.0};  ///< (A, B, C), close to (q - p) x (r - p)
   Point3 bound{0.0};   ///< of each component's error, with what the filter's products add
   double reach = 0.0;  ///< |A| + |B| + |C| and their bounds: how fast the value can change

@@ -14,8 +14,8 @@
 
 namespace displayfile {
 
-/// What a side of a piece lies on: an edge of its polygon, from stored point a to b, or the
-/// plane a that cut it off.
+/// The line of a piece's side: an edge of its polygon, from stored point a to b, or the plane a
+/// that cut it.
 struct SideLine {
   static constexpr std::uint32_t kCut = std::numeric_limits<std::uint32_t>::max();
   static SideLine edge(std::uint32_t from, std::uint32_t to) {
@@ -57,14 +57,14 @@ struct SideLine {
 // Planes and points are indices into the Definitions; plane kNoPlane is a line's own.
 inline constexpr std::uint32_t kNoPlane = std::numeric_limits<std::uint32_t>::max();
 
-/// Every sign is the true one, of vertices kept as what they are.
+/// Every sign is the true one, for vertices represented by their definitions.
 class Exact {
  public:
   using Vertex = DefinedPoint;
 
-  /// Along which axis a vertex off its polygon's plane counts as moved on to it: in device
-  /// coordinates along z, and then no polygon's plane may be edge-on; in world coordinates, before
-  /// viewing, along the one that the plane faces most.
+  /// The axis along which a vertex off its polygon's plane is moved onto it: in device coordinates
+  /// z, where no polygon's plane may be edge-on; in world coordinates, before viewing, the one that
+  /// the plane faces most.
   enum class Lift : std::uint8_t { along_z, along_facing_axis };
 
   explicit Exact(const Definitions& all, Lift lift = Lift::along_z) : all_(all), lift_(lift) {}
@@ -88,7 +88,7 @@ class Exact {
     const Vertex v = defined_cut(line, own, plane);
     return is_badly_known(v) ? refined(all_, v) : v;
   }
-  /// The same; nothing if what it is defined by is parallel.
+  /// The same; nothing if the defining planes or lines are parallel.
   std::optional<Vertex> cut_if_any(const Vertex&, const Vertex&, const SideLine& line,
                                    std::uint32_t own, std::uint32_t plane) const {
     const Vertex v = defined_cut(line, own, plane);
@@ -116,8 +116,8 @@ class Exact {
     if (a == c || b == c) return 0;  // polygons share vertices
     return exact_orientation(a, b, c);
   }
-  /// Mostly one of the three does, or all are far on the other side or, since polygons share
-  /// vertices, at an end: then no more is asked.
+  /// Usually one of the three does, or all are far on the other side or, since polygons share
+  /// vertices, at an end: then nothing else is evaluated.
   bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c, int way) const {
     bool one_does = false, all_do_not = true;
     for (const Point2& p : c) {
@@ -158,9 +158,9 @@ class Exact {
   Lift lift_;
 };
 
-/// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). A plane's coefficients
-/// are taken as scaled to |A| + |B| + |C| = 1 and so are a line's, so that ROUNDOFF is a length,
-/// whatever the polygon's size.
+/// The textbook's: plain doubles, and SIGNOF with ROUNDOFF (algorithm 9.13). Coefficients of planes
+/// and lines are scaled to |A| + |B| + |C| = 1, so that ROUNDOFF is a length, whatever the
+/// polygon's size.
 class Roundoff {
  public:
   using Vertex = Point3;

@@ -25,7 +25,7 @@ enum class Predicate : std::uint8_t {
 inline constexpr std::size_t kPredicates = 12;
 std::string_view name_of(Predicate predicate);
 
-/// How often a predicate's filter was undecided, and what decided then.
+/// How often a predicate's filter was undecided, by the stage that decided.
 struct StageCounts {
   std::uint64_t by_definition = 0;  ///< zero because of how the points are defined
   std::uint64_t exact = 0;          ///< the exact stage

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-// The model of arithmetic that every bound of the predicates is derived from (predicates.md,
+// The model of arithmetic from which every bound of the predicates is derived (predicates.md,
 // section 2): for finite a, b without overflow, the computed a op b is
 //   (a op b)(1 + d) + h  with |d| <= kUnit, |h| <= 2^-1074, and h = 0 for + and -.
 // kUnit is 2^-52, twice the unit of rounding to nearest, so that the bounds hold in every
@@ -17,12 +17,11 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_RADIX == 2 && DBL_MA
 
 inline constexpr double kUnit = 0x1p-52;
 
-/// Far more than what products can lose to underflow, also after the factors that follow; and
-/// not itself subnormal, which would be slow to compute with.
+/// Far more than the underflow error of products, also after the factors that follow; and not
+/// itself subnormal, which would be slow.
 inline constexpr double kTiny = 0x1p-1000;
 
-/// Pays for the rounding of a bound's own computation: up to 24 operations on numbers that
-/// are not negative.
+/// Covers the rounding of a bound's own computation: up to 24 operations on non-negative numbers.
 inline constexpr double kInflate = 1.0 + 32.0 * kUnit;
 
 constexpr int sign_of(double x) { return (x > 0.0) - (x < 0.0); }

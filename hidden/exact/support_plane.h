@@ -14,13 +14,13 @@ namespace displayfile {
 /// in the projection, first of equals. Device coordinates.
 struct SupportVertices {
   std::array<std::uint32_t, 3> index;  ///< the first is 0; all differ unless edge_on
-  bool edge_on;  ///< the three are in line in the projection: the polygon covers nothing
+  bool edge_on;  ///< the three are collinear in the projection: the polygon covers nothing
 };
 SupportVertices support_vertices(std::span<const Point3> vertices);
 
-/// Before viewing, in world coordinates, no direction is special: the first vertex, the one
+/// In world coordinates, before viewing, no direction is special: the first vertex, the one
 /// farthest from it in space, and the one farthest from the line through both, first of equals.
-/// `edge_on` then says that all vertices are in line in space, and have no plane.
+/// `edge_on` then means that all vertices are collinear in space, and have no plane.
 SupportVertices spread_vertices(std::span<const Point3> world);
 
 /// Depth over the projection, z = z0 + dz_dx (x - x0) + dz_dy (y - y0): the slides'

@@ -19,8 +19,8 @@ class WideBall {
   WideBall() = default;
   explicit WideBall(double value) : middle_{value, 0.0} {}
 
-  /// The double nearest to the value, if the ball says which it is: not if one of its ends is
-  /// rounded to another.
+  /// The double nearest to the value, if the ball decides it: nothing if its ends round
+  /// differently.
   std::optional<double> rounded() const {
     const double least = middle_.high + (middle_.low - radius_ * kInflate);
     const double most = middle_.high + (middle_.low + radius_ * kInflate);

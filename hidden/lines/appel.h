@@ -6,10 +6,10 @@
 
 namespace displayfile {
 
-/// How the counts at the lines' starts were found.
+/// How the counts at the lines' starts were found: number of lines.
 struct AppelCounts {
-  std::size_t rays = 0;     ///< by comparison with all polygons before a point
-  std::size_t carried = 0;  ///< from a line that meets it
+  std::size_t rays = 0;     ///< by comparison with all polygons in front of a point
+  std::size_t carried = 0;  ///< from a connected line
   std::size_t contour_edges = 0;
 };
 
@@ -18,7 +18,7 @@ struct AppelCounts {
 SeenLines visible_lines_by_appel(const Primitives& items, const LineTable& scene,
                                  const SurfacePlan& plan, AppelCounts* counts = nullptr);
 
-/// The same by the plain form (hidden/lines/plain_appel.h), in one thread but for the contour
+/// The same by the plain form (hidden/lines/plain_appel.h), in one thread except for the contour
 /// edges.
 SeenLines visible_lines_by_plain_appel(const Primitives& items, const LineTable& scene,
                                        const SurfacePlan& plan);

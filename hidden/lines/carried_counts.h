@@ -10,20 +10,19 @@
 
 namespace displayfile {
 
-/// A line between two vertices, with all that is known of its counts before they are: what the
-/// polygons around each vertex add immediately after its start and immediately before its end, and
-/// how much the count there is more than after its start.
+/// A line between two vertices with its relative counts: the contributions of the polygons around
+/// each vertex immediately after its start and before its end, and the change from start to end.
 struct CountedLine {
   std::uint32_t from, to;
   SideCounts star_from, star_to, change;
 };
 
-/// The counts immediately after each line's start. Around a vertex that carries, they are the same
-/// number for every line that begins or ends there, left and right, but for what the polygons
-/// around it add. It is carried along the lines from vertex to vertex, over all lines that connect;
-/// ray(line) finds the counts immediately after a line's start by comparison, once for all that
-/// connect, and for each line none of whose ends carries. Where carried counts do not add up, as
-/// can happen with ROUNDOFF, each line gets a ray. Rays are found on several threads.
+/// The counts immediately after each line's start. Around a vertex that carries, all lines that
+/// begin or end there have the same number on both sides, except for the contributions of the
+/// polygons around it. It is carried along the lines from vertex to vertex; ray(line) finds the
+/// counts after a line's start by comparison, once for each connected set and for each line with no
+/// carrying end. Where carried counts are inconsistent, as can happen with ROUNDOFF, each line gets
+/// a ray. Rays are found by several threads.
 struct CarriedCounts {
   using Ray = std::function<SideCounts(std::uint32_t line)>;
 
@@ -31,7 +30,7 @@ struct CarriedCounts {
                 const Ray& ray, int threads);
 
   std::vector<SideCounts> start;      ///< of each line
-  std::size_t rays = 0, carried = 0;  ///< lines whose counts were found in the one way or the other
+  std::size_t rays = 0, carried = 0;  ///< numbers of lines by how their counts were found
 };
 
 }  // namespace displayfile

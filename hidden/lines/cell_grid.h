@@ -14,16 +14,15 @@ namespace displayfile {
 
 class ContourEdges;
 
-/// Franklin's grid (hidden/lines/franklin.md): square cells over all that hides something, at
-/// several levels, each of cells twice as wide as those of the one before. A polygon is in the
-/// cells of one level, where it is about as large as a cell, so that it is in few. Each cell knows
-/// the depth behind which one polygon hides all of it: that of its blocking face. What lies
-/// behind that is left out.
+/// Franklin's grid (hidden/lines/franklin.md): square cells over all polygons that hide, at several
+/// levels with cell widths doubling. A polygon is in the cells of the level at which it is about as
+/// large as a cell, so that it is in few. Each cell has the depth of its blocking face, behind
+/// which one polygon hides all of it. Polygons behind that are omitted.
 class CellGrid {
  public:
   CellGrid(const LineTable& scene, int threads);
 
-  /// A polygon in a cell, and what tells that it does not hide a line.
+  /// A polygon in a cell, with bounds for quick rejection.
   struct Entry {
     float x_min, x_max, y_min, y_max, z_max;
     std::uint32_t polygon;
@@ -37,7 +36,7 @@ class CellGrid {
   struct Level : CellLayout::Size {
     std::vector<std::uint32_t> first;  // of each cell, row by row; and the end
     std::vector<Entry> entries;        // of a cell, the one that reaches nearest first
-    std::vector<float> behind;  // of each cell; empty: no cell of any level has a blocking face
+    std::vector<float> behind;         // per cell; empty: no cell of any level has a blocking face
 
     std::span<const Entry> in_cell(std::size_t cell) const {
       assert(cell < cells() && first.size() == cells() + 1);
@@ -47,25 +46,24 @@ class CellGrid {
   /// From the finest to the one that is a single cell; none if nothing hides.
   std::span<const Level> levels() const { return levels_; }
 
-  /// What covers one of a cell's points is in the cell, if it is of the level.
+  /// A polygon of the level that covers a point of a cell is in that cell.
   const CellLayout& layout() const { return layout_; }
 
-  /// The numbers of places, in order of the cells that these lie in: what lies near each other is
-  /// looked at together, while its data are at hand.
+  /// Indices of places, in order of their cells, so that nearby ones are processed together while
+  /// their data are in the cache.
   std::vector<std::uint32_t> by_cell(std::span<const Point2> places) const;
-  /// The first line of each name, by the cells where the lines begin.
+  /// The first line of each name, in order of the cells of the lines' starts.
   std::vector<std::uint32_t> lines_by_cell(const LineTable& scene) const;
 
-  /// Finds where polygons that are joined side to side cover cells together, and are before what
-  /// else is there: behind them all is hidden, as behind a blocking face
-  /// (hidden/map/visible_map.md).
+  /// Finds where polygons that share sides cover cells together in front of all else: behind them
+  /// all is hidden, as behind a blocking face (hidden/map/visible_map.md).
   void find_blocking_sheets(const LineTable& scene, const ContourEdges& contours, int threads);
 
-  /// True only if nothing is before any part of the polygon that the box is of, nor at the same
+  /// True only if nothing is in front of any part of the polygon with this box, nor at the same
   /// depth, as find_blocking_sheets found.
   bool shows(const Extent& box) const;
 
-  /// True if the box is behind the blocking faces of cells that have it all.
+  /// True if the box is behind the blocking faces of cells that contain it.
   bool hides(const Extent& box) const;
 
  private:
@@ -83,7 +81,8 @@ class CellGrid {
 
   CellLayout layout_;
   std::vector<Level> levels_;
-  std::vector<std::uint8_t> single_;  // of the finest cells: nothing before `behind` is on another
+  std::vector<std::uint8_t>
+      single_;  // per finest cell: nothing in front of `behind` overlaps another polygon
 };
 
 }  // namespace displayfile

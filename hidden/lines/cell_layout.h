@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// The cell of a place along an axis, of so many; those at the ends take what is beyond. It does
-/// not fall as the place grows.
+/// The cell of a place along an axis with this many cells; end cells include everything beyond.
+/// Monotonic.
 inline std::uint32_t cell_at(double place, std::uint32_t cells) {
   assert(cells > 0);
   if (!(place > 0.0)) return 0;
@@ -23,17 +23,17 @@ inline std::uint32_t cell_at(double place, std::uint32_t cells) {
 /// An extent in the projection.
 inline Rectangle rectangle_of(const Extent& e) { return {e.x_min, e.x_max, e.y_min, e.y_max}; }
 
-/// Where square cells lie over a rectangle, at several levels, each of cells twice as wide as those
-/// of the one before, up to a single one.
+/// The layout of square cells over a rectangle, at several levels with cell widths doubling, up to
+/// a single cell.
 class CellLayout {
  public:
   static constexpr double kMostColumns = 8192.0;
-  /// A part of a cell that is far more than rounding moves a place, and far less than matters.
+  /// A fraction of a cell, far larger than rounding errors and far too small to matter.
   static constexpr double kMargin = 0x1p-20;
 
   /// No level.
   CellLayout() = default;
-  /// Cells so wide, which make no more than kMostColumns; 0 or not finite: a single cell.
+  /// Cells of this width, at most kMostColumns; 0 or not finite: a single cell.
   CellLayout(const Rectangle& all, double cell);
 
   struct Size {
@@ -44,16 +44,15 @@ class CellLayout {
   std::span<const Size> levels() const { return levels_; }
 
   const Point2& origin() const { return origin_; }
-  double cell() const { return cell_; }  ///< how wide the finest level's are
+  double cell() const { return cell_; }  ///< width of the finest level's cells
 
-  /// A point's place in cells of the finest level. A cell (i, j) of level k has all points from i
-  /// 2^k to (i + 1) 2^k, j likewise, and some kMargin of a cell around, which pays for rounding
-  /// here.
+  /// A point in units of the finest level's cells. A cell (i, j) of level k has all points from i
+  /// 2^k to (i + 1) 2^k, j likewise, and a margin of kMargin of a cell, which covers rounding here.
   Point2 in_cells(const Point2& p) const {
     return {(p.x - origin_.x) * cells_a_unit_, (p.y - origin_.y) * cells_a_unit_};
   }
 
-  /// The cells of a level that a box has a part in.
+  /// The cells of a level that a box overlaps.
   struct Range {
     std::uint32_t left, right, bottom, top;  // the first and the last
   };
@@ -67,12 +66,12 @@ class CellLayout {
             cell_at(low.y - kMargin, rows), cell_at(high.y + kMargin, rows)};
   }
 
-  /// How many cells of the finest level a box is long.
+  /// The length of a box in cells of the finest level.
   double length_in_cells(const Rectangle& box) const {
     return cells_a_unit_ * std::max(box.x_max - box.x_min, box.y_max - box.y_min);
   }
-  /// The finest level at which what is so many of the finest's cells long is no more than `most` of
-  /// its own.
+  /// The finest level at which a length, in cells of the finest level, is at most `most` of its own
+  /// cells.
   std::size_t level_for(double cells, double most) const;
 
  private:

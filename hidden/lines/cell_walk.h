@@ -11,10 +11,11 @@
 
 namespace displayfile {
 
-/// The cells of one column that a stretch of a line goes through (or of one row, for a steep line).
+/// The cells of one column through which a stretch of a line passes (or of one row, for a steep
+/// line).
 struct CellsOfStretch {
   PartOfLine part;  ///< the stretch, as a part of the line
-  bool inside;      ///< it does not leave the grid
+  bool inside;      ///< it stays within the grid
   std::uint32_t low, high;
   std::uint32_t first, step;
 
@@ -25,9 +26,9 @@ struct CellsOfStretch {
   }
 };
 
-/// Goes along a line, whose ends are places in cells of that level, column by column if it is more
-/// level than steep and otherwise row by row, until visit(stretch) is false. The cells' borders lie
-/// at parameters that are doubles, and a stretch begins where the one before ends.
+/// Walks along a line, whose ends are in units of that level's cells, column by column, or row by
+/// row if it is steep, until visit(stretch) returns false. The cells' borders are at parameters
+/// that are doubles, and each stretch begins where the one before ends.
 template <class Visit>
 void walk_cells(const CellLayout::Size& level, const Point2& from, const Point2& to,
                 const Visit& visit) {
@@ -61,8 +62,8 @@ void walk_cells(const CellLayout::Size& level, const Point2& from, const Point2&
   }
 }
 
-/// Calls visit(cell) for the cells of that level that have a point of the line, or of a margin
-/// around it, in cells; some more than once. The line's ends are places in cells.
+/// Calls visit(cell) for the cells of that level that contain a point of the line, or of a margin
+/// around it, in cells; for some more than once. The line's ends are in units of cells.
 template <class Visit>
 void for_each_cell_near(const CellLayout::Size& level, const Point2& from, const Point2& to,
                         double margin, const Visit& visit) {

@@ -10,7 +10,7 @@
 namespace displayfile {
 
 /// The order of a surface's cells, nearest first, around the foot of the perpendicular from the
-/// eye: no triangle is before one that hides part of it.
+/// eye: no later triangle hides part of an earlier one.
 class CellsInOrder {
  public:
   explicit CellsInOrder(const GridSurface& surface)
@@ -29,7 +29,7 @@ class CellsInOrder {
   }
 
  private:
-  /// From the foot's on upward, then those below it downward.
+  /// From the foot upward, then downward below it.
   template <class Visit>
   static void outward(std::uint32_t foot, std::uint32_t end, const Visit& visit) {
     for (std::uint32_t k = foot; k < end; ++k) visit(k);
@@ -37,7 +37,7 @@ class CellsInOrder {
   }
   std::uint32_t foot_column() const;
   std::uint32_t foot_row() const;
-  /// Cells whose diagonals are in one vertical plane have one number.
+  /// A number equal for cells whose diagonals are in one vertical plane.
   std::size_t diagonal_of(std::uint32_t i, std::uint32_t j) const {
     assert(i < surface_.columns() && j < surface_.rows());
     return std::size_t{i} + surface_.rows() - j;
@@ -47,7 +47,7 @@ class CellsInOrder {
 
   const GridSurface& surface_;
   std::vector<std::uint8_t> second_first_;  // of each diagonal_of
-  std::uint32_t column_, row_;              // where cells begin that lie behind those before them
+  std::uint32_t column_, row_;              // the first cells behind those before them
 };
 
 }  // namespace displayfile

@@ -10,15 +10,15 @@
 
 namespace displayfile {
 
-/// The cells through which lines go: where lines are few, most polygons are in none of them, and
-/// hide nothing of any.
+/// The cells through which lines pass: with few lines, most polygons are in none of them and hide
+/// nothing.
 class CellsOfLines {
  public:
-  /// The names are in order, each once, and exist.
+  /// Names are sorted, unique and valid.
   CellsOfLines(const Primitives& items, std::span<const LineName> names,
                std::span<const IntersectionLine> intersections);
 
-  /// True if lines are not few, or there are none: then they come near everything.
+  /// True if lines are many, or there are none: then come_near is always true.
   bool are_everywhere() const { return with_lines_.empty(); }
   /// False only if no point of the box is on a line, in the projection.
   bool come_near(const Rectangle& box) const;
@@ -26,7 +26,7 @@ class CellsOfLines {
  private:
   struct Line {
     Point2 from, to;
-    double margin;  ///< around it
+    double margin;  ///< around the line
   };
   bool enter(const std::vector<Line>& lines, std::size_t most);
   void pass_on();

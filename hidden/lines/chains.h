@@ -10,18 +10,17 @@
 
 namespace displayfile {
 
-/// A piece of a line to be drawn. Pieces of different keys are never joined.
+/// A piece of a line to be drawn. Pieces with different keys are never joined.
 struct ChainLink {
   Point3 from, to;
   std::uint64_t key;
 };
 
-/// Pieces in the order in which a pen draws them: chain after chain, each of pieces that begin
-/// where the one before ends.
+/// Pieces in drawing order: chain after chain, each of connected pieces.
 struct Chains {
   struct Place {
     std::uint32_t piece;
-    bool reversed;  ///< drawn from its end to where it starts
+    bool reversed;  ///< drawn from its end to its start
   };
   std::vector<Place> places;         ///< each piece once
   std::vector<std::uint32_t> first;  ///< of each chain, among the places
@@ -33,10 +32,10 @@ struct Chains {
   }
 };
 
-/// Joins pieces where ends of the same key are one point, all three coordinates (0 and -0 are
-/// equal), into chains as long as can be (hidden/lines/chains.md): where two ends meet they are
-/// joined, where more do, two and two, those first that go straightest on in the projection. Chains
-/// are in order of the first of their pieces, which runs forward; a closed one begins with it.
+/// Joins pieces with ends of the same key at the same point, in all three coordinates (0 and -0 are
+/// equal), into chains as long as possible (hidden/lines/chains.md): two ends that meet are joined;
+/// more than two are paired, straightest pairs in the projection first. Chains are in order of
+/// their first pieces, which run forward; a closed chain begins with it.
 Chains chains_of(std::span<const ChainLink> pieces);
 
 }  // namespace displayfile

@@ -12,9 +12,9 @@
 
 namespace displayfile {
 
-/// The polygons whose number Appel's method keeps count of, and the edges where that number changes
-/// (hidden/lines/appel.md). Counted are those that hide and do not cross or touch themselves: each
-/// side of such a polygon has the inside on one side all along.
+/// The polygons that Appel's method counts, and the edges where the count changes
+/// (hidden/lines/appel.md). Counted are polygons that hide and do not cross or touch themselves, so
+/// that each side has the inside on one side all along.
 class ContourEdges {
  public:
   ContourEdges(const LineTable& scene, const Primitives& items, const SideTable& sides,
@@ -26,17 +26,17 @@ class ContourEdges {
     assert(item < way_.size());
     return way_[item];
   }
-  /// True if a polygon that is counted has all its corners on its support plane.
+  /// True if a counted polygon has all its corners on its support plane.
   bool is_even(std::uint32_t item) const { return uneven_.empty() || uneven_[item] == 0; }
 
-  /// A side from p to q that has so many more polygons on its left than on its right, in the
-  /// projection: those of all counted polygons that have this side.
+  /// A side from p to q with more polygons on its left than on its right, in the projection, summed
+  /// over all counted polygons with this side.
   struct Edge {
     Point3 p, q;
     std::int32_t more_on_left;  ///< not 0
   };
-  /// Calls visit(edge) for those whose boxes in the projection meet the one given and that do not
-  /// lie behind it, until it returns true: then true.
+  /// Calls visit(edge) for edges whose boxes in the projection meet the given one and that are not
+  /// behind it, until it returns true: then returns true.
   template <class Visit>
   bool any(const Extent& box, const Visit& visit) const {
     Extent before = box;
@@ -46,9 +46,9 @@ class ContourEdges {
   }
   std::size_t size() const { return edges_.size(); }
 
-  /// False only if each side of a polygon that hides is one at which the polygons that are left of
-  /// it and those right of it, as many of both, have one depth; of one side, by the corner at which
-  /// it ends.
+  /// False only if, at each side of a polygon that hides, there are equally many polygons on the
+  /// left and on the right, at the same depth; the other overload is for one side, by the corner at
+  /// which it ends.
   bool has_contour(std::uint32_t item) const { return has_contour_[item] != 0; }
   bool is_contour(std::uint32_t item, std::uint32_t corner) const {
     return way_[item] == 0 || !is_even(item) ||
@@ -57,7 +57,7 @@ class ContourEdges {
 
  private:
   std::vector<std::int8_t> way_;
-  std::vector<std::uint8_t> uneven_;  // empty: none is
+  std::vector<std::uint8_t> uneven_;  // empty: none
   std::vector<Edge> edges_;           // by position in the tree
   std::vector<std::uint8_t> has_contour_;
   std::vector<LineName> contour_sides_;  // in order

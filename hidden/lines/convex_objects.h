@@ -11,13 +11,13 @@
 
 namespace displayfile {
 
-/// Roberts's objects (hidden/lines/roberts.md): polygons that share sides, lie beside each other in
-/// the projection and have a convex outline together, as the faces that a box turns to the viewer
-/// do. Within its outline an object covers every point. All other polygons are objects by
-/// themselves, without an outline.
+/// Roberts's objects (hidden/lines/roberts.md): polygons that share sides, do not overlap in the
+/// projection and have a convex outline together, such as the visible faces of a box. An object
+/// covers every point within its outline. All other polygons are objects by themselves, without an
+/// outline.
 class ConvexObjects {
  public:
-  /// Finds those among all polygons that hide. The scene is of the items.
+  /// Finds the objects among all polygons that hide. The scene is of the items.
   ConvexObjects(const Primitives& items, const LineTable& scene);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(objects_.size()); }
@@ -26,13 +26,13 @@ class ConvexObjects {
     const Object& o = objects_[object];
     return std::span(polygons_).subspan(o.first, o.polygons);
   }
-  /// Points, counterclockwise; none of a polygon that is an object by itself.
+  /// Points, counterclockwise; empty for a single polygon.
   std::span<const std::uint32_t> outline(std::uint32_t object) const {
     assert(object < size());
     const Object& o = objects_[object];
     return std::span(outlines_).subspan(o.first_point, o.points);
   }
-  /// Around its polygons', at the depths of their planes.
+  /// Extents around the objects' polygons, with the depths of their planes.
   std::span<const Extent> extents() const { return extents_; }
 
  private:

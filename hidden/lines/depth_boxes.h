@@ -9,14 +9,14 @@
 
 namespace displayfile {
 
-/// An extent as a box of a tree that is divided in depth too.
+/// An extent as a box of a tree that is also divided in depth.
 struct DepthBox {
   Extent extent;
 
   static DepthBox nothing() { return {Extent::nothing()}; }
   void include(const DepthBox& o) { extent.include(o.extent); }
 
-  /// Twice the middle along an axis, for a BoxTree; 0 for what has no bounds, or holds nothing.
+  /// Twice the middle along an axis, for a BoxTree; 0 for unbounded and empty ones.
   static constexpr std::size_t kAxes = 3;
   double position(std::size_t axis) const {
     const auto k = static_cast<int>(axis);
@@ -61,7 +61,7 @@ struct DepthBoxes {
   std::array<std::int32_t, kBoxes> meets(const DepthBox& box) const { return meets(box.extent); }
 };
 
-/// Finds what is near something in space, and pairs that meet there, in device coordinates.
+/// Finds items near a place in space, and pairs that meet there, in device coordinates.
 using DepthTree = BoxTree<DepthBoxes>;
 template <>
 void DepthTree::build(std::size_t items, const std::function<DepthBox(Item)>& box_of, int threads);

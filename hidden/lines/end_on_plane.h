@@ -14,14 +14,14 @@
 
 namespace displayfile {
 
-/// Whether a point is on a plane but for rounding.
+/// Whether a point is on a plane up to rounding.
 enum class OnPlane : std::uint8_t { no, yes, unknown };
 
-/// The end v of a line against a plane, which is not edge-on: judged in doubles, in the display
-/// file's coordinates. As entered v is on the plane, but viewing has moved it and each of the
-/// plane's three points by up to `off` in each coordinate. So v may be off the plane by its own
-/// error, and by those of the three in the shares that they have in it, which are large far away
-/// from them. Nothing is known where they are too large, or `off` is infinite.
+/// The position of a line's end v relative to a plane, which is not edge-on: decided in doubles, in
+/// display-file coordinates. As entered v is on the plane, but viewing has moved it and each of the
+/// plane's three points by up to `off` per coordinate. So v may be off the plane by its own error
+/// plus the errors of the three points times their weights there, which are large far away from
+/// them. Unknown where these are too large or `off` is infinite.
 inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
   constexpr double kLargestShares = 0x1p20;
   const Point3 &p = plane.p, &q = plane.q, &r = plane.r, &normal = plane.normal;
@@ -36,9 +36,9 @@ inline OnPlane on_plane(const Point3& v, const Plane& plane, double off) {
   return is_on ? OnPlane::yes : OnPlane::no;
 }
 
-/// Whether a side ends at its polygon's plane but for what viewing rounds, so that it has its own
-/// ends' depth there. Where the plane is nearly edge-on, and far in depth from an end that is
-/// within reach of it, so too: the plane's depth there would be anything.
+/// True if a side's end is on its polygon's plane up to the rounding of viewing, so that it keeps
+/// its own depth there; also if the plane is nearly edge-on and far in depth from an end within
+/// reach of it, where the plane's depth would be arbitrary.
 inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, double rounding) {
   constexpr double kNearlyEdgeOn = 1024.0, kFarInDepth = 1e-9;
   if (!(rounding > 0.0)) return false;
@@ -53,9 +53,8 @@ inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, 
   return on_plane(v, Plane(plane.p, plane.q, plane.r), touching) == OnPlane::yes;
 }
 
-/// The sign of a plane's depth less that of a line's end, by where the end is as entered; nothing
-/// if the display file's coordinates tell it. `rounded` counts where what was entered is not at
-/// hand.
+/// The sign of a plane's depth minus that of a line's end, by the end as entered; nothing if the
+/// display file's coordinates decide. `rounded` is used if the entered points are unavailable.
 inline std::optional<int> sign_as_entered(EndsAsEntered::Place place, OnPlane rounded) {
   using Place = EndsAsEntered::Place;
   switch (place) {

@@ -11,21 +11,21 @@
 
 namespace displayfile {
 
-/// Where a line's ends are to a plane, as far as viewing may have rounded that to anything else:
-/// the sign of the plane's depth less the line's at each, 0 where the end is within reach of it.
-/// With both ends on the plane the line lies in it, with one it is wholly on the side of the other.
+/// The positions of a line's ends relative to a plane, where viewing may have rounded them wrongly:
+/// the sign of the plane's depth minus the line's at each, 0 if the end is within reach of it. With
+/// both ends on the plane the line lies in it, with one it is entirely on the side of the other.
 struct EndsAtPlane {
   std::optional<int> start, end;
 };
-/// Which ends of a line are corners of the polygon: there nothing needs to be said.
+/// Which ends of a line are corners of the polygon, and so on its plane.
 struct EndsAtCorners {
   bool start = false, end = false;
 };
 
-/// A line's ends, as they were viewed and not moved on to its polygon's plane, and the plane of
-/// another polygon, which is not edge-on. In doubles, by LineTable::touching, which what is within
-/// reach does not exceed; then by what was entered, where that is at hand. An intersection lies in
-/// the planes of its own polygons alone.
+/// For a line's ends as viewed, not moved onto its polygon's plane, and the plane of another
+/// polygon, which is not edge-on. In doubles, by LineTable::touching, which bounds the distance of
+/// points within reach; then by the points as entered, if available. An intersection line lies only
+/// in the planes of its own polygons.
 inline EndsAtPlane ends_at_plane(const LineTable& scene, const LineTable::Line& line,
                                  std::uint32_t polygon, const Plane& plane,
                                  const EndsAtCorners& corners) {
@@ -40,7 +40,7 @@ inline EndsAtPlane ends_at_plane(const LineTable& scene, const LineTable::Line& 
   };
   const OnPlane start = in_doubles(line.a, corners.start), end = in_doubles(line.b, corners.end);
   if (start == OnPlane::no && end == OnPlane::no) return {};
-  // The depths of sides of polygons that are close to each other are their planes', with rests.
+  // Sides of polygons that are close to each other have their planes' depths, with rests.
   const bool planes_tell =
       !plane.is_plain() && line.own != LineTable::kNone && scene.has_rests(line.own);
   const auto sign = [&](OnPlane rounded, EndsAsEntered::Place place) -> std::optional<int> {

@@ -11,13 +11,13 @@
 
 namespace displayfile {
 
-/// Tells in a few operations that a point is far from a polygon's plane: farther than what touches
-/// may be, by far more than rounding. Around each vertex of a mesh most polygons are.
+/// Detects in a few operations that a point is far from a polygon's plane, beyond the touching
+/// distance by far more than rounding. Most polygons are far from each vertex of a mesh.
 class FarPlanes {
  public:
   explicit FarPlanes(const LineTable& scene, int threads);
 
-  /// A point of the scene and the plane of one of its polygons. False if it is not known.
+  /// For a point of the scene and the plane of one of its polygons. False if unknown.
   bool is_far(std::uint32_t item, const Point3& v) const {
     assert(item < planes_.size());
     const PlaneInDoubles& plane = planes_[item];
@@ -31,7 +31,7 @@ class FarPlanes {
     double offset = 0.0;
     double tolerance = std::numeric_limits<double>::infinity();
   };
-  std::vector<PlaneInDoubles> planes_;  // none of a scene in which nothing touches
+  std::vector<PlaneInDoubles> planes_;  // empty if nothing touches
 };
 
 }  // namespace displayfile

@@ -5,7 +5,8 @@
 namespace displayfile {
 
 /// The visible pieces by Franklin's method (hidden/lines/franklin.md): a grid of cells, in which a
-/// line is compared with what is near to it and not behind a blocking face. The method for use.
+/// line is compared with nearby polygons that are not behind a blocking face. The recommended
+/// method.
 SeenLines visible_lines_by_franklin(const Primitives& items, const LineTable& scene,
                                     const SurfacePlan& plan);
 

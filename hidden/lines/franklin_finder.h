@@ -11,7 +11,7 @@
 
 namespace displayfile {
 
-/// Is told of nothing: what stands for an observer where there is none, and costs nothing.
+/// Null observer; compiles to nothing.
 struct FranklinUnobserved {
   static void all_blocked() {}
   static void cells(std::size_t /*level*/, const CellsOfStretch& /*stretch*/) {}
@@ -19,9 +19,9 @@ struct FranklinUnobserved {
   static void compared(std::uint32_t /*polygon*/) {}
 };
 
-/// Finds what is hidden of one line after the other, cell by cell along each. An Observer is told
-/// that blocking faces hide all of a line; or of the stretches of it that are looked at, level by
-/// level: that blocking faces hide one, or what polygons the line is compared with there.
+/// Finds the hidden parts of lines one by one, cell by cell along each. An Observer is notified
+/// when blocking faces hide a whole line; otherwise, for its stretches level by level, when
+/// blocking faces hide one, or which polygons the line is compared with there.
 template <class Policy, class Observer = FranklinUnobserved>
 class Franklin {
  public:
@@ -52,8 +52,7 @@ class Franklin {
   }
 
  private:
-  /// A part of the line that lies in one column of cells (or one row of a steep line), and the
-  /// depths that bound it.
+  /// A part of the line in one column of cells (or one row for a steep line), and its depth bounds.
   struct Stretch {
     PartOfLine part;
     double nearest, farthest;
@@ -72,8 +71,7 @@ class Franklin {
     }
   }
 
-  /// What is hidden between two borders of cells ends at them or at a true end: no end is made
-  /// here.
+  /// Hidden parts between two cell borders end at them or at true ends: no new ends are made here.
   void walk(const CellGrid::Level& level, double scale) {
     walk_cells(level, from_ * scale, to_ * scale, [&](const CellsOfStretch& cells) {
       find_hidden(level, stretch(cells.part), cells);
@@ -124,9 +122,8 @@ class Franklin {
   Point2 from_{0.0}, to_{0.0};
   double depth_from_ = 0.0, depth_to_ = 0.0;
   bool by_plane_ = false;
-  std::vector<std::uint32_t>
-      looked_at_;             // of each polygon, the last line that it was compared with
-  std::uint32_t number_ = 0;  // of the line
+  std::vector<std::uint32_t> looked_at_;  // per polygon, the last line compared with it
+  std::uint32_t number_ = 0;              // of the line
   [[no_unique_address]] Observer observer_;
 };
 

@@ -15,10 +15,10 @@ namespace displayfile {
 /// enters them.
 class GridSurface {
  public:
-  /// Throws Error unless the polygons of the items are the solid triangles of one surface, none of
-  /// them clipped or left out; the message names a method that draws what they are.
+  /// Throws Error unless the items' polygons are the solid triangles of one surface, none clipped
+  /// or omitted; the message names an alternative method.
   explicit GridSurface(const Primitives& items);
-  /// The surface, or nothing if they are not.
+  /// The surface, or nothing if the items are not one.
   static std::optional<GridSurface> of(const Primitives& items);
 
   const HomogeneousPoint& upward() const { return mark_.upward; }
@@ -43,7 +43,7 @@ class GridSurface {
   std::uint32_t sides() const { return diagonal(0, rows()); }
 
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// The side that ends at that corner of a polygon of the items; kNone if it is not the surface's.
+  /// The side that ends at this corner of an item's polygon; kNone if it is not the surface's.
   std::uint32_t side(std::uint32_t item, std::uint32_t corner) const;
   /// The item that is the triangle of that cell with the corner (i + 1, j); the next is the other.
   std::uint32_t first_triangle(std::uint32_t i, std::uint32_t j) const {
@@ -62,7 +62,7 @@ class GridSurface {
 
  private:
   GridSurface() = default;
-  /// Nothing, or what is wrong with it.
+  /// Returns an error message, or empty.
   std::string take(const Primitives& items);
   bool take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j);
   static bool is_solid_triangle(const Primitives& items, std::uint32_t number);

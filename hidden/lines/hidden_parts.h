@@ -11,13 +11,13 @@ struct PartOfLine {
   double from, to;
 };
 
-/// True if the parts are in order, and none touches the next.
+/// True if the parts are sorted and do not touch.
 [[maybe_unused]] inline bool are_united(const std::vector<PartOfLine>& parts) {
   const auto touch = [](const PartOfLine& p, const PartOfLine& q) { return !(p.to < q.from); };
   return std::ranges::adjacent_find(parts, touch) == parts.end();
 }
 
-/// The parts in order, those that overlap or touch as one. To unite them again changes nothing.
+/// Sorts the parts and merges overlapping or touching ones. Idempotent.
 inline void unite(std::vector<PartOfLine>& parts) {
   if (parts.size() < 2) return;
   std::ranges::sort(parts, {}, &PartOfLine::from);
@@ -32,7 +32,7 @@ inline void unite(std::vector<PartOfLine>& parts) {
   parts.resize(last + 1);
 }
 
-/// Adds to `common` what both have; both are united. Which comes first changes nothing.
+/// Adds the intersection of both, which are united, to `common`. Symmetric.
 inline void intersect(const std::vector<PartOfLine>& one, const std::vector<PartOfLine>& other,
                       std::vector<PartOfLine>& common) {
   assert(are_united(one) && are_united(other));
@@ -44,9 +44,8 @@ inline void intersect(const std::vector<PartOfLine>& one, const std::vector<Part
   }
 }
 
-/// What is covered by nearer polygons of a line: left of it, right of it, and on both its sides at
-/// once. A point is hidden where there is something on the left and something on the right, of
-/// the same polygon or not.
+/// The parts of a line covered by nearer polygons: on its left, on its right, and on both sides at
+/// once. A point is hidden where both sides are covered, by the same polygon or not.
 class HiddenParts {
  public:
   void clear() {
@@ -62,11 +61,11 @@ class HiddenParts {
   void add_left(const PartOfLine& part) { left_.push_back(part); }
   void add_right(const PartOfLine& part) { right_.push_back(part); }
 
-  /// True if a part is known to be hidden: by what covers both sides.
+  /// True if the part is known to be hidden by covers of both sides.
   bool hides(const PartOfLine& part) const {
     if (reaches_ >= part.to) return true;
     double from = std::max(part.from, reaches_);
-    // What was added in any order is followed as far as it leads.
+    // Follows parts added in any order as far as they connect.
     for (bool further = true; further && from < part.to;) {
       further = false;
       for (const PartOfLine& hidden : both_) {

@@ -11,25 +11,24 @@ namespace displayfile {
 
 class LineTable;
 
-/// A part of a line along which two solid polygons pass through each other. Device coordinates.
+/// A segment along which two solid polygons intersect. Device coordinates.
 struct IntersectionLine {
   std::uint32_t item_a, item_b;  ///< a was entered before b
-  /// Its ends, the one that is lower by x, then y, first. They are kept as what they are, of
-  /// Definitions of the items' points and two planes, the support planes of a and of b; `near` has
-  /// each coordinate rounded once, to the nearest double. Different in the projection, also so.
+  /// Its ends, the lower one by x, then y, first. They are exact, as Definitions of the items'
+  /// points and two planes, the support planes of a and b; `near` has each coordinate rounded once,
+  /// to the nearest double. Distinct in the projection, also when rounded.
   DefinedPoint from, to;
-  /// Where it is drawn: the rounded ends. An end on a side of a polygon that is not flat is drawn
-  /// where that side, as it was entered, meets the other's plane: there the lines of all polygons
-  /// that share the side end.
+  /// The ends as drawn, rounded. An end on a side of a non-planar polygon is drawn where that side,
+  /// as entered, meets the other's plane: there the lines of all polygons that share the side end.
   Point3 start, end;
 };
 
-/// Where solid polygons pass through each other (hidden/lines/intersection_lines.md has the
-/// definition): in order of item_b, item_a, and of places along the line that both planes have in
-/// common. Edge-on polygons have none. Exact; the same for any number of threads.
+/// The segments along which solid polygons intersect (hidden/lines/intersection_lines.md has the
+/// definition): in order of item_b, item_a, and position on the common line of both planes. Edge-on
+/// polygons have none. Exact; independent of the number of threads.
 std::vector<IntersectionLine> intersection_lines(const Primitives& items, int threads = 1);
 
-/// What is kept of an intersection line's ends.
+/// The form of an intersection line's ends.
 enum class IntersectionEnds {
   rounded,  ///< to be drawn: `near` is rounded once; lines whose ends are rounded alike are left
             ///< out, and those of polygons that share a side

@@ -9,22 +9,22 @@
 
 namespace displayfile {
 
-/// The items that come near some lines, in the projection: where lines are few, most items
-/// hide nothing of any, and no tables are made for them. Otherwise all.
+/// The items near some lines, in the projection: with few lines, most items hide nothing, and no
+/// tables are made for them. With many lines, all items.
 class ItemsNearLines {
  public:
-  /// The names are in order, each once. Throws Error for one that names no line. What is given must
+  /// Names are sorted and unique. Throws Error for one that names no line. The arguments must
   /// outlive this.
   ItemsNearLines(const Primitives& items, std::span<const LineName> names,
                  std::span<const IntersectionLine> intersections, int threads);
 
-  /// Those near: the same points, and the items that the lines are of among them.
+  /// The near items, with the same points, including the lines' own items.
   const Primitives& items() const { return items_; }
   /// The lines, by their items' numbers here.
   std::span<const LineName> names() const { return names_; }
   std::span<const IntersectionLine> intersections() const { return intersections_; }
 
-  /// What is seen of the lines, by the numbers that the items had.
+  /// The visible parts with the items' original indices.
   SeenLines by_all_items(SeenLines seen) const;
 
  private:
@@ -33,7 +33,7 @@ class ItemsNearLines {
   Primitives items_;
   std::span<const LineName> names_;
   std::span<const IntersectionLine> intersections_;
-  // Empty where all items are near.
+  // Empty if all items are near.
   std::vector<std::uint32_t> number_;  // that an item had
   std::vector<Primitives::Item> own_items_;
   std::vector<Primitives::PlanePoints> own_planes_;

@@ -16,9 +16,9 @@
 
 namespace displayfile {
 
-/// One line against one polygon that may hide it: Roberts's question, a hidden end, a hidden
-/// middle, both, or none, asked apart of what is left of the line and of what is right of it
-/// (hidden/lines/roberts.md). Keeps what it works with, so that nothing is allocated per polygon.
+/// Compares one line with one polygon that may hide it: Roberts's cases, a hidden end, a hidden
+/// middle, both, or none, separately for the left and the right of the line
+/// (hidden/lines/roberts.md). Reuses its memory, so that nothing is allocated per polygon.
 template <class Policy>
 class LineAgainstPolygon {
  public:
@@ -36,17 +36,17 @@ class LineAgainstPolygon {
   }
 
   const DepthLine& line() const { return line_; }
-  /// The point is on the line looked at, for a corner of a polygon.
+  /// True if a polygon's corner counts as on the line.
   bool is_near(const Point3& p) const { return near_.has(p); }
-  /// True if the polygon's plane is nearer all along the line but for one of its ends, maybe.
+  /// True if the polygon's plane is nearer along the whole line, except possibly at one end.
   bool is_behind(std::uint32_t polygon) const {
     const Plane plane = scene_.plane(polygon);
     const auto [at_a, at_b] = nearer_at_ends(polygon, plane, {});
     return at_a >= 0 && at_b >= 0 && at_a + at_b > 0;
   }
 
-  /// Adds what the polygon, one that hides, covers along the line looked at, to HiddenParts or what
-  /// takes the same; true if it covers both sides of a part.
+  /// Adds the parts of the line that the polygon, which hides, covers, to HiddenParts or an
+  /// equivalent; true if it covers both sides of a part.
   template <class Parts>
   bool hide(std::uint32_t polygon, Parts& parts) {
     assert(scene_.hides(polygon));
@@ -69,7 +69,7 @@ class LineAgainstPolygon {
   }
 
  private:
-  /// Neither polygon hides it, since both are as near.
+  /// For an intersection line: neither of its polygons hides it.
   void look_at(const IntersectionLine& line) {
     own_ = line.item_a;
     other_ = line.item_b;
@@ -79,8 +79,8 @@ class LineAgainstPolygon {
     near_ = {};
   }
 
-  /// Finds the sides of the line that the polygon's vertices are on; false if it covers nothing
-  /// along it, since all of them are on one side, but for one vertex on the line at most.
+  /// Finds on which sides of the line the polygon's vertices are; false if it covers nothing along
+  /// it because all are on one side, except for at most one on the line.
   bool reaches_over(std::uint32_t polygon) {
     const std::uint32_t sides = scene_.sides(polygon);
     side_.resize(sides);
@@ -114,8 +114,8 @@ class LineAgainstPolygon {
     return {nearer(corners.start, at.start, line_.a), nearer(corners.end, at.end, line_.b)};
   }
 
-  /// Where the line, whose ends are on different sides of the plane, meets it. Close to a plane
-  /// rounding may have put both on one side: then at the end that is closer.
+  /// The parameter where the line, whose ends are on different sides of the plane, meets it. Close
+  /// to a plane rounding may have put both on one side: then the closer end.
   double meeting(const Plane& plane) const {
     const int at_a = policy_.nearer(line_, line_.a, plane);
     const int at_b = policy_.nearer(line_, line_.b, plane);
@@ -124,7 +124,7 @@ class LineAgainstPolygon {
     return off(line_.a) <= off(line_.b) ? 0.0 : 1.0;
   }
 
-  /// Neighbours in a mesh share points, at which they have one depth.
+  /// Notes shared points, at which neighbours in a mesh have the same depth.
   void note_end(std::uint32_t polygon, std::uint32_t k) {
     if (line_.plane != nullptr || line_.common != nullptr) return;
     if (scene_.is_uneven_at(polygon, k)) return;
@@ -132,10 +132,9 @@ class LineAgainstPolygon {
     b_is_corner_ |= scene_.corner(polygon, k) == line_.b;
   }
 
-  /// Where the polygon's boundary crosses the lines close by, one left of this line and one right
-  /// of it, in order. Between the first and the second they are inside, between the third and the
-  /// fourth, and so on (even-odd). A side crosses the one on the left if just one of its ends is
-  /// left of the line.
+  /// The crossings of the polygon's boundary with the lines infinitely close on the left and on the
+  /// right, sorted. The polygon covers them between the first and second, third and fourth, and so
+  /// on (even-odd). A side crosses the left one if exactly one of its ends is left of the line.
   void find_crossings(std::uint32_t polygon) {
     left_.clear();
     right_.clear();
@@ -157,7 +156,7 @@ class LineAgainstPolygon {
     if (right_.size() > 1) std::ranges::sort(right_);
   }
 
-  /// Where a corner is that is on the line.
+  /// The parameter of a corner on the line.
   double place(std::uint32_t corner, const Point2& p) const {
     return is_near_[corner] != 0 ? near_.place(p) : policy_.at_point(line_, p);
   }

@@ -15,9 +15,9 @@
 
 namespace displayfile {
 
-/// Quantitative invisibility at a point of a line, or a change of it: how many polygons that are
-/// counted are strictly nearer there and cover the points immediately left of the line, and how
-/// many those right of it.
+/// Quantitative invisibility at a point of a line, or a change of it: how many counted polygons are
+/// strictly nearer there and cover the points immediately left of the line, and immediately right
+/// of it.
 struct SideCounts {
   std::int32_t left = 0, right = 0;
 
@@ -33,19 +33,19 @@ struct SideCounts {
   }
   friend SideCounts operator+(SideCounts a, const SideCounts& b) { return a += b; }
   friend SideCounts operator-(SideCounts a, const SideCounts& b) { return a -= b; }
-  /// As they are of the line that runs the other way.
+  /// The counts of the reversed line.
   SideCounts reversed() const { return {right, left}; }
   bool operator==(const SideCounts&) const = default;
 };
 
-/// A change of the counts at a parameter of a line, the true one rounded once.
+/// A change of the counts at a parameter of a line, rounded once.
 struct CountChange {
   double at;
   SideCounts by;
 };
 
-/// What polygons that are counted, and their sides, do to the counts of one line, whose depth is
-/// its own ends' (hidden/lines/appel.md).
+/// The effect of counted polygons and their sides on the counts of one line, which has the depth of
+/// its own ends (hidden/lines/appel.md).
 template <class Policy>
 class LineCounts {
  public:
@@ -58,8 +58,8 @@ class LineCounts {
     near_ = {a, b, scene_.off_lines()};
   }
 
-  /// The change where the line passes behind a side from p to q that has so many more polygons on
-  /// its left than on its right: true if it does, between its ends.
+  /// The change where the line passes behind a side from p to q with this many more polygons on its
+  /// left than on its right: true if it does, between its ends.
   bool passes_behind(const Point3& p, const Point3& q, std::int32_t more_on_left,
                      CountChange& change) const {
     Crossing at{};
@@ -67,11 +67,11 @@ class LineCounts {
            passes_behind(at, more_on_left, change);
   }
 
-  /// Whether the point is not on the line, and is taken for one that is where the line is compared
-  /// with polygons (hidden/lines/near_line.h).
+  /// True if the point is not on the line but counts as on it in comparisons with polygons
+  /// (hidden/lines/near_line.h).
   bool is_taken_for_on_line(const Point3& p) const { return near_.has(p) && turn(p) != 0; }
 
-  /// Whether the line is a side of the polygon. Then the polygon is not counted along it.
+  /// True if the line is a side of the polygon, which is then not counted along it.
   bool is_side_of(std::uint32_t polygon) const {
     const std::uint32_t sides = scene_.sides(polygon);
     const Point3* p = &scene_.corner(polygon, sides - 1);
@@ -83,7 +83,8 @@ class LineCounts {
     return false;
   }
 
-  /// What a polygon is of the counts immediately after the line's start, by comparison: 0 or 1.
+  /// A polygon's contribution to the counts immediately after the line's start, by comparison: 0 or
+  /// 1.
   SideCounts after_start(std::uint32_t polygon) const {
     SideCounts covered;
     if (is_side_of(polygon)) return covered;
@@ -97,7 +98,7 @@ class LineCounts {
     return is_nearer ? covered : SideCounts{};
   }
 
-  /// The same as after_start of a polygon that has a corner where the line starts.
+  /// The same as after_start, for a polygon with a corner at the line's start.
   SideCounts after_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const SideCounts covered = in_corner(polygon, corner);
     if (covered == SideCounts{} || is_side_of(polygon)) return {};
@@ -107,7 +108,7 @@ class LineCounts {
     return nearer > 0 ? covered : SideCounts{};
   }
 
-  /// Whether the polygon may cover anything immediately beside the line: not if all its corners are
+  /// True if the polygon may cover anything immediately beside the line: not if all its corners are
   /// on one side of it, or all but one, which is on it.
   bool reaches_over(std::uint32_t polygon) const {
     const Point2 a(line_.a), b(line_.b);
@@ -122,9 +123,9 @@ class LineCounts {
     return left + right + 1 < sides;
   }
 
-  /// Whether what is counted of an even polygon may be wrong for the line looked at: its plane
-  /// passes between the line's ends, or rounding has decided, wrongly, on which side of it an end
-  /// is. At a corner they have one depth.
+  /// True if the count of an even polygon may be wrong for this line: its plane passes between the
+  /// line's ends, or rounding has put an end on the wrong side of it. At a corner they have the
+  /// same depth.
   bool is_doubtful(const LineTable::Line& line, std::uint32_t polygon,
                    const EndsAtCorners& corners) const {
     const bool may_touch = scene_.touching() > 0.0;
@@ -146,9 +147,9 @@ class LineCounts {
     return at_a != 0 && policy_.nearer(line_, line_.b, plane) == -at_a;
   }
 
-  /// Adds what is wrong in the changes where the line passes behind the polygon's sides, and in the
-  /// count at its start, by comparison of `depths`, the line with a depth that may be another.
-  /// Returns what is wrong in the count at the line's end.
+  /// Adds corrections to the changes where the line passes behind the polygon's sides, and to the
+  /// count at its start, by comparison of `depths`, the line with a possibly different depth.
+  /// Returns the correction of the count at the line's end.
   SideCounts correct(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
                      std::vector<CountChange>& changes) const {
     SideCounts start, end, passed;
@@ -165,7 +166,7 @@ class LineCounts {
         changes.push_back({change.at, SideCounts{} - change.by});
       }
     });
-    // In a mesh most of those that meet the line continued do not meet the line.
+    // In a mesh most polygons that meet the extended line do not meet the line.
     if (!crosses && start == SideCounts{} && end == SideCounts{}) return {};
     const Plane plane = scene_.plane(polygon);
     const int at_a = policy_.nearer(line_, line_.a, plane);
@@ -177,7 +178,7 @@ class LineCounts {
     return end - start - passed;
   }
 
-  /// Adds the changes that a polygon makes that is not counted, by comparison of `depths`.
+  /// Adds the changes due to an uncounted polygon, by comparison of `depths`.
   static void compare(std::uint32_t polygon, LineAgainstPolygon<Policy>& depths,
                       std::vector<CountChange>& changes) {
     AsChanges covered{changes};
@@ -185,7 +186,7 @@ class LineCounts {
   }
 
  private:
-  /// Takes covered parts as changes of the counts.
+  /// Converts covered parts to changes of the counts.
   struct AsChanges {
     std::vector<CountChange>& changes;
 
@@ -198,12 +199,12 @@ class LineCounts {
     void add_right(const PartOfLine& part) { add(part, {0, 1}); }
   };
 
-  /// A side of a polygon that crosses the line close by on the left, that on the right, or both:
-  /// seen along the line it runs from left to right.
+  /// A side of a polygon that crosses the line infinitely close on the left, on the right, or both:
+  /// oriented from left to right of the line.
   struct Crossing {
     Point2 p, q;
     const Point3 *from, *to;
-    int at_p, at_q;  // which side of the line they are on
+    int at_p, at_q;  // sides of the line
     bool on_left, on_right;
     bool turned;  // the side itself runs from right to left
   };
@@ -242,8 +243,8 @@ class LineCounts {
     }
   }
 
-  /// Whether the line reaches the crossing not after its start; and before its end. Along the line
-  /// it is first right of a side that it crosses, then left.
+  /// Whether the crossing is at or before the line's start; and before its end. Along the line, it
+  /// is first right of a side that it crosses, then left.
   bool is_before_start(const Crossing& at) const {
     return policy_.turn(at.p, at.q, Point2(line_.a)) >= 0;
   }
@@ -266,14 +267,14 @@ class LineCounts {
     return true;
   }
 
-  /// Whether the polygon's corner, at the line's start, has the line's left and right in it.
+  /// Whether the polygon's corner at the line's start contains the line's left and right.
   SideCounts in_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const std::uint32_t sides = scene_.sides(polygon);
     std::uint32_t before = previous_corner(corner, sides);
     std::uint32_t after = next_corner(corner, sides);
     if (contours_.way(polygon) < 0) std::swap(before, after);
     const Point2 at(line_.a), along(line_.b);
-    // The corner's inside is passed through counterclockwise from p to q.
+    // The corner's inside runs counterclockwise from p to q.
     const Point2 p(scene_.corner(polygon, after)), q(scene_.corner(polygon, before));
     const int from_p = policy_.turn(at, p, along), from_q = policy_.turn(at, q, along);
     if (from_p == 0 && direction_by_x(at, p) == direction_by_x(at, along)) return {1, 0};

@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// Where a line that is named starts and ends: the item's own points.
+/// The two ends of a named line: the item's own points.
 struct LineEnds {
   Point3 from, to;
 
@@ -21,7 +21,7 @@ struct LineEnds {
     to = points[line.corner];
   }
 
-  /// The point at that share of the way, rounded; 0 and 1 are the ends themselves.
+  /// The point at this fraction of the way, rounded; 0 and 1 are the ends themselves.
   Point3 at(double share) const {
     assert(0.0 <= share && share <= 1.0);
     if (share == 0.0) return from;

@@ -18,17 +18,18 @@
 
 namespace displayfile {
 
-/// Nothing is carried over a vertex with more corners around it, which each line there would ask.
+/// Counts are not carried over a vertex with more corners around it, since each line there would
+/// examine them all.
 inline constexpr std::size_t kLargestStar = 64;
 
-/// A scene as Appel's method looks at it (hidden/lines/appel.md), on all threads.
+/// A scene's tables for Appel's method (hidden/lines/appel.md), shared by all threads.
 struct AppelTables {
   const LineTable& lines;
   SideTable sides;
   ContourEdges contours;
   LineVertices vertices;
   FarPlanes far_planes;
-  DepthTree counted;    ///< the polygons that are counted, as boxes around all they have
+  DepthTree counted;    ///< counted polygons, as boxes around them
   ExtentTree compared;  ///< the others that hide
 
   AppelTables(const Primitives& items, const LineTable& scene, int threads)
@@ -51,7 +52,7 @@ struct AppelTables {
     if (any) compared = extent_tree(others, threads);
   }
 
-  /// The box around a polygon, at the depths of its plane and at those of its corners.
+  /// The box around a polygon, with the depths of its plane and of its corners.
   Extent box_of(std::uint32_t polygon) const {
     Extent box = lines.extent(polygon);
     if (contours.is_even(polygon)) return box;
@@ -59,27 +60,26 @@ struct AppelTables {
     return box;
   }
 
-  /// Calls visit(polygon) for those that are counted and whose boxes meet this one, until it
-  /// returns true: then true.
+  /// Calls visit(polygon) for counted polygons whose boxes meet this one, until it returns true:
+  /// then returns true.
   template <class Visit>
   bool any_counted(const Extent& box, const Visit& visit) const {
     return counted.any([&](const DepthBoxes& boxes) { return boxes.meets(box); },
                        [&](DepthTree::Position at) {
-                         // A box without bounds meets those that hold nothing, too.
+                         // An unbounded box meets empty ones, too.
                          const std::uint32_t polygon = counted.order()[at];
                          return contours.way(polygon) != 0 && visit(polygon);
                        });
   }
 };
 
-/// Where the changes along a line are: among those that were found together; and the number of its
-/// start's counts.
+/// The range of a line's changes among those found together; and the index of its start's counts.
 struct ChangesOfLine {
   std::uint32_t found, from, to, start;
-  bool is_near = false;  ///< a contour's corner, but not on it: it is to be compared with all
+  bool is_near = false;  ///< near a contour's corner, but not on it: must be compared with all
 };
 
-/// Finds what changes the counts along lines, and what their vertices' stars add to them.
+/// Finds the changes of the counts along lines, and the contributions of their vertices' stars.
 template <class Policy>
 class LineFollower {
  public:
@@ -90,8 +90,8 @@ class LineFollower {
         counts_(scene.lines, scene.contours, scene.far_planes, policy),
         depths_(scene.lines, policy) {}
 
-  /// Whether the counts are carried over a vertex: no contour edge passes before it, and nothing
-  /// touches it but its star.
+  /// True if counts are carried over a vertex: no contour edge passes in front of it, and only its
+  /// star touches it.
   bool carries(std::uint32_t vertex) const {
     if (scene_.vertices.star(vertex).size() > kLargestStar) return false;
     const Point3& v = lines_.point(vertex);
@@ -113,8 +113,8 @@ class LineFollower {
   }
 
   /// Follows the line of one name, lines()[first] and those after it, one for each of its depths.
-  /// Adds the changes along each. What is carried is the count at the depth of the line's own ends,
-  /// which need not be one that the line has.
+  /// Adds the changes along each. The carried count is that at the depth of the line's own ends,
+  /// which may not be one of its depths.
   CountedLine follow(std::size_t first, std::span<const std::uint8_t> carries,
                      std::vector<CountChange>& changes, std::span<ChangesOfLine> of_depths) {
     const LineTable::Line& line = lines_.lines()[first];
@@ -181,7 +181,7 @@ class LineFollower {
     return false;
   }
 
-  /// Whether the point is on the segment in the projection.
+  /// True if the point is on the segment in the projection.
   bool is_between(const Point2& v, const Point2& p, const Point2& q) const {
     const bool in_box = std::min(p.x, q.x) <= v.x && v.x <= std::max(p.x, q.x) &&
                         std::min(p.y, q.y) <= v.y && v.y <= std::max(p.y, q.y);
@@ -190,7 +190,7 @@ class LineFollower {
 
   enum class Place : std::uint8_t { outside, on_side, inside };
 
-  /// Where the point is, in the projection.
+  /// The point's position relative to the polygon, in the projection.
   Place place_in(std::uint32_t polygon, const Point2& v) const {
     const std::uint32_t sides = lines_.sides(polygon);
     bool inside = false;
@@ -205,7 +205,7 @@ class LineFollower {
     return inside ? Place::inside : Place::outside;
   }
 
-  /// What the star of the vertex where the line starts adds.
+  /// The contribution of the star of the vertex where the line starts.
   SideCounts star(std::uint32_t vertex) const {
     SideCounts all;
     for (const auto& [item, corner] : scene_.vertices.star(vertex)) {
@@ -214,7 +214,7 @@ class LineFollower {
     return all;
   }
 
-  /// Notes the changes where the line passes behind contour edges; returns all of them together.
+  /// Records the changes where the line passes behind contour edges; returns their sum.
   SideCounts pass_contours(const Extent& box) {
     passed_.clear();
     is_near_ = false;
@@ -232,16 +232,15 @@ class LineFollower {
     return all;
   }
 
-  /// As LineCounts::is_doubtful, of a line between these points.
+  /// As LineCounts::is_doubtful, for a line between these points.
   bool is_doubtful(const LineTable::Line& line, const Point3& a, const Point3& b,
                    std::uint32_t polygon) const {
     return counts_.is_doubtful(line, polygon, {has_corner(polygon, a), has_corner(polygon, b)});
   }
 
-  /// Finds the polygons that are near the line in space, which are in the box, and reach over it:
-  /// those that may not be nearer all along its own ends' depth, or farther, or whose plane it
-  /// touches; if it has other depths, all; and those that have it as a side and may have another
-  /// depth.
+  /// Finds the polygons in the box that may cover the line and are near it in space: those that may
+  /// be neither nearer nor farther along all of its own ends' depth, or whose plane it touches; if
+  /// it has other depths, all; and those with the line as a side that may have another depth.
   void find_near(const LineTable::Line& line, const Extent& box, bool has_other_depths) {
     const Point3 &a = lines_.point(line.a), &b = lines_.point(line.b);
     near_.clear();
@@ -260,8 +259,8 @@ class LineFollower {
     });
   }
 
-  /// Adds what the contour edges that the line passes behind leave out at one of its depths.
-  /// Returns what they leave out of the count at its end.
+  /// Adds corrections for the contour edges at one of the line's depths. Returns the correction of
+  /// the count at its end.
   SideCounts correct(const LineTable::Line& line, std::vector<CountChange>& changes) {
     const std::vector<std::uint32_t>& polygons = line.by_plane ? near_ : doubtful_;
     SideCounts all;

@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-/// A line as it is looked at: its ends, and whose depth it has along itself.
+/// A line under examination: its ends, and the source of its depth.
 struct DepthLine {
   Point3 a, b;
   const Plane* plane;  ///< null: its own ends' depth, and linear between them
@@ -15,7 +15,7 @@ struct DepthLine {
   const CommonLine* common = nullptr;
 };
 
-// What the hidden-line methods ask of a precision policy, with the same members of both:
+// Operations of a precision policy for the hidden-line methods, with the same members in both:
 //
 //   turn(a, b, c)                 1 if c is left of a to b in the projection, -1, 0
 //   side(line, c)                 the side of the line that c is on: 1, -1, or 0 on it
@@ -67,7 +67,7 @@ class ExactLines {
   }
 
  private:
-  /// Neighbours in a mesh share points: then no more is asked.
+  /// Neighbours in a mesh share points: then nothing else is evaluated.
   static int side(const Point3& v, const Plane& plane) {
     const auto [value, bound] = plane_value(v, plane);
     if (std::abs(value) > bound) [[likely]]
@@ -82,8 +82,8 @@ class ExactLines {
   Exact exact_;
 };
 
-/// The textbook's: doubles decide, and depths no farther apart than ROUNDOFF are equal. Of an
-/// intersection the rounded ends are taken.
+/// The textbook's: doubles decide, and depths within ROUNDOFF are equal. Intersection lines have
+/// their rounded ends.
 class RoundoffLines {
  public:
   RoundoffLines(const Definitions& all, double part) : roundoff_(Roundoff::relative(all, part)) {}
@@ -118,7 +118,7 @@ class RoundoffLines {
   static double turned(const Point2& p, const Point2& q, const Point2& v) {
     return (q.x - p.x) * (v.y - p.y) - (q.y - p.y) * (v.x - p.x);
   }
-  /// Where a value is 0 that is linear along the line; 0 if it is nowhere.
+  /// The zero of a value that is linear along the line; 0 if there is none.
   static double share(double at_a, double at_b) {
     const double t = at_a / (at_a - at_b);
     return t > 0.0 ? std::min(t, 1.0) : 0.0;

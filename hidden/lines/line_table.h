@@ -16,31 +16,30 @@
 
 namespace displayfile {
 
-/// What the hidden-line methods work on: the items with their planes' vertices and extents, and the
-/// lines that are looked at. Numbers and contiguous arrays; what an item's points are is the
-/// items' own.
+/// Input of the hidden-line methods: the items with their planes' vertices and extents, and the
+/// lines to examine. Indices and contiguous arrays; the points are the items' own.
 class LineTable {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// The names are in order, each once. Throws Error for one that names no line. Intersections are
-  /// looked at beside them; what is given must outlive the scene.
+  /// Names are sorted and unique. Throws Error for one that names no line. Intersection lines are
+  /// examined as well; the arguments must outlive this.
   LineTable(const Primitives& items, std::span<const LineName> names, int threads,
             std::span<const IntersectionLine> intersections = {});
 
   /// Throws Error for a name of no line.
   static void require_names(const Primitives& items, std::span<const LineName> names);
 
-  /// A line with one depth. A side that polygons share is there once for each depth that it has.
+  /// A line with one depth. A side shared by polygons appears once for each of its depths.
   struct Line {
-    std::uint32_t a, b;  ///< the points that it runs from and to; they differ in the projection
-    std::uint32_t name;  ///< which of the names; from names(), which of the intersections
-    std::uint32_t own;  ///< a polygon whose plane has the line's depth, or an edge-on one; or kNone
-    bool by_plane;      ///< that plane gives the depth, which the ends are not quite at
+    std::uint32_t a, b;  ///< its ends, distinct in the projection
+    std::uint32_t name;  ///< index of the name; from names() on, of the intersection
+    std::uint32_t own;  ///< a polygon whose plane has the line's depth, or an edge-on one, or kNone
+    bool by_plane;      ///< the depth is that of the plane, which differs slightly from the ends'
   };
-  /// By names, and then the intersections.
+  /// In order of names, then intersections.
   std::span<const Line> lines() const { return lines_; }
-  /// Where each name's first line is.
+  /// The index of each name's first line.
   std::span<const std::uint32_t> first_lines() const { return first_lines_; }
   /// The same of names alone.
   std::span<const std::uint32_t> first_lines_of_names() const {
@@ -55,7 +54,7 @@ class LineTable {
   }
   std::span<const Point3> points() const { return items_.points; }  ///< the items'
   std::span<const IntersectionLine> intersections() const { return intersections_; }
-  /// That the line is; null if it is a line of the items.
+  /// The line's intersection; null if it is a line of the items.
   const IntersectionLine* intersection(const Line& line) const {
     return line.name < names_.size() ? nullptr : &intersections_[line.name - names_.size()];
   }
@@ -71,12 +70,12 @@ class LineTable {
   const Point3& corner(std::uint32_t item, std::uint32_t corner) const {
     return items_.points[corner_point(item, corner)];
   }
-  /// The corner's point, by its number among the items'.
+  /// The index of the corner's point.
   std::uint32_t corner_point(std::uint32_t item, std::uint32_t corner) const {
     assert(corner < sides(item));
     return items_.point(items_.items[item].first + corner);
   }
-  /// The support plane of a polygon that has one, or that it is said to lie in, turned to the
+  /// The plane of a polygon that has one, its support plane or the one assigned to it, facing the
   /// viewer.
   Plane plane(std::uint32_t item) const {
     assert(support_[item].p != kNone);
@@ -85,50 +84,49 @@ class LineTable {
     if (is_turned) std::swap(rest.y, rest.z);
     return {items_.points[p], items_.points[q], items_.points[r], rest};
   }
-  /// That plane has rests; false for a polygon without a plane.
+  /// True if that plane has rests; false for a polygon without a plane.
   bool has_rests(std::uint32_t item) const { return items_.plane_rest(item) != Point3(0.0); }
-  /// As Primitives::touching; infinite where what is within reach may be anywhere.
+  /// As Primitives::touching; infinite if points within reach may be anywhere.
   double touching() const { return touching_; }
-  /// How far a corner may be off a line that is on it (hidden/lines/near_line.h).
+  /// The distance within which a corner counts as on a line (hidden/lines/near_line.h).
   OffLines off_lines() const { return displayfile::off_lines(touching_, items_.rounding); }
-  /// No point of the scene has a larger sum of shares in three of them, times the double area of
-  /// their triangle in the projection (hidden/lines/end_on_plane.h).
+  /// Bound, for all points of the scene, on the sum of weights in three of them, times the double
+  /// area of their triangle in the projection (hidden/lines/end_on_plane.h).
   double most_shares() const { return most_shares_; }
-  /// Two polygons lie in one plane as they were entered.
+  /// True if two polygons are coplanar as entered.
   bool share_plane(std::uint32_t a, std::uint32_t b) const {
     return !items_.has_own_plane(a) && !items_.has_own_plane(b) &&
            items_.planes[a] == items_.planes[b];
   }
-  /// Where the ends of a line that is no intersection are as they were entered, against a polygon's
-  /// plane.
+  /// The positions, as entered, of the ends of a line of the items relative to a polygon's plane.
   EndsAsEntered::Places places(const Line& line, std::uint32_t polygon) const {
     const LineName& name = names_[line.name];
     return items_.places(name.item, name.corner, polygon);
   }
-  /// True if the polygon is not flat and has that vertex off its support plane, however little.
+  /// True if the polygon is not planar and this vertex is off its support plane, however little.
   bool is_off_plane(std::uint32_t item, std::uint32_t corner) const {
     return off_plane(item, corner) != OffPlane::none;
   }
-  /// The same, by more than viewing rounds, or its plane has a rest. Of the other polygons sides
-  /// have their own ends' depth, which is the plane's: where it is steep rounding alone would
-  /// decide another.
+  /// The same, by more than the rounding of viewing, or its plane has a rest. Sides of other
+  /// polygons have their own ends' depth, which is the plane's: on a steep plane rounding alone
+  /// would decide otherwise.
   bool is_uneven_at(std::uint32_t item, std::uint32_t corner) const {
     return off_plane(item, corner) == OffPlane::as_entered;
   }
   /// True if no polygon has such a vertex.
   bool all_even() const { return off_plane_.empty(); }
-  /// The box around all that a polygon that hides covers, at the depths of its support plane;
-  /// nothing, of what does not hide.
+  /// The box around the area that a hiding polygon covers, at the depths of its support plane;
+  /// empty for others.
   const Extent& extent(std::uint32_t item) const { return extents_[item]; }
   std::span<const Extent> extents() const { return extents_; }
   /// The box around a line, at its depths.
   Extent extent(const Line& line) const;
 
  private:
-  /// The vertices that give the support plane, as points; p is kNone where there is none.
+  /// The vertices of the support plane, as points; p is kNone if there is none.
   struct Support {
     std::uint32_t p = kNone, q = kNone, r = kNone;
-    bool is_turned = false;  ///< q and r are the other way round
+    bool is_turned = false;  ///< q and r are exchanged
   };
   enum class OffPlane : std::uint8_t { none, by_rounding, as_entered };
   OffPlane off_plane(std::uint32_t item, std::uint32_t corner) const {
@@ -142,7 +140,7 @@ class LineTable {
   void find_uneven(int threads);
   void add_lines();
   void add_intersections();
-  /// True if the side's own ends are not at the depth that the polygon's plane has there, but for
+  /// True if the side's ends are not at the depth of the polygon's plane there, except for
   /// rounding.
   bool is_uneven(const LineName& side) const;
   std::uint32_t corner_before(const LineName& side) const {

@@ -11,8 +11,8 @@
 
 namespace displayfile {
 
-/// The points where lines begin or end, equal ones as one vertex, with the counted polygons that
-/// have a corner there: the vertex's star.
+/// The ends of lines, with equal points merged into vertices, and the counted polygons with a
+/// corner there: the vertex's star.
 class LineVertices {
  public:
   LineVertices(const LineTable& scene, const Primitives& items, const SideTable& sides,

@@ -7,30 +7,30 @@
 
 namespace displayfile {
 
-/// How far a point may be off a line that is on it, in device coordinates.
+/// The distance within which a point counts as on a line, in device coordinates.
 struct OffLines {
-  double in_picture = 0.0;  ///< in the projection alone: what viewing rounds
-  double touching = 0.0;    ///< in the projection, and in depth: what files round
+  double in_picture = 0.0;  ///< in the projection only: rounding by viewing
+  double touching = 0.0;    ///< in the projection and in depth: rounding in files
 };
 
-/// By how much `touching` and viewing alone, `rounding`, may have moved points (Primitives).
-/// Touching bounds a reach of eight units of what was entered, of which each coordinate is off by
-/// one at most.
+/// Bounds on the displacement of points by `touching` and by viewing alone, `rounding`
+/// (Primitives). Touching bounds a reach of eight units of the entered numbers, of which each
+/// coordinate is off by at most one.
 inline OffLines off_lines(double touching, double rounding) {
   constexpr double kUnitsOfTouching = 0.125, kLikeViewing = 1e-12, kMostOff = 0x1p-12;
   const double off = kUnitsOfTouching * touching;
   return {std::max(4.0 * rounding, std::min(off, kLikeViewing)), std::min(off, kMostOff)};
 }
 
-/// Which points are on a line but for rounding. A corner that is so close to a line is on it: two
-/// polygons that meet along the line, one of which has a vertex where the other has none, leave no
-/// gap there, and neither covers more than its own side. In doubles, device coordinates.
+/// Decides which points are on a line up to rounding. A corner that close to a line is on it: two
+/// polygons that meet along the line, one with a vertex where the other has none, leave no gap
+/// there, and neither covers more than its own side. In doubles, device coordinates.
 class NearLine {
  public:
   /// No point is near, unless it is on the line.
   NearLine() = default;
-  /// The line between two points that differ in the projection. For a short line a point may be off
-  /// it by no more than 2^-10 of its length.
+  /// The line between two points that differ in the projection. For a short line the distance is at
+  /// most 2^-10 of its length.
   NearLine(const Point3& a, const Point3& b, const OffLines& off) : a_(a), way_(b - a) {
     constexpr double kLeast = 1e-290;  // of a square: what is divided by less may be infinite
     squared_ = way_.x * way_.x + way_.y * way_.y;
@@ -49,8 +49,7 @@ class NearLine {
     return off <= in_picture_ ||
            (off <= touching_ && std::abs(p.z - a_.z - place(Point2(p)) * way_.z) <= in_depth_);
   }
-  /// Where the point is, or the one of the line that is closest to it: 0 at its start, 1 at its
-  /// end.
+  /// The parameter of the point, or of the closest one on the line: 0 at its start, 1 at its end.
   double place(const Point2& p) const {
     return (way_.x * (p.x - a_.x) + way_.y * (p.y - a_.y)) / squared_;
   }

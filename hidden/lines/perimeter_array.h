@@ -8,17 +8,17 @@
 
 namespace displayfile {
 
-/// The perimeters as the problem book has them: an array of minima and maxima, one for each column
-/// of a plotting device, and a test of a line's endpoints. What ROUNDOFF draws, and the plain form
-/// beside which the exact polylines stand.
+/// The perimeters as in the problem book: an array of minima and maxima, one per column of a
+/// plotting device, and a test of a line's endpoints. Used with ROUNDOFF, and the plain form of the
+/// exact polylines.
 class PerimeterArray {
  public:
   static constexpr std::uint32_t kColumns = 1024;
 
-  /// Heights no farther apart than the share `roundoff` of the whole are equal.
+  /// Heights within `roundoff` of the whole are equal.
   PerimeterArray(const GridSurface& surface, const Verticals& verticals, double roundoff);
 
-  /// What is not seen of the line: nothing, all, or from one end to the column where that changes.
+  /// The hidden part of the line: nothing, all, or from one end to the column of the change.
   void find_hidden(std::uint32_t a, std::uint32_t b, std::vector<PartOfLine>& parts) const;
   void extend(std::uint32_t a, std::uint32_t b);
 

@@ -21,7 +21,7 @@
 
 namespace displayfile {
 
-/// Which part of a line some perimeters know of.
+/// Which part of a line some perimeters cover.
 enum class Known { nothing, part, all };
 
 /// Both perimeters, exact, in some of the columns.
@@ -41,7 +41,7 @@ class PerimeterPolylines {
     if (line.last < range_.first || line.first >= range_.end) return Known::nothing;
     return line.first >= range_.first && line.last < range_.end ? Known::all : Known::part;
   }
-  /// The parameters of the parts run from that point of the line's.
+  /// Parameters of the parts run from that end of the line.
   void find_hidden(const Line& line, std::uint32_t from, std::vector<PartOfLine>& parts) {
     parts.clear();
     upper_.find_within(line, line.p != from, below_);
@@ -61,7 +61,7 @@ class PerimeterPolylines {
   std::vector<PartOfLine> below_, above_;
 };
 
-/// Which of the names the sides of a surface are; the others are left for the general method.
+/// Maps a surface's sides to names; other names are left for the general method.
 class NamedSides {
  public:
   NamedSides(const GridSurface& surface, const Verticals& verticals,
@@ -95,13 +95,13 @@ class NamedSides {
   std::vector<LineName> others_;
 };
 
-/// What is seen of the named lines.
+/// The visible parts of the named lines.
 class SeenParts {
  public:
   explicit SeenParts(std::size_t names) : first_(names, PartOfLine{0.0, 0.0}) {}
 
-  /// Adds what is not hidden; to one name by one thread at a time, what is more than one part to
-  /// `others`.
+  /// Adds the visible parts of a name, by one thread at a time per name; parts after the first go
+  /// to `others`.
   void add(std::uint32_t name, const std::vector<PartOfLine>& hidden,
            std::vector<SeenPart>& others) {
     double from = 0.0;
@@ -139,10 +139,10 @@ class SeenParts {
     }
   }
 
-  std::vector<PartOfLine> first_;  // what is seen of each name; empty: nothing
+  std::vector<PartOfLine> first_;  // the visible part of each name; empty: none
 };
 
-/// Is told of nothing: what stands for an observer where there is none, and costs nothing.
+/// Null observer; compiles to nothing.
 struct PerimeterUnobserved {
   static void cell(std::uint32_t /*i*/, std::uint32_t /*j*/) {}
   static void drawn(std::uint32_t /*name*/, const std::vector<PartOfLine>& /*hidden*/) {}
@@ -150,8 +150,8 @@ struct PerimeterUnobserved {
 };
 
 /// Draws the sides of a surface's cells, nearest first (algorithm of T. J. Wright). An Observer is
-/// told of each cell, of the named sides of it that are drawn, with what is hidden of them, and of
-/// the sides, by their points, that move the perimeters.
+/// notified of each cell, of its drawn named sides with their hidden parts, and of the sides, by
+/// their points, that move the perimeters.
 template <class Perimeters, class Observer = PerimeterUnobserved>
 class PerimeterMethod {
  public:
@@ -187,8 +187,8 @@ class PerimeterMethod {
   }
 
   const std::vector<SeenPart>& others() const { return others_; }
-  /// What is hidden of lines that reach beyond what the perimeters know, of each maybe in several
-  /// parts and at least an empty one.
+  /// The hidden parts of lines that extend beyond these perimeters, possibly several per line and
+  /// at least an empty one.
   const std::vector<SeenPart>& hidden_in_part() const { return hidden_in_part_; }
 
  private:
@@ -198,8 +198,8 @@ class PerimeterMethod {
     std::uint32_t from, to, number;
   };
 
-  /// What is nearer than a side was passed before the nearer of its triangles, which moves the
-  /// perimeters only after all its sides were drawn.
+  /// Everything nearer than a side precedes the nearer of its triangles, which moves the perimeters
+  /// only after all its sides were drawn.
   void draw_triangle(const std::array<Side, 3>& sides) {
     std::array<Line, 3> extending;
     std::size_t count = 0;
@@ -214,7 +214,7 @@ class PerimeterMethod {
     for (std::size_t k = 0; k < count; ++k) perimeters_.extend(extending[k]);
   }
 
-  /// False if nothing of it is seen, and so nothing is outside of the perimeters.
+  /// False if it is entirely hidden, and so within the perimeters.
   bool draw(const Side& side, const Line& line) {
     const Known known = perimeters_.known(line);
     if (known == Known::nothing) return false;

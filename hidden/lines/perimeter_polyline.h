@@ -10,23 +10,23 @@
 namespace displayfile {
 
 /// One perimeter, upper or lower: the polyline of the highest (lowest) sides drawn so far. It is
-/// kept column by column: in each those sides that are part of it there, and maybe some that are
-/// not. What a side is drawn against is exact; which sides are dropped from a column is decided by
-/// rounded coordinates, with a margin.
+/// stored by columns, each with the sides that are part of it there, and possibly others.
+/// Comparisons with sides are exact; sides are dropped from a column by rounded coordinates with a
+/// margin.
 class PerimeterPolyline {
  public:
   enum class Bound { upper, lower };
 
   using Line = LineInColumns;
 
-  /// In some of the columns. What is given must outlive this.
+  /// For some of the columns. The arguments must outlive this.
   PerimeterPolyline(Bound bound, const GridSurface& surface, const Verticals& verticals,
                     const SurfaceColumns& columns, const SurfaceColumns::Range& range);
 
-  /// The parts of the line where the perimeter lies strictly beyond it, above it or below. United,
-  /// with parameters that run to the left if it does.
+  /// The parts of the line strictly within the perimeter. United, with parameters that run to the
+  /// left if `runs_left`.
   void find_within(const Line& line, bool runs_left, std::vector<PartOfLine>& parts) const;
-  /// Moves the perimeter out to the side, where that is beyond it.
+  /// Extends the perimeter to the side, where that is beyond it.
   void extend(const Line& side);
 
  private:
@@ -39,8 +39,8 @@ class PerimeterPolyline {
   /// The sides that are part of the perimeter in a column.
   struct Column {
     std::vector<Support> supports;
-    std::uint32_t drop_at;  ///< the size at which to look for what to drop
-    double floor;           ///< the perimeter is nowhere lower in all of the column
+    std::uint32_t drop_at;  ///< the size at which to drop sides
+    double floor;           ///< lower bound of the perimeter in the column
   };
   /// Columns from the first to the last; first > last: none.
   struct InRange {

@@ -17,39 +17,40 @@
 
 namespace displayfile {
 
-/// What an observer of PlainAppel has; this one does nothing. A share of a line is a place along
-/// it, from 0 to 1.
+/// Null observer of PlainAppel, with the required members. A share of a line is a place along it,
+/// from 0 to 1.
 struct UnobservedAppel {
   using Line = LineTable::Line;
   /// The counts at the line's start, by comparison with all polygons there,
   static void ray(const Line& /*line*/, const SideCounts& /*start*/) {}
-  /// or from the number known of the point where it begins or ends.
+  /// or from the known number of the point where it begins or ends.
   static void carried(const Line& /*line*/, bool /*by_start*/, std::int32_t /*known*/,
                       const SideCounts& /*start*/) {}
-  /// The counts up to the next change, and by what they changed where the part begins.
+  /// The counts up to the next change, and the change at the part's beginning.
   static void part(const Line& /*line*/, const PartOfLine& /*part*/, const SideCounts& /*counts*/,
                    const SideCounts& /*by*/) {}
-  /// With a polygon that is not counted, or with all, since the line is close to corners.
+  /// Compared with an uncounted polygon, or with all, since the line is close to corners.
   static void compared(const Line& /*line*/, std::uint32_t /*polygon*/, bool /*with_all*/) {}
-  /// The number at its start or its end is known from here on.
+  /// The number at its start or end is now known.
   static void noted(const Line& /*line*/, const std::vector<double>& /*shares*/) {}
   static void seen(const Line& /*line*/, std::span<const SeenPart> /*parts*/) {}
 };
 
-/// Appel's method as the books give it, to be read, to be shown step by step, and to judge the fast
-/// form (hidden/lines/appel.md): the chapter's section "Hidden-line methods". Quantitative
-/// invisibility is found at one point of the lines that connect, and carried along them, from one
-/// to the next; it changes where the line passes behind a contour edge, or through a polygon
-/// (LineFollower). The fast form finds all changes before it looks at any line, on several threads.
+/// Appel's method in its textbook form, for reading, for the step display, and as the reference of
+/// the fast form (hidden/lines/appel.md): the chapter's section "Hidden-line methods". Quantitative
+/// invisibility is found at one point of connected lines and carried along them, from one to the
+/// next; it changes where the line passes behind a contour edge, or through a polygon
+/// (LineFollower). The fast form finds all changes before it processes any line, on several
+/// threads.
 ///
-/// Faces are counted apart on the left and on the right of a line: it is hidden where there is one
-/// on each side.
+/// Faces are counted separately on the left and on the right of a line: it is hidden where there is
+/// one on each side.
 template <class Policy, class Observer = UnobservedAppel>
 class PlainAppel {
  public:
   using Line = LineTable::Line;
 
-  /// What is given must stay.
+  /// The arguments must outlive this.
   PlainAppel(const AppelTables& scene, const Policy& policy, Observer& observer)
       : scene_(scene),
         lines_(scene.lines.lines()),
@@ -65,8 +66,8 @@ class PlainAppel {
     }
   }
 
-  /// What is seen of all lines, in the order in which they are followed. With a ROUNDOFF, by which
-  /// carried counts need not add up, each line gets a ray.
+  /// The visible parts of all lines, in the order of processing. With ROUNDOFF, with which carried
+  /// counts may be inconsistent, each line gets a ray.
   std::vector<SeenPart> find(const SurfacePlan& plan) {
     CountedWork work(plan.progress, scene_.lines.first_lines().size());
     find_vertices(plan.precision.exact);
@@ -81,11 +82,11 @@ class PlainAppel {
     return seen_;
   }
 
-  /// The number of polygons before a vertex, without those around it, as far as it is known.
+  /// The number of polygons in front of a vertex, without those around it, as far as known.
   const std::map<std::uint32_t, std::int32_t>& known() const { return known_; }
 
-  /// For find_seen: what is hidden of the line that is followed, at one of its depths. An
-  /// intersection of two polygons is no edge of a connected part: it is compared with all.
+  /// For find_seen: the hidden parts of the current line, at one of its depths. An intersection
+  /// line is not an edge of a connected part: it is compared with all polygons.
   const std::vector<PartOfLine>& hidden_parts(const Line& line) {
     parts_.clear();
     bool with_all = scene_.lines.intersection(line) != nullptr;
@@ -156,7 +157,7 @@ class PlainAppel {
     observer_.seen(line, seen);
   }
 
-  /// Finds what is seen of a line, at all of its depths.
+  /// Finds the visible parts of a line, at all of its depths.
   std::span<const SeenPart> look_at(std::size_t first) {
     const std::size_t before = seen_.size();
     find_seen(lines_, first, *this, seen_);
@@ -164,7 +165,7 @@ class PlainAppel {
     return std::span(seen_).subspan(before);
   }
 
-  /// Notes the numbers at the line's ends, for the lines that go on from there.
+  /// Records the numbers at the line's ends, for the connected lines.
   void note_ends(const Line& line, const CountedLine& counted) {
     const SideCounts at_start = start_ - counted.star_from;
     const SideCounts at_end = start_ + counted.change - counted.star_to;
@@ -178,7 +179,7 @@ class PlainAppel {
     if (!noted.empty()) observer_.noted(line, noted);
   }
 
-  /// Adds the parts that something counted covers. The changes are in order along the line.
+  /// Adds the parts covered by counted polygons. The changes are in order along the line.
   void add_counted(const Line& line, std::span<const CountChange> changes) {
     SideCounts counts = start_;
     std::size_t next = 0;
@@ -193,7 +194,7 @@ class PlainAppel {
     }
   }
 
-  /// Adds what polygons hide that are not counted, or all do.
+  /// Adds the parts hidden by uncounted polygons, or by all.
   void compare(const Line& line, bool with_all) {
     against_.look_at(line);
     for (const std::uint32_t polygon : with_all ? hiding_ : not_counted_) {
@@ -218,7 +219,7 @@ class PlainAppel {
   std::vector<std::uint8_t> done_;      // of the names
   std::vector<SeenPart> seen_;
 
-  // The line that is followed.
+  // The current line.
   const Line* followed_ = nullptr;
   SideCounts start_;
   std::vector<CountChange> changes_;

@@ -10,19 +10,19 @@
 
 namespace displayfile {
 
-/// What an object as a whole hides of a line.
+/// How much of a line an object as a whole hides.
 enum class ObjectHides { nothing, all, some };
 
-/// Is told of nothing: what stands for an observer where there is none, and costs nothing.
+/// Null observer; compiles to nothing.
 struct RobertsUnobserved {
   static void farther(std::uint32_t /*object*/) {}
   static void volume(std::uint32_t /*object*/, ObjectHides /*hides*/) {}
   static void compared(std::uint32_t /*polygon*/) {}
 };
 
-/// Finds what is hidden of one line after the other. An Observer is told of each object whose
-/// extent meets the line's: that it lies farther away, or what the volume test says of it; and of
-/// each polygon that the line is compared with.
+/// Finds the hidden parts of lines one by one. An Observer is notified of each object whose extent
+/// meets the line's: that it is farther away, or the result of the volume test; and of each polygon
+/// with which the line is compared.
 template <class Policy, class Observer = RobertsUnobserved>
 class Roberts {
  public:
@@ -72,8 +72,8 @@ class Roberts {
     }
   }
 
-  /// The line against what lies behind the object: within its outline, and behind the planes of
-  /// its polygons.
+  /// Tests the line against the volume behind the object: within its outline, and behind the planes
+  /// of its polygons.
   Hides volume_test(std::uint32_t object) {
     const Point2 a(line_.line().a), b(line_.line().b);
     const auto outline = objects_.outline(object);
@@ -100,7 +100,7 @@ class Roberts {
   const Policy& policy_;
   LineAgainstPolygon<Policy> line_;
   Extent box_{};
-  bool has_own_ends_ = true;  // of an intersection they are rounded
+  bool has_own_ends_ = true;  // false for an intersection, whose ends are rounded
   HiddenParts parts_;
   [[no_unique_address]] Observer observer_;
 };

@@ -10,16 +10,16 @@
 
 namespace displayfile {
 
-/// The sides of all polygons by where they are in space, whichever way they run, so that those
-/// that polygons share are found. Sides of no length are left out.
+/// The sides of all polygons by position in space, in either direction, for finding shared ones.
+/// Sides of length 0 are omitted.
 class SideTable {
  public:
   enum class Sides {
     all,
-    near_drawn,  ///< at least those that have the same ends as one that is drawn
+    near_drawn,  ///< at least those with the same ends as a drawn one
   };
   explicit SideTable(const Primitives& items, Sides which = Sides::all);
-  /// All sides between vertices: of each point the one that stands for it (first_within of
+  /// All sides between vertices, given the representative of each point (first_within of
   /// hidden/touching/vertices_within_reach.h).
   SideTable(const Primitives& items, std::vector<std::uint32_t> vertices);
 
@@ -28,7 +28,7 @@ class SideTable {
     std::uint32_t high;  ///< the other point
     LineName name;
   };
-  /// The first point that is equal to that one, or stands for it.
+  /// The first point equal to this one, or its representative.
   std::uint32_t vertex(std::uint32_t point) const {
     assert(point < same_.size());
     return same_[point];
@@ -37,7 +37,7 @@ class SideTable {
   /// All sides with these ends, given as indices of points, in either direction; in order.
   std::span<const Side> sides_between(std::uint32_t a, std::uint32_t b) const;
 
-  /// Calls visit with each set of sides that have the same ends.
+  /// Calls visit with each set of sides with the same ends.
   template <class Visit>
   void for_each_set(const Visit& visit) const {
     for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
@@ -56,9 +56,9 @@ class SideTable {
 
   std::vector<std::uint32_t> same_;  // of each point its vertex
   std::vector<std::uint32_t>
-      first_;  // of each point, where the list begins of those it is lower of
+      first_;  // per point, the start of the list of sides with it as the lower point
   std::vector<Side> sides_;
-  std::vector<std::uint8_t> is_low_;  // of each point whether a drawn side has it; empty: all count
+  std::vector<std::uint8_t> is_low_;  // per point, whether a drawn side has it; empty: all
 };
 
 }  // namespace displayfile

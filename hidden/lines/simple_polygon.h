@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// True if the segments from p to q and from r to s have a point in common, exactly. The ends of
-/// either may change places, and so may the segments.
+/// True if the segments from p to q and from r to s have a point in common, exactly. Symmetric in
+/// the ends of each and in the segments.
 inline bool segments_meet(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
   for (int axis = 0; axis < 2; ++axis) {
     if (std::max(p[axis], q[axis]) < std::min(r[axis], s[axis]) ||
@@ -24,10 +24,10 @@ inline bool segments_meet(const Point2& p, const Point2& q, const Point2& r, con
   return orientation(r, s, p) * orientation(r, s, q) <= 0;
 }
 
-/// 1 or -1 if the polygon's sides meet only at the corners that they share, so that each has the
-/// inside on the same side all along: the left if it runs counterclockwise, 1, or the right, -1. 0
-/// if not, also if two corners in a row are the same in the projection; and if it is not convex and
-/// has more than kMostSides, which are not compared. `at(k)` is corner k in the projection.
+/// 1 or -1 if the polygon's sides meet only at shared corners, so that each has the inside on the
+/// same side all along: the left if it runs counterclockwise, 1, or the right, -1. 0 if not, also
+/// if two successive corners coincide in the projection; and if it is not convex and has more than
+/// kMostSides, which are not compared. `at(k)` is corner k in the projection.
 template <class At>
 int simple_turning(std::size_t sides, const At& at) {
   constexpr std::size_t kMostSides = 128;

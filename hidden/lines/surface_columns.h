@@ -10,17 +10,17 @@
 
 namespace displayfile {
 
-/// A line from point p of a surface to the right to q, and where it is among the columns.
+/// A line from a surface's point p rightward to q, and its columns.
 struct LineInColumns {
   std::uint32_t p, q;
-  std::uint32_t first, last;  ///< columns that it is in, but for rounding
+  std::uint32_t first, last;  ///< its columns, up to rounding
   Point2 from, to;
   double slope;
   double height_at(double x) const { return from.y + slope * (x - from.x); }
 };
 
 /// The columns of a surface's picture (Verticals), each about as wide as the side of a cell.
-/// Rounded coordinates say which column something is in.
+/// Rounded coordinates decide columns.
 class SurfaceColumns {
  public:
   SurfaceColumns(const GridSurface& surface, const Verticals& verticals);
@@ -47,14 +47,14 @@ class SurfaceColumns {
             width > 0.0 ? (to.y - from.y) / width : 0.0};
   }
   double left(std::uint32_t column) const { return left_ + column * width_; }
-  /// More than any rounded coordinate is wrong by.
+  /// More than the error of any rounded coordinate.
   double margin() const { return margin_; }
 
-  /// Some columns in a row: from first to before end.
+  /// A range of columns: [first, end).
   struct Range {
     std::uint32_t first, end;
   };
-  /// So many parts of all columns, or fewer, of about as many points each.
+  /// Divides all columns into at most `count` parts with about equally many points.
   std::vector<Range> parts(std::size_t count) const;
 
  private:

@@ -9,30 +9,29 @@
 
 namespace displayfile {
 
-/// The pictures of a surface's verticals: parallel lines, or lines through their vanishing point.
-/// A projective map makes them the columns x = constant of a picture of its own, in which they run
-/// up as y grows: straight lines stay straight. Its coordinates are rounded, and decide nothing but
-/// in which column something is.
+/// The images of a surface's verticals: parallel lines, or lines through their vanishing point. A
+/// projective map transforms them to the columns x = constant, running up as y grows; straight
+/// lines stay straight. Its coordinates are rounded, and decide only the column of a point.
 class Verticals {
  public:
   explicit Verticals(const GridSurface& surface);
 
-  /// True if the surface is seen along its verticals: nothing of it hides anything.
+  /// True if the view is along the verticals: the surface hides nothing of itself.
   bool are_points() const { return are_points_; }
   /// True if all of the surface is on one side of the vanishing point, so that each vertical has
   /// one direction; otherwise there are no columns.
   bool make_columns() const { return make_columns_; }
 
-  /// Where point (i, j) of that number is among the columns.
+  /// The position of point (i, j), by number, in column coordinates.
   const Point2& in_columns(std::uint32_t number) const {
     assert(number < in_columns_.size());
     return in_columns_[number];
   }
   /// The rectangle around all of them.
   const Rectangle& box() const { return box_; }
-  /// Along the picture of the vertical at a point, upward.
+  /// The upward direction of the vertical's image at a point.
   Point2 direction_at(const Point2& p) const { return Point2(upward_) - upward_.w * p; }
-  /// True if a line runs along the verticals, all but.
+  /// True if a line runs along the verticals, almost.
   bool are_along(const Point2& a, const Point2& b) const {
     constexpr double kSlope = 1e-6;
     const Point2 up = direction_at(a), way = b - a;
@@ -40,7 +39,8 @@ class Verticals {
     return area * area <=
            kSlope * kSlope * (way.x * way.x + way.y * way.y) * (up.x * up.x + up.y * up.y);
   }
-  /// Where on the line from a to b the vertical of p is, in [0,1]; the line does not run along it.
+  /// The parameter of p's vertical on the line from a to b, in [0,1]; the line does not run along
+  /// it.
   double part_at(const Point2& a, const Point2& b, const Point2& p) const {
     const Point2 up = direction_at(p);
     const double of_a = (a.x - p.x) * up.y - (a.y - p.y) * up.x;
@@ -48,11 +48,12 @@ class Verticals {
     const double part = of_a / (of_a - of_b);
     return part > 0.0 ? std::fmin(part, 1.0) : 0.0;
   }
-  /// Where on the line from a to b the column x is.
+  /// The parameter of column x on the line from a to b.
   double part_at_column(const Point2& a, const Point2& b, double x) const;
 
  private:
-  /// Where a point is: across the middle vertical, over how the verticals have come together there.
+  /// A point's position: its distance from the middle vertical, divided by the verticals'
+  /// convergence there.
   struct Place {
     double across, along, over;
   };

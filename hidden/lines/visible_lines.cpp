@@ -81,13 +81,12 @@ class SideLooks {
 WorkDone work_of(HiddenMethod method) {
   constexpr const char* kFranklin = "hidden-line method franklin";
   switch (method) {
-    case HiddenMethod::roberts: return {"the lines that are seen, by roberts", kFranklin};
-    case HiddenMethod::appel: return {"the lines that are seen, by appel", kFranklin};
-    case HiddenMethod::plain_appel: return {"the lines that are seen, by plain-appel", kFranklin};
-    case HiddenMethod::perimeter: return {"the lines that are seen, by perimeter", kFranklin};
+    case HiddenMethod::roberts: return {"visible lines by roberts", kFranklin};
+    case HiddenMethod::appel: return {"visible lines by appel", kFranklin};
+    case HiddenMethod::plain_appel: return {"visible lines by plain-appel", kFranklin};
+    case HiddenMethod::perimeter: return {"visible lines by perimeter", kFranklin};
     default:
-      return {"the lines that are seen, by franklin",
-              "for pixels hidden-surface method colour-rule=z-buffer"};
+      return {"visible lines by franklin", "for pixels hidden-surface method colour-rule=z-buffer"};
   }
 }
 

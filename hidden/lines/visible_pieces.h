@@ -21,15 +21,15 @@
 
 namespace displayfile {
 
-/// A part of a line that is seen.
+/// A visible part of a line.
 struct SeenPart {
   std::uint32_t name;
   PartOfLine part;
 };
 
-/// Adds what is seen of the line of one name, which begins at lines[first]. A method finds what is
-/// hidden at one of its depths: finder.hidden_parts(line) is united, and valid until it is called
-/// again. A line with more than one depth is hidden where it is at each.
+/// Adds the visible parts of the line of one name, which begins at lines[first]. A method finds the
+/// hidden parts at one depth: finder.hidden_parts(line) is united, and valid until the next call. A
+/// line with more than one depth is hidden where it is hidden at each.
 template <class Finder>
 void find_seen(std::span<const LineTable::Line> lines, std::size_t first, Finder& finder,
                std::vector<SeenPart>& seen) {
@@ -56,7 +56,7 @@ void find_seen(std::span<const LineTable::Line> lines, std::size_t first, Finder
   add(hidden);
 }
 
-/// Methods at work, one for each thread that is: a thread takes one for a while and gives it back.
+/// A pool of finders, at most one per thread: a thread takes one and returns it.
 template <class MakeFinder>
 class Finders {
  public:
@@ -90,7 +90,7 @@ class Finders {
   std::vector<std::unique_ptr<Finder>> idle_;
 };
 
-/// What was found of all lines, in any order, in that of names; of each line its parts in a row.
+/// Orders the parts found for all lines by names, keeping each line's parts together.
 inline SeenLines by_names(const LineTable& scene, std::span<const std::vector<SeenPart>> seen) {
   const std::size_t names = scene.names(), intersections = scene.intersections().size();
   std::vector<std::size_t> place(names + intersections + 1, 0);  // of each name's pieces
@@ -120,9 +120,8 @@ inline SeenLines by_names(const LineTable& scene, std::span<const std::vector<Se
   return all;
 }
 
-/// The pieces of all lines. make_finder makes a method for one thread's use. `order` has the first
-/// line of each name in the order in which they are looked at, best so that those near each other
-/// follow each other; the pieces are in order of names.
+/// The pieces of all lines, in order of names. make_finder makes a finder for one thread. `order`
+/// has the first line of each name in processing order, preferably with nearby lines adjacent.
 template <class MakeFinder>
 SeenLines visible_pieces(const LineTable& scene, std::span<const std::uint32_t> order,
                          const SurfacePlan& plan, const MakeFinder& make_finder) {

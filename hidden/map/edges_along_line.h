@@ -19,13 +19,12 @@
 
 namespace displayfile {
 
-/// Finds the edges of a map that lie on one line after the other: where what is seen left of it is
-/// not what is seen right of it, and one of the two is of the line's owners, the polygons that have
-/// the line as a side; or both, where they are the polygons that pass through each other along it.
+/// Finds the edges of a map that lie on a line, line by line: where the item visible on its left
+/// differs from that on its right, and one of the two is an owner of the line, a polygon with the
+/// line as a side; or both are, for the line along which two polygons intersect.
 ///
-/// An edge between two polygons lies on a side of one of them, or on the line along which they pass
-/// through each other. Where several of their sides lie on each other, it is that of the side with
-/// the lowest points.
+/// An edge between two polygons lies on a side of one of them, or on their line of intersection.
+/// Where several of their sides coincide, it belongs to the side with the lowest points.
 template <class Carrier>
 class EdgesAlongLine {
   using Seen = SeenAlongLine<Carrier>;
@@ -41,15 +40,15 @@ class EdgesAlongLine {
   Carrier& line() { return seen_.line(); }
   Seen& seen() { return seen_; }
 
-  /// The points of a side, as the side table has them.
+  /// The points of a side, as in the side table.
   struct SidePoints {
     std::uint32_t low, high;
     auto operator<=>(const SidePoints&) const = default;
   };
   static constexpr SidePoints kNoSide{0xffffffffu, 0xffffffffu};
 
-  /// To be called when the carrier looks at the line, before polygons are added; `own` are the
-  /// points of the side that it is.
+  /// Must be called when the carrier is set to the line, before polygons are added; `own` are the
+  /// points of its side.
   void begin(std::span<const std::uint32_t> owners, const SidePoints& own) {
     owners_ = owners;
     own_ = own;
@@ -65,13 +64,13 @@ class EdgesAlongLine {
     looked_at_[item] = number_;
     if (look_at(item)) update();
   }
-  /// Marks the polygon as added, since it is.
+  /// Marks the polygon as added.
   void note_added(std::uint32_t item) {
     looked_at_[item] = number_;
     note_sides(item);
   }
 
-  /// Adds the polygons that may be seen beside the line, and the edges.
+  /// Adds the polygons that may be visible beside the line, and the edges.
   void find(const Extent& box, std::vector<MapEdge>& edges) {
     update();
     const CellGrid& grid = map_.grid;
@@ -114,8 +113,8 @@ class EdgesAlongLine {
       touches_.push_back(at);
     }
   }
-  /// Where the boundary of a polygon crosses itself on the line it may end nothing there, but does
-  /// beside it.
+  /// A polygon whose boundary crosses itself on the line may have no end there, but has one beside
+  /// it.
   void note_sides(std::uint32_t item) {
     const std::uint32_t sides = map_.lines.sides(item);
     std::uint32_t before = sides - 1;
@@ -133,7 +132,7 @@ class EdgesAlongLine {
     return map_.sides.vertex(map_.lines.corner_point(item, corner));
   }
 
-  /// Edges on such a side of the polygon are the lower one's.
+  /// Edges on a coincident side of the polygon belong to the lower side.
   void note_side(std::uint32_t item, std::uint32_t before, std::uint32_t corner) {
     const std::uint32_t p = vertex(item, before), q = vertex(item, corner);
     if (!(SidePoints{std::min(p, q), std::max(p, q)} < own_)) return;
@@ -147,7 +146,7 @@ class EdgesAlongLine {
     return std::ranges::find(owners_, item) != owners_.end();
   }
 
-  /// An edge on a side has one of its owners beside it, and one where polygons meet both.
+  /// An edge on a side has one owner beside it, an edge on an intersection both.
   bool is_of_owners(bool left, bool right) const {
     return own_ == kNoSide ? left && right : left || right;
   }
@@ -155,7 +154,7 @@ class EdgesAlongLine {
     return is_of_owners(is_owner(left), is_owner(right));
   }
 
-  /// What is seen of the owners, and how near what is seen is at least.
+  /// Updates the visibility of the owners, and the minimum depth of what is visible.
   void update() {
     std::array<bool, 2> any{};
     float least = std::numeric_limits<float>::infinity();
@@ -192,7 +191,7 @@ class EdgesAlongLine {
     assert(i == left.size() && j == right.size());  // both reach the line's end
   }
 
-  /// An edge ends where another's end touches it.
+  /// Ends edges where another's end touches them.
   void add_edges(const Stretch& left, const Stretch& right, const Place& from, const Place& to,
                  std::vector<MapEdge>& edges) {
     const std::uint32_t on_left = seen_.item(left), on_right = seen_.item(right);
@@ -250,12 +249,12 @@ class EdgesAlongLine {
   Seen seen_;
   std::span<const std::uint32_t> owners_;
   SidePoints own_ = kNoSide;
-  bool is_hidden_ = false;  // nothing is seen of the owners
-  float least_ = 0.0F;      // what is seen lies nowhere behind this depth
+  bool is_hidden_ = false;  // no owner is visible
+  float least_ = 0.0F;      // nothing visible is behind this depth
   std::vector<Place> touches_;
   std::vector<Claim> claims_;
   std::vector<Place> breaks_;
-  std::vector<std::uint32_t> looked_at_;  // of each polygon, the last line it was added for
+  std::vector<std::uint32_t> looked_at_;  // per polygon, the last line for which it was added
   std::uint32_t number_ = 0;              // of the line
   WorkSteps steps_;
 };

@@ -13,7 +13,7 @@
 
 namespace displayfile {
 
-/// What the edges of a map are found from.
+/// Input for finding the edges of a map.
 struct MapTable {
   const Primitives& items;
   const LineTable& lines;  ///< the polygons; it has no lines
@@ -22,19 +22,19 @@ struct MapTable {
   const SeenFaces& faces;
 };
 
-/// A part of a line with one item seen left of it and another right of it, going from `from` to
-/// `to`; LineTable::kNone where nothing is seen.
+/// A part of a line, from `from` to `to`, with the items visible on its left and right;
+/// LineTable::kNone for none.
 struct MapEdge {
   MapPlace from, to;
   Point2 at_from, at_to;  ///< the places rounded once
   std::uint32_t left, right;
-  bool goes_on = false;  ///< it goes on along the line of the edge before it, with the same items
+  bool goes_on = false;  ///< continues the edge before it on the same line, with the same items
 };
 
-/// The edges that lie on sides of what is seen beside them.
+/// The edges that lie on sides of polygons visible beside them.
 std::vector<MapEdge> edges_on_sides(const MapTable& map, const ContourEdges& ways, int threads);
 
-/// The edges where what is seen beside them passes through each other.
+/// The edges where the polygons visible beside them intersect.
 std::vector<MapEdge> edges_of_meetings(const MapTable& map, int threads);
 
 }  // namespace displayfile

@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// A point of the projection where edges of a map may end, as what it is: points and polygons by
-/// their numbers. Whoever finds it describes it alike.
+/// A point of the projection where edges of a map may end, by its definition: indices of points and
+/// polygons. The description is canonical.
 struct MapPlace {
   enum class Kind : std::uint8_t {
     point,     ///< a point of the items
@@ -20,7 +20,7 @@ struct MapPlace {
     planes,    ///< where three polygons' planes meet
   };
   Kind kind = Kind::point;
-  /// The points, and then the polygons; in order, so that equal descriptions are equal.
+  /// The points, then the polygons, sorted, so that equal definitions are equal.
   std::array<std::uint32_t, 4> of{};
 
   bool operator==(const MapPlace&) const = default;

@@ -12,11 +12,11 @@ namespace displayfile {
 /// The vertices of a map, each once, found by their rounded coordinates.
 class MapVertices {
  public:
-  /// Room for so many is made at once.
+  /// Reserves capacity for the expected number.
   MapVertices(const LineTable& scene, VisibleMap& map, std::size_t expected)
       : scene_(scene), map_(map), table_(std::bit_ceil(2 * expected + 2), kFree) {}
 
-  /// Vertices where an edge was ended since another's end might touch it.
+  /// Records vertices where an edge was ended because another's end might touch it.
   void note_touched(std::uint32_t vertex) { touched_.push_back(vertex); }
   const std::vector<std::uint32_t>& touched() const { return touched_; }
 

@@ -15,8 +15,8 @@
 
 namespace displayfile {
 
-/// The line along which two polygons pass through each other, as edges of a map may lie on it: what
-/// a SideCarrier is for sides.
+/// The line along which two polygons intersect, as a carrier of map edges: the counterpart of
+/// SideCarrier for sides.
 class MeetingCarrier {
  public:
   struct Place {
@@ -42,7 +42,7 @@ class MeetingCarrier {
   const Place& start() const { return start_; }
   const Place& end() const { return end_; }
 
-  /// Which of the two polygons is nearer left of the line is the same all along.
+  /// True if the first polygon is nearer on the left, which is the same along the whole line.
   bool first_is_nearer_on_left() const { return left_is_first_; }
 
   int side(const Point3& p) const {
@@ -57,7 +57,7 @@ class MeetingCarrier {
     return cut_off({lifted_edge_cut(definitions(), p, q, 0, 1),
                     MapPlace::meeting(p, q, line_->item_a, line_->item_b)});
   }
-  /// One of the two polygons is of the line.
+  /// One of the two polygons belongs to the line.
   Place meeting(std::uint32_t item, const Plane& plane, std::uint32_t other,
                 const Plane& of_other) {
     const bool first = item != line_->item_a && item != line_->item_b;
@@ -105,7 +105,7 @@ class MeetingCarrier {
     return compare(place, end_) >= 0 ? end_ : place;
   }
 
-  /// A corner beside the line tells.
+  /// Decided by a corner beside the line.
   bool finds_first_on_left() const {
     for (std::uint32_t k = 0; k < scene_.sides(line_->item_a); ++k) {
       const Point3& corner = scene_.corner(line_->item_a, k);

@@ -4,8 +4,8 @@
 
 namespace displayfile {
 
-/// The sign of one plane's depth less another's above a stored point: 1 if it is nearer. Neither is
-/// edge-on. Neighbours in a mesh, whose planes go through the point, are told by that.
+/// The sign of one plane's depth minus another's above a stored point: 1 if it is nearer. Neither
+/// is edge-on. Neighbours in a mesh, whose planes pass through the point, are detected by that.
 /// order_above(at, one, other) = -order_above(at, other, one).
 inline int order_above(const Point3& at, const Plane& one, const Plane& other) {
   const int order = filtered_depth_order(one, other, {at.x, at.y, 0.0});

@@ -14,14 +14,14 @@
 
 namespace displayfile {
 
-/// What is seen immediately left of a line and immediately right of it, all along, of the polygons
-/// that were added so far: on either side stretches from place to place, each with one polygon, or
-/// none. A polygon covers what is inside its boundary (even-odd), at the depth of its plane. Where
-/// two have the same depth on the line, the one that is nearer beside it is seen, and in one plane
-/// the one entered later (hidden/map/visible_map.md).
+/// The items visible immediately left and right of a line, along all of it, among the polygons
+/// added so far: on each side stretches from place to place, each with one polygon or none. A
+/// polygon covers the inside of its boundary (even-odd), at the depth of its plane. Where two have
+/// the same depth on the line, the one nearer beside it is visible, and of coplanar ones the one
+/// entered later (hidden/map/visible_map.md).
 ///
-/// Carrier is SideCarrier or MeetingCarrier: the line itself. Keeps what it works with, so that
-/// nothing is allocated per polygon.
+/// Carrier is SideCarrier or MeetingCarrier: the line itself. Reuses its memory, so that nothing is
+/// allocated per polygon.
 template <class Carrier>
 class SeenAlongLine {
  public:
@@ -29,7 +29,7 @@ class SeenAlongLine {
   static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
   enum Side : std::uint8_t { kLeft, kRight };
 
-  /// A polygon, by its place among those added; kNothing: none.
+  /// A polygon, by its index among those added; kNothing: none.
   struct Stretch {
     Place from, to;
     std::uint32_t face;
@@ -44,7 +44,7 @@ class SeenAlongLine {
 
   Carrier& line() { return line_; }
 
-  /// Nothing is seen along the line that the carrier looks at. What is seen of the first so many
+  /// Starts with nothing visible along the carrier's line. The visibility of the first `contested`
   /// polygons added is contested by the others, which do not contest each other.
   void begin(std::uint32_t contested = kNothing) {
     contested_ = contested;
@@ -56,7 +56,7 @@ class SeenAlongLine {
       stretches.push_back({line_.start(), line_.end(), kNothing});
     }
   }
-  /// The polygon is seen all along one side; settled: whatever is added.
+  /// The polygon is visible along all of one side; settled: independent of later additions.
   void begin_with(Side side, std::uint32_t item, bool is_settled) {
     assert(seen_[side].size() == 1);
     faces_.push_back({item, scene_.plane(item)});
@@ -65,14 +65,14 @@ class SeenAlongLine {
   }
 
   const std::vector<Stretch>& seen(Side side) const { return seen_[side]; }
-  /// The item of a stretch; kNothing if there is none.
+  /// The item of a stretch; kNothing: none.
   std::uint32_t item(const Stretch& stretch) const {
     assert(stretch.face == kNothing || stretch.face < faces_.size());
     return stretch.face == kNothing ? kNothing : faces_[stretch.face].item;
   }
 
-  /// Adds a polygon that hides. True if something is changed by it. on_line(place) is called where
-  /// its boundary touches the line, and along_line(before, corner) for each side that lies on it.
+  /// Adds a polygon that hides. True if it changes anything. on_line(place) is called where its
+  /// boundary touches the line, and along_line(before, corner) for each side that lies on it.
   template <class OnLine, class AlongLine>
   bool add(std::uint32_t item, const OnLine& on_line, const AlongLine& along_line) {
     assert(scene_.hides(item));
@@ -107,7 +107,7 @@ class SeenAlongLine {
     return changed;
   }
 
-  /// True if the polygon whose cover ends at a place has there the depth of the stretch's.
+  /// True if the polygon whose cover ends at a place has the depth of the stretch's there.
   bool touches(const Stretch& stretch, std::uint32_t face, const Place& at) {
     if (stretch.face == face) return true;  // its own boundary crosses itself there
     if (stretch.face >= contested_) return false;
@@ -116,7 +116,7 @@ class SeenAlongLine {
     if (order.at_start * order.at_end >= 0) return false;
     return line_.compare(meeting_of(face, stretch.face), at) == 0;
   }
-  /// Where covers of polygons end, but for the line's own ends.
+  /// Ends of polygons' covers, except the line's own ends.
   struct End {
     Place at;
     std::uint32_t face;
@@ -139,8 +139,8 @@ class SeenAlongLine {
     }
   }
 
-  /// Where the boundary crosses a line close by, on that side, in order. Between the first and the
-  /// second they are inside, and so on (even-odd).
+  /// The crossings of the boundary with a line infinitely close on that side, sorted. Inside is
+  /// between the first and the second, and so on (even-odd).
   void find_crossings(std::uint32_t item, Side side) {
     crossings_.clear();
     const auto is_beyond = [&](std::uint32_t k) {
@@ -168,12 +168,12 @@ class SeenAlongLine {
     }
   }
 
-  /// The point of a corner, the first of those that are equal.
+  /// The point of a corner, the first of equal ones.
   std::uint32_t vertex(std::uint32_t item, std::uint32_t corner) const {
     return sides_.vertex(scene_.corner_point(item, corner));
   }
 
-  /// How many points two triangles have in common that lie in both their planes, and two of them.
+  /// The number of common points of two triangles that lie in both their planes, and two of them.
   std::size_t shared_points(std::uint32_t one, std::uint32_t two,
                             std::array<std::uint32_t, 2>& shared) const {
     std::size_t count = 0;
@@ -202,7 +202,7 @@ class SeenAlongLine {
                          faces_[other].plane);
   }
 
-  /// Whether the polygon added last is nearer than another beside the line, if both have the same
+  /// True if the polygon added last is nearer than another beside the line, when both have the same
   /// depth all along it.
   bool is_nearer_beside(std::uint32_t other) const {
     assert(other + 1 < faces_.size() && beside_ != kNothing);
@@ -211,7 +211,7 @@ class SeenAlongLine {
     return order != 0 ? order > 0 : one.item > two.item;
   }
 
-  /// Lets the polygon added last be seen from place to place, where it is nearer.
+  /// Makes the polygon added last visible from place to place, where it is nearer.
   bool insert(Side side, const Place& from, const Place& to) {
     const auto face = static_cast<std::uint32_t>(faces_.size() - 1);
     std::vector<Stretch>& seen = seen_[side];
@@ -244,7 +244,7 @@ class SeenAlongLine {
     return changed;
   }
 
-  /// Leaves of a part what the face is nearer in than the other; false if that is nothing.
+  /// Reduces a part to where the face is nearer than the other; false if that is empty.
   bool nearer_part(std::uint32_t face, std::uint32_t other, Place& from, Place& to) {
     if (other == kNothing) return true;
     if (other >= contested_) return false;
@@ -278,9 +278,9 @@ class SeenAlongLine {
   std::array<std::vector<Stretch>, 2> seen_;
   std::vector<Stretch> next_;
   std::vector<End> ends_;
-  std::vector<std::int8_t> side_;  // of the line, each corner of the polygon that is added
+  std::vector<std::int8_t> side_;  // side of the line of each corner of the added polygon
   std::vector<Place> crossings_;
-  std::uint32_t beside_ = kNothing;  // a corner of it on the side that is looked at
+  std::uint32_t beside_ = kNothing;  // a corner of it on the current side
 };
 
 }  // namespace displayfile

@@ -10,18 +10,18 @@
 
 namespace displayfile {
 
-/// What is known of each polygon's visibility before any edge is looked at: in a mesh, of most.
+/// The visibility of each polygon as far as known before any edge is processed: in a mesh, of most.
 class SeenFaces {
  public:
   enum class Seen : std::uint8_t {
-    nothing,  ///< it is hidden, or hides nothing
-    whole,    ///< convex, and nothing is before any part of it
-    some,     ///< more must be asked
+    nothing,  ///< hidden, or hides nothing
+    whole,    ///< convex, with nothing in front of any part of it
+    some,     ///< unknown
   };
 
-  /// Nothing is known of what hides.
+  /// All hiding polygons are unknown.
   explicit SeenFaces(const LineTable& scene);
-  /// Exactly, what is told.
+  /// Results are exact.
   SeenFaces(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
 
   Seen operator[](std::uint32_t item) const {

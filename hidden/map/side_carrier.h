@@ -14,11 +14,11 @@
 
 namespace displayfile {
 
-/// The line of a side in the projection, from one point of the items to another, as edges of a map
-/// may lie on it. What is asked of it is asked of a MeetingCarrier too.
+/// The line of a side in the projection, from one point of the items to another, as a carrier of
+/// map edges. MeetingCarrier has the same members.
 class SideCarrier {
  public:
-  /// A place on the line: its share of the way, off by so much at most, and what it is.
+  /// A place on the line: its fraction of the way, with an error bound, and its definition.
   struct Place {
     double share, error;
     MapPlace what;
@@ -45,7 +45,7 @@ class SideCarrier {
   /// The side of the line that a point is on: 1 if left of it, -1, 0.
   int side(const Point3& p) const { return orientation(Point2(from_), Point2(to_), Point2(p)); }
 
-  /// Where a point that lies on the line is, cut off at its ends, as the places below are.
+  /// The place of a point on the line, clamped to its ends, as the places below.
   Place at_point(std::uint32_t p) const {
     const Point3& v = scene_.point(p);
     const bool after_start = rises_ ? v[axis_] > from_[axis_] : v[axis_] < from_[axis_];
@@ -55,7 +55,7 @@ class SideCarrier {
     const double share = (v[axis_] - from_[axis_]) / (to_[axis_] - from_[axis_]);
     return {share, kShareError, MapPlace::at_point(p)};
   }
-  /// Where the side from p to q crosses it, which are on opposite sides of it.
+  /// The place where the side from p to q, which are on opposite sides, crosses it.
   Place crossing(std::uint32_t p, std::uint32_t q) const {
     const Point2 a(from_), b(to_), c(scene_.point(p)), d(scene_.point(q));
     const OrientationValue start_value = orientation_value(c, d, a);
@@ -78,8 +78,8 @@ class SideCarrier {
     if (side_a == side_b) return share == 0.0 ? start() : end();
     return {share, kShareError, what};
   }
-  /// Where two polygons' planes have the same depth; one is nearer at one end, the other at the
-  /// other.
+  /// The place where two polygons' planes have the same depth; one is nearer at one end, the other
+  /// at the other.
   Place meeting(std::uint32_t item, const Plane& plane, std::uint32_t other,
                 const Plane& of_other) const {
     const PlaneValue at_a = with_bound(depth_difference(plane, of_other, {from_.x, from_.y, 0.0}));
@@ -91,7 +91,7 @@ class SideCarrier {
     return {meeting_parameter(Point2(from_), Point2(to_), plane, of_other), kShareError, what};
   }
 
-  /// The sign of the first plane's depth less the other's at the start, and at the end.
+  /// The sign of the first plane's depth minus the other's at the start, and at the end.
   int order_at_start(const Plane& one, const Plane& other) const {
     return order_above(from_, one, other);
   }
@@ -114,15 +114,15 @@ class SideCarrier {
   }
 
  private:
-  /// A quotient of differences of doubles is off by less.
+  /// Bound on the error of a quotient of differences of doubles.
   static constexpr double kShareError = 0x1p-50;
 
-  /// The filter's bound is one of the sign; that of the value has the value's own rounding too.
+  /// The filter bounds the sign; the bound of the value includes the value's own rounding.
   static PlaneValue with_bound(const PlaneValue& v) {
     return {v.value, v.bound + 8.0 * kUnit * std::abs(v.value)};
   }
 
-  /// Where something is zero that is linear along the line, of opposite signs at its ends.
+  /// The zero of a value that is linear along the line, with opposite signs at its ends.
   static Place between(const PlaneValue& at_a, const PlaneValue& at_b, const MapPlace& what) {
     const double whole = std::abs(at_a.value) + std::abs(at_b.value);
     const double share = std::abs(at_a.value) / whole;
@@ -136,7 +136,7 @@ class SideCarrier {
   const LineTable& scene_;
   std::uint32_t a_ = 0, b_ = 0;
   Point3 from_{0.0}, to_{0.0};
-  int axis_ = 0;  // along which the ends differ
+  int axis_ = 0;  // in which the ends differ
   bool rises_ = true;
 };
 

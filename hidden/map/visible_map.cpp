@@ -58,7 +58,7 @@ void find_map(const MapTable& scene, const ContourEdges& ways, int threads, Visi
 }  // namespace
 
 VisibleMap visible_map(const Primitives& items, const MapOptions& options) {
-  const NamedWork named({"the map of what is seen", "for pixels hidden-surface method z-buffer"});
+  const NamedWork named({"the visible-surface map", "for pixels hidden-surface method z-buffer"});
   VisibleMap map;
   const LineTable scene(items, {}, options.threads);
   const SideTable sides(items);

@@ -9,36 +9,37 @@
 
 namespace displayfile {
 
-/// Which item is seen at each point of the projection: the plane divided by edges, beside each of
-/// which one item is seen on the left and another on the right (hidden/map/visible_map.md). Device
+/// The item visible at each point of the projection: the plane divided by edges, with one item
+/// visible on the left and another on the right of each (hidden/map/visible_map.md). Device
 /// coordinates.
 ///
-/// Among the solid polygons that cover a point, the one is seen whose plane is nearest there, and
-/// among several in one plane the one entered last. Edge-on polygons, hollow ones and lines are not
-/// part of it.
+/// Among the solid polygons that cover a point, the one with the nearest plane is visible, and
+/// among coplanar ones the one entered last. Edge-on polygons, hollow ones and lines are not
+/// included.
 struct VisibleMap {
   static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 
-  /// From one vertex to another, which differ; what is seen beside it, kNothing for the background.
+  /// From one vertex to another, distinct one; with the items visible beside it, kNothing for the
+  /// background.
   struct Edge {
     std::uint32_t from, to;
     std::uint32_t left, right;
   };
-  /// Edges have no points in common but vertices: where one ends on another, that one ends too. So
-  /// around each vertex what is seen right of one edge is seen left of the next.
+  /// Edges meet only at vertices: where one ends on another, that one ends too. So around each
+  /// vertex the item right of one edge is the item left of the next.
   std::vector<Edge> edges;
-  /// The vertices as what they are, and each coordinate rounded once. Two that are rounded alike
-  /// are one only if they are one point.
+  /// The vertices by definition, and with each coordinate rounded once. Two that are rounded alike
+  /// are merged only if they are the same point.
   std::vector<MapPlace> places;
   std::vector<Point2> points;
-  /// For each item 1 if all of it is seen, a convex polygon.
+  /// For each item 1 if it is an entirely visible convex polygon.
   std::vector<std::uint8_t> whole;
 };
 
 struct MapOptions {
-  int threads = 1;  ///< the result is the same for any number
-  /// What is known of whole polygons spares looking at their sides. Without it all is found side by
-  /// side, to compare with.
+  int threads = 1;  ///< the result does not depend on it
+  /// Skips the sides of polygons whose visibility is known as a whole. Without it all sides are
+  /// processed, for comparison.
   bool shortcuts = true;
 };
 

@@ -9,15 +9,15 @@
 
 namespace displayfile {
 
-/// The order in which edges of a map go out from a vertex, as they truly do: rounding the vertices
-/// may put an edge on another, or beyond it.
+/// The true order of a map's edges around a vertex: rounding the vertices may put an edge on
+/// another, or beyond it.
 class WaysFromVertex {
  public:
   /// Both must outlive it.
   WaysFromVertex(const Primitives& items, const VisibleMap& map) : items_(items), map_(map) {}
 
-  /// True if, turning clockwise at a vertex from the way back to another, the way to p is met
-  /// before that to q. What has the way back's own direction is met last.
+  /// True if, turning clockwise at a vertex from the way back to another, the way to p comes before
+  /// that to q. The way back's own direction comes last.
   bool comes_before(std::uint32_t vertex, std::uint32_t back, std::uint32_t p,
                     std::uint32_t q) const;
 
@@ -30,7 +30,7 @@ class WaysFromVertex {
 
   const Primitives& items_;
   const VisibleMap& map_;
-  mutable std::optional<LineTable> scene_;  // made where rounded vertices do not tell
+  mutable std::optional<LineTable> scene_;  // made if rounded vertices do not decide
 };
 
 }  // namespace displayfile

@@ -8,7 +8,7 @@ namespace displayfile {
 /// polygons, each node's plane dividing what is in front from what is in back (hidden/sort/bsp.md).
 SortedPieces sort_by_bsp(const Primitives& items, const SurfacePlan& plan);
 
-/// The same by the textbook's tree alone (hidden/sort/plain_bsp.h): no root is chosen.
+/// The same by the textbook's tree (hidden/sort/plain_bsp.h), without choosing roots.
 SortedPieces sort_by_plain_bsp(const Primitives& items, const SurfacePlan& plan);
 
 }  // namespace displayfile

@@ -27,12 +27,12 @@ class RootChooser {
  public:
   using Index = PolygonTable::Index;
 
-  /// What is given must stay; the islands may become known until the first choice.
+  /// The arguments must outlive this; the islands may be set until the first choice.
   RootChooser(SortTables<Policy>& scene, const std::optional<Islands<Policy>>& islands,
               RootChoice choice)
       : scene_(scene), table_(scene.table), islands_(islands), choice_(choice) {}
 
-  /// The root for a list of members, which must be the one last separated where islands are known.
+  /// The root for a list of members, which must be the one last separated if islands are known.
   Root choose(std::span<const Index> members) {
     assert(!members.empty());
     across_.reset();
@@ -60,8 +60,8 @@ class RootChooser {
     return across_ ? Root{kNone, scene_.vertices.add_plane(across_->plane())} : best;
   }
 
-  /// COMPARE-POLYS with the plane of the root last chosen; of one across an axis the extents mostly
-  /// decide.
+  /// COMPARE-POLYS with the plane of the root last chosen; for an axis-aligned plane the extents
+  /// usually decide.
   PlaneSide compare(Index test, std::uint32_t plane) {
     if (across_ && islands_) {
       const Extent& box = islands_->extent(test);
@@ -89,11 +89,11 @@ class RootChooser {
     return first;
   }
 
-  /// A plane across an axis; its front is where the coordinate is larger.
+  /// A plane perpendicular to an axis; its front is toward larger coordinates.
   struct Across {
     int axis;
     double at;
-    double tolerance;  ///< no vertex farther than this from it counts as on it
+    double tolerance;  ///< vertices within this distance count as on it
 
     Plane plane() const {
       Point3 p(0.0), q(0.0), r(0.0);
@@ -104,9 +104,8 @@ class RootChooser {
     }
   };
 
-  /// A plane that belongs to no polygon, across one of the axes where the middle of those tested
-  /// lies, if it costs less: a tree of the polygons' own planes over a convex surface would be a
-  /// chain.
+  /// A plane that belongs to no polygon, perpendicular to an axis at the middle of those tested, if
+  /// it costs less: a tree of the polygons' own planes over a convex surface would be a chain.
   std::optional<Across> choose_plane(double least) {
     if (trial_plane_ == kNoPlane) trial_plane_ = scene_.vertices.add_plane(Plane());
     std::optional<Across> best;
@@ -128,7 +127,7 @@ class RootChooser {
   }
   static constexpr std::size_t kFewestToDivide = 32;
   static constexpr std::size_t kCandidates = 16, kTested = 24;
-  /// Evenly spaced ones, so that the choice is the same each time.
+  /// Keeps evenly spaced ones, so that the choice is deterministic.
   static void thin_out(std::vector<Index>& list, std::size_t most) {
     if (list.size() <= most) return;
     for (std::size_t k = 0; k < most; ++k) list[k] = list[k * list.size() / most];
@@ -148,12 +147,12 @@ class RootChooser {
     }
   }
 
-  /// What dividing by the plane would cost, by the members that are tested; anything not less than
-  /// `least` if it is not.
+  /// The cost of dividing by the plane, from the tested members; any value not below `least` if it
+  /// is not less.
   double cost_of(std::uint32_t plane, double least) {
     return islands_ ? cost_by_pairs(plane, least) : cost_by_balance(plane, least);
   }
-  /// What counts is how many that overlap stay together.
+  /// Counts the overlapping pairs that stay together.
   double cost_by_pairs(std::uint32_t plane, double least) {
     assert(tested_.size() % 2 == 0);
     divides_.fill(false);
@@ -192,10 +191,10 @@ class RootChooser {
   RootChoice choice_;
 
   std::uint32_t trial_plane_ = kNoPlane;
-  std::optional<Across> across_;  // the plane compared with, if it is one
+  std::optional<Across> across_;  // the current plane, if it is one
   std::vector<double> middles_;
   std::vector<Index> candidates_, tested_;
-  std::array<bool, 2> divides_{};  // whether some of those tested lie in front, and in back
+  std::array<bool, 2> divides_{};  // whether some tested ones are in front, and in back
 };
 
 }  // namespace displayfile

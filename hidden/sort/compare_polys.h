@@ -13,18 +13,18 @@
 
 namespace displayfile {
 
-/// Where a polygon lies against a plane.
+/// A polygon's position relative to a plane.
 enum class PlaneSide : std::uint8_t { on, front, back, both };
 
-/// Is told of nothing: what stands for an observer where there is none, and costs nothing.
+/// Null observer; compiles to nothing.
 struct Unobserved {
   static void put(bool /*in_e*/, const SideBuffer::Side& /*side*/) {}
 };
 
 /// COMPARE-POLYS with its cleanup routines (algorithms 9.10 to 9.12, 9.14, 9.15) at either
-/// precision. A polygon is concave or crosses itself as it likes: its part on a side of the plane
-/// is one polygon by the even-odd rule, whose cut sides run along the plane and may lie over each
-/// other. An Observer is told of each side that a cut puts into the E buffer or the D buffer.
+/// precision. Polygons may be concave or self-crossing: the part on one side of the plane is one
+/// polygon by the even-odd rule, whose cut sides run along the plane and may overlap each other. An
+/// Observer is notified of each side that a cut puts into the E buffer or the D buffer.
 template <class Policy, class Observer = Unobserved>
 class ComparePolys {
  public:
@@ -33,7 +33,7 @@ class ComparePolys {
   ComparePolys(PolygonTable& table, VertexTable<Policy>& vertices, Observer observer = {})
       : table_(table), vertices_(vertices), observer_(std::move(observer)) {}
 
-  /// On which side of the plane the polygon lies. The sign of each vertex is kept for split.
+  /// The side of the plane on which the polygon lies. Keeps each vertex' sign for split.
   PlaneSide compare(Index test, std::uint32_t plane) {
     ++comparisons_;
     signs_.resize(table_[test].sides);
@@ -41,8 +41,8 @@ class ComparePolys {
       signs_[i] = static_cast<std::int8_t>(sign);
     });
   }
-  /// On which side of the plane the polygon lies. No sign is kept, so several threads may ask at
-  /// once.
+  /// The side of the plane on which the polygon lies. Keeps no signs, so several threads may call
+  /// it at once.
   PlaneSide where(Index test, std::uint32_t plane) const {
     return compare(test, plane, [](std::uint32_t, int) {});
   }
@@ -50,8 +50,8 @@ class ComparePolys {
   struct Halves {
     Index front, back;
   };
-  /// Cuts the polygon that was compared last, which lies on both sides: TEST becomes the half on
-  /// its first side, a new entry the other. Throws Error if the table may not grow.
+  /// Cuts the polygon compared last, which lies on both sides: TEST becomes the half on its first
+  /// side, a new entry the other. Throws Error if the table may not grow.
   Halves split(Index test, std::uint32_t plane) {
     if (table_.entries.size() >= table_.most_entries) {
       const auto& [what, instead] = work_in_force().done;
@@ -78,7 +78,7 @@ class ComparePolys {
     return first_side > 0 ? Halves{test, other} : Halves{other, test};
   }
 
-  /// The last split was only tried.
+  /// Undoes the count of a trial split.
   void take_back_split() { --cuts_; }
 
   std::uint64_t comparisons() const { return comparisons_; }
@@ -112,8 +112,8 @@ class ComparePolys {
     }
   };
 
-  /// The same where viewing has moved vertices off planes that they were entered in: those near the
-  /// plane count as on it if the polygon goes far from it, and both ends of a line do
+  /// The same where viewing has moved vertices off their planes: vertices near the plane count as
+  /// on it if the polygon extends far from it, and both ends of a line do
   /// (hidden/sort/touching_vertices.md).
   template <class Keep>
   PlaneSide compare_touching(Index test, std::uint32_t number, const Keep& keep) const {
@@ -141,7 +141,7 @@ class ComparePolys {
     return signs.side();
   }
 
-  /// As the signs have it that were kept of the polygon compared last, which has so many sides.
+  /// By the kept signs of the polygon compared last, with this many sides.
   bool lies_on_both_sides(std::uint32_t sides) const {
     Signs signs;
     for (const std::int8_t sign : signs_) signs.note(sign);

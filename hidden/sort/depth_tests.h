@@ -9,16 +9,16 @@ enum class DrawnFirst : std::uint8_t {
   either,  ///< they do not overlap after all
   first,   ///< the second is nearer
   second,
-  neither,  ///< they go through each other
+  neither,  ///< they intersect
 };
 inline DrawnFirst reversed(DrawnFirst d) {
   if (d == DrawnFirst::first) return DrawnFirst::second;
   return d == DrawnFirst::second ? DrawnFirst::first : d;
 }
 
-/// The tests of depth sort from cheap to dear: extents in z; all of one on one side of the other's
-/// plane, and the other way round. Undecided (neither) where each is cut by the other's plane, or
-/// the other has none.
+/// The tests of depth sort in order of cost: extents in z; all of one on one side of the other's
+/// plane, and vice versa. Undecided (neither) if each is cut by the other's plane, or the other has
+/// none.
 template <class Policy>
 DrawnFirst tested_order(const SortTables<Policy>& scene, PolygonTable::Index a,
                         PolygonTable::Index b, const Extent& box_a, const Extent& box_b) {

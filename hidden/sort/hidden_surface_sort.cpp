@@ -15,7 +15,7 @@ namespace displayfile {
 
 SortedPieces sort_hidden_surfaces(const Primitives& items, const SurfacePlan& plan) {
   constexpr const char* kInstead =
-      "hidden-surface method map, which has pieces of what is seen alone, or for pixels z-buffer";
+      "hidden-surface method map, which has visible pieces only, or for pixels z-buffer";
   switch (plan.method) {
     case HiddenMethod::bsp: {
       const NamedWork named({"the sort by bsp", kInstead});

@@ -12,9 +12,9 @@
 
 namespace displayfile {
 
-/// Islands of the polygons being sorted: sets that overlap nothing of each other in the projection,
-/// so that they need not be compared. What overlaps is found once, of the polygons as entered; a
-/// piece is taken to overlap what its polygon did, until their extents are apart.
+/// Islands of the polygons being sorted: sets that do not overlap each other in the projection, so
+/// that they need not be compared. Overlaps are found once, for the polygons as entered; a piece
+/// counts as overlapping whatever its polygon did, until their extents are apart.
 template <class Policy>
 class Islands {
  public:
@@ -33,7 +33,7 @@ class Islands {
     return extents_[entry];
   }
 
-  /// To be called after an entry was cut in two, one of them new.
+  /// Must be called after an entry was cut in two, one of them new.
   void add_cut(Index entry, Index front, Index back) {
     origin_of_.push_back(origin_of_[entry]);
     extents_.resize(scene_->table.free());
@@ -41,14 +41,14 @@ class Islands {
     extents_[front] = scene_->extent(front);
     extents_[back] = scene_->extent(back);
   }
-  /// To be called after a node without a polygon was added to the table.
+  /// Must be called after a node without a polygon was added to the table.
   void add_node() {
     origin_of_.push_back(0);
     extents_.push_back(Extent::nothing());
     assert(origin_of_.size() == scene_->table.free() && extents_.size() == origin_of_.size());
   }
 
-  /// Parts the members of a list into islands and those that are alone; false if all are one.
+  /// Divides a list's members into islands and singletons; false if all are one island.
   bool separate(std::span<const Index> members) {
     ++list_;
     for (const Index i : members) {
@@ -90,7 +90,7 @@ class Islands {
     }
   }
 
-  /// A member of the list last separated that this member overlaps; itself if there is none.
+  /// A member of the list last separated that overlaps this one; itself if none does.
   Index one_that_overlaps(Index i) const {
     const auto others = overlaps_.with(origin_of_[i]);
     const auto other = std::ranges::find_if(others, [&](Index b) { return still_overlaps(i, b); });
@@ -115,7 +115,7 @@ class Islands {
     const auto others = overlaps_.with(origin_of_[i]);
     return std::ranges::any_of(others, [&](Index b) { return still_overlaps(i, b); });
   }
-  /// Whether a member and what is in the list of an origin that overlapped its own still do.
+  /// True if a member still overlaps the pieces in the list of an origin that overlapped its own.
   bool still_overlaps(Index i, Index origin) const {
     const Origin& its = origins_[origin];
     if (its.list != list_) return false;
@@ -129,9 +129,9 @@ class Islands {
   std::vector<Extent> extents_;
   std::vector<Index> origin_of_;  // the entry that a piece was cut from
   struct Origin {
-    std::uint32_t list = 0;  // in which it was last seen
+    std::uint32_t list = 0;  // list of its last occurrence
     Index member = 0;        // a piece of it in the list
-    bool several = false;    // there are more
+    bool several = false;    // there are several pieces
     bool has_company = false;
   };
   std::vector<Origin> origins_;

@@ -15,7 +15,7 @@ struct Outline {
   int turning;  ///< 1 counterclockwise and convex, -1 clockwise and convex, 0 anything else
 };
 
-/// Which way the vertices turn (Outline::turning), decided as the table's policy decides.
+/// The orientation of the vertices (Outline::turning), decided by the table's policy.
 template <class Policy>
 int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32_t> v) {
   return convex_turning(
@@ -24,8 +24,8 @@ int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32
       [&](std::size_t i, std::size_t j) { return table.direction(v[i], v[j]); });
 }
 
-/// True if a side of `a` has all of `a` on one side of its line and all of `b` on the other, so
-/// that their insides have no point of the projection in common. Points on the line count for
+/// True if a side of `a` separates: all of `a` is on one side of its line and all of `b` on the
+/// other, so that their interiors do not intersect in the projection. Points on the line count for
 /// neither; `strictly`: those of b do, and then b's boundary does not even touch.
 template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, const Outline& b,
@@ -61,7 +61,7 @@ bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, co
   return false;
 }
 
-/// A triangle of points as entered, in the projection; turning is 0 for what is none.
+/// A triangle of points as entered, in the projection; turning is 0 if it is not one.
 struct EnteredTriangle {
   std::array<Point2, 3> p{};
   int turning = 0;
@@ -79,7 +79,7 @@ EnteredTriangle entered_triangle(const VertexTable<Policy>& table, const Outline
   return triangle;
 }
 
-/// separated_by_side_of for what most meshes are made of.
+/// separated_by_side_of for triangles, the usual case.
 template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const EnteredTriangle& a,
                           const EnteredTriangle& b) {
@@ -95,7 +95,7 @@ bool overlap_in_projection(const VertexTable<Policy>& table, const EnteredTriang
   return !separated_by_side_of(table, a, b) && !separated_by_side_of(table, b, a);
 }
 
-/// How many turns separated_by_side_of asks for of a polygon's sides, at most; and how many are too
+/// The maximum number of orientation tests in separated_by_side_of; and the number that is too
 /// many.
 inline std::size_t most_turns(const Outline& a, const Outline& b) {
   const std::size_t na = a.vertices.size(), nb = b.vertices.size();
@@ -103,9 +103,8 @@ inline std::size_t most_turns(const Outline& a, const Outline& b) {
 }
 inline constexpr std::size_t kMostTurns = 1 << 16;
 
-/// False only if no point of the projection lies inside both; the same whichever of them comes
-/// first. Polygons of so many sides that comparing would take too long, and such as are not convex
-/// but could only be told apart by more than one straight line, are taken to overlap.
+/// False only if no point of the projection is inside both. Symmetric. Polygons with too many sides
+/// to compare, and non-convex ones that only several lines would separate, count as overlapping.
 template <class Policy>
 bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
   // A line is drawn where a polygon's boundary is, and then the order matters.

@@ -15,8 +15,8 @@
 
 namespace displayfile {
 
-/// Which entries of the polygon table overlap in the projection, and at least one of them hides
-/// something: for each of the entries, the others.
+/// The pairs of entries of the polygon table that overlap in the projection, at least one of which
+/// hides: for each entry, the others.
 class Overlaps {
  public:
   using Index = PolygonTable::Index;
@@ -50,7 +50,7 @@ void in_parts(std::uint32_t size, std::uint32_t part, int threads, const Work& w
 /// The extents of all entries, and the pairs that overlap.
 struct OverlappingPairs {
   std::vector<Extent> extents;
-  /// Nothing if they are more than was allowed, which would take too much memory.
+  /// Nothing if they exceed the limit, which would take too much memory.
   std::optional<std::vector<Overlaps::Pair>> pairs;
 };
 
@@ -65,7 +65,7 @@ OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t 
   });
   const ExtentTree tree = extent_tree(result.extents, threads);
   const auto order = tree.order();
-  // What is compared with each other lies close together.
+  // Compared entries are adjacent in memory.
   std::vector<EnteredTriangle> triangles(entries);
   std::vector<std::int8_t> turning(entries);
   enum class Kind : std::uint8_t { nothing, drawn, hides };
@@ -100,7 +100,7 @@ OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t 
              for (std::uint32_t leaf = from; leaf < to && count <= most; ++leaf) {
                const std::size_t before = here.size();
                tree.pairs(leaf, leaf + 1, [&](std::uint32_t p, std::uint32_t q) {
-                 // What has no bounds meets what is nothing, too.
+                 // Unbounded entries meet empty ones, too.
                  if (kinds[p] == Kind::nothing || kinds[q] == Kind::nothing) return;
                  if (kinds[p] != Kind::hides && kinds[q] != Kind::hides) return;
                  if (here.size() - before > most) return;

@@ -14,15 +14,15 @@
 
 namespace displayfile {
 
-/// What an observer of PlainBsp has; this one does nothing.
+/// Null observer of PlainBsp, with the required members.
 struct UnobservedBsp {
   using Index = PolygonTable::Index;
   static void begin_root(Index /*root*/, Index /*parent*/, bool /*in_front*/) {}
   static void compared(Index /*root*/, Index /*test*/, PlaneSide /*side*/) {}  ///< not linked yet
-  /// Into halves, which are not linked yet; the table has one of them in its place.
+  /// Cut into halves, not linked yet; the table has one of them in its place.
   static void cut(Index /*root*/, Index /*test*/, Index /*front*/, Index /*back*/) {}
-  static void kept(Index /*root*/) {}  ///< one more in the root's plane
-  static void linked() {}              ///< the one compared, or its halves
+  static void kept(Index /*root*/) {}  ///< another one in the root's plane
+  static void linked() {}              ///< the compared one, or its halves
   static void end_root(Index /*root*/) {}
   static void begin_walk(Index /*root*/) {}
   static void behind(Index /*root*/, Index /*back*/) {}
@@ -30,19 +30,20 @@ struct UnobservedBsp {
   static void before(Index /*root*/, Index /*front*/) {}
 };
 
-/// The binary space partition as the textbook gives it, to be read, to be shown step by step, and
-/// to judge the fast form (SortPolygons, hidden/sort/bsp.md): SORT-POLYGONS (algorithm 9.9), the
-/// end of COMPARE-POLYS (9.10) and SAVE-POLYGONS-IN-ORDER (9.16), with stacks in place of
+/// The binary space partition in its textbook form, for reading, for the step display, and as the
+/// reference of the fast form (SortPolygons, hidden/sort/bsp.md): SORT-POLYGONS (algorithm 9.9),
+/// the end of COMPARE-POLYS (9.10) and SAVE-POLYGONS-IN-ORDER (9.16), with stacks instead of
 /// recursion. The polygon entered last is the root. One in the root's own plane is kept with the
 /// root, where the chapter puts it in front, so that equally near ones stay in order of entry.
 ///
-/// Comparing is COMPARE-POLYS over the scene's tables, which must stay, as must the observer.
+/// Comparing is COMPARE-POLYS over the scene's tables, which must outlive this, as must the
+/// observer.
 template <class Policy, class Observer = UnobservedBsp, class Comparing = ComparePolys<Policy>>
 class PlainBsp {
  public:
   using Index = PolygonTable::Index;
   static constexpr Index kNone = PolygonTable::kNone;
-  /// The textbook links each polygon in before the others of a list: its first is the last here.
+  /// The textbook links each polygon at the front of a list: its first is the last here.
   using List = std::vector<Index>;
 
   PlainBsp(SortTables<Policy>& scene, Comparing& comparing, Observer& observer)
@@ -62,21 +63,21 @@ class PlainBsp {
   std::span<const Index> order() const { return order_; }  ///< back to front
   std::uint32_t depth() const { return depth_; }           ///< of the tree
 
-  /// A list that hangs on a branch of a node.
+  /// A list on a branch of a node.
   struct Branch {
     List list;
     Index parent;
     bool in_front;
     std::uint32_t depth;
   };
-  // What an observer may look at: the lists still to be sorted, the last first; what is left of the
-  // list being sorted, and the two that it is sorted into.
+  // State for observers: the lists still to be sorted, the last first; the rest of the list being
+  // sorted, and the two into which it is sorted.
   std::span<const Branch> waiting() const { return waiting_; }
   const List& rest() const { return rest_; }
   const List& front() const { return front_; }
   const List& back() const { return back_; }
 
-  /// The root and what lies in its plane, in order of entry.
+  /// The root and the polygons in its plane, in order of entry.
   List in_plane_of(Index root) const {
     List all;
     for (Index i = root; i != kNone; i = table_[i].on) all.push_back(i);
@@ -157,8 +158,8 @@ class PlainBsp {
     table_[root].on = test;
   }
 
-  /// Algorithm 9.16: what is in back of a root, the root, what is in front. A node waits on the
-  /// stack until what is in back of it is in the order.
+  /// Algorithm 9.16: everything in back of a root, the root, everything in front. A node waits on
+  /// the stack until its back is in the order.
   void save_polygons_in_order() {
     List open;
     Index node = tree_;

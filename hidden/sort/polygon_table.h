@@ -23,15 +23,15 @@ struct PolygonTable {
     std::uint32_t item = 0;   ///< which item it is, or a piece of
     std::uint32_t plane =
         kNoPlane;  ///< kNoPlane of a line, and of a node whose branches need no order
-    /// The branches of the tree: what is in front and in back of the entry's plane. In a list of
-    /// polygons still to be sorted, front is the next.
+    /// The branches of the tree: in front and in back of the entry's plane. In a list of polygons
+    /// still to be sorted, front is the next.
     Index front = kNone, back = kNone;
     Index on = kNone;   ///< the first of the polygons in the entry's own plane, linked by `on`
     bool whole = true;  ///< not cut
   };
 
   std::vector<Entry> entries;
-  std::size_t most_entries = kNone;  ///< no polygon is cut if there are so many
+  std::size_t most_entries = kNone;  ///< no polygon is cut beyond this
   SideBuffer d;                      ///< the D buffer: sides of all polygons
   SideBuffer e;                      ///< the E buffer: one half of the polygon being split
 
@@ -48,7 +48,7 @@ struct PolygonTable {
     return d.vertices(entries[i].start, entries[i].sides);
   }
 
-  /// What was added after mark() is taken back by take_back: for trying a cut on a copy.
+  /// take_back removes additions after mark(): for trying a cut on a copy.
   struct Mark {
     Index free, d_free;
   };

@@ -15,7 +15,7 @@ class SideBuffer {
  public:
   struct Side {
     std::uint32_t vertex;  ///< number in the vertex table
-    SideLine line;         ///< what the side lies on
+    SideLine line;         ///< the side's line
     std::uint8_t
         visible;  ///< as Primitives::visible: the textbook's line, or for a cut side a move
   };

@@ -20,7 +20,7 @@ class SortPolygons {
  public:
   using Index = PolygonTable::Index;
 
-  /// The scene and the plan must stay.
+  /// The scene and the plan must outlive this.
   SortPolygons(SortTables<Policy>& scene, const SurfacePlan& plan)
       : scene_(scene), table_(scene.table), plan_(plan), roots_(scene, islands_, plan.root) {}
 
@@ -64,7 +64,7 @@ class SortPolygons {
   }
 
   enum class Branch : std::uint8_t { tree, front, back };
-  /// A list of polygons, and where in the tree the node made of it belongs.
+  /// A list of polygons, and the place in the tree of the node made from it.
   struct Unsorted {
     Index list, parent;
     Branch branch;
@@ -109,7 +109,7 @@ class SortPolygons {
     }
   }
 
-  /// The end of algorithm 9.10: hangs the polygon, or each half of it, on the root.
+  /// The end of algorithm 9.10: links the polygon, or each half of it, to the root.
   void compare_polys(Index root, Index test) {
     assert(root != test);
     const std::uint32_t plane = table_[root].plane;
@@ -148,7 +148,7 @@ class SortPolygons {
 
   // ---- Islands --------------------------------------------------------------------------------
 
-  /// True if the members fall apart into islands, or are alone: those are sorted apart.
+  /// True if the members are separate islands or singletons, which are sorted separately.
   bool separate_islands(const Unsorted& task) {
     if (!islands_->separate(members_)) return false;
     // One node holds all that are alone; from it hangs a chain of nodes, one for each island.
@@ -170,8 +170,8 @@ class SortPolygons {
 
   // ---- The order ------------------------------------------------------------------------------
 
-  /// Algorithm 9.16: what is in back of the root, the root, what is in front. Its recursion is a
-  /// stack of nodes of which the back is done.
+  /// Algorithm 9.16: everything in back of the root, the root, everything in front. Its recursion
+  /// is a stack of nodes whose back is done.
   void save_polygons_in_order() {
     std::vector<Index> path;
     Index node = tree_;
@@ -184,7 +184,7 @@ class SortPolygons {
     }
   }
 
-  /// The root and what lies in its plane, in order of entry.
+  /// Saves the root and the polygons in its plane, in order of entry.
   void save_plane(Index root) {
     const std::size_t first = order_.size();
     if (table_[root].sides > 0) order_.push_back(root);

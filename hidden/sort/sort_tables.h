@@ -14,11 +14,11 @@
 
 namespace displayfile {
 
-/// Where the items lie: as they are viewed, or in world coordinates, before viewing.
+/// The coordinates of the items: device, or world before viewing.
 enum class SortSpace : std::uint8_t { device, world };
 
-/// What the object-space methods work on: the items as entries of the polygon table. In device
-/// coordinates the planes are turned so that the front is the viewer's side; in world coordinates
+/// Input of the object-space methods: the items as entries of the polygon table. In device
+/// coordinates the planes are oriented so that the front is the viewer's side; in world coordinates
 /// there is no viewer yet.
 template <class Policy>
 struct SortTables {
@@ -36,7 +36,7 @@ struct SortTables {
   PolygonTable table;
   VertexTable<Policy> vertices;
   ComparePolys<Policy> comparing{table, vertices};
-  std::vector<Index> degenerate;  ///< entries that hide nothing and of which nothing is seen
+  std::vector<Index> degenerate;  ///< entries that hide nothing and are invisible
 
   bool hides(Index entry) const {
     return items.items[table[entry].item].kind == Primitives::Kind::solid &&
@@ -54,7 +54,7 @@ struct SortTables {
     const auto v = table.vertices(entry);
     return {v, v.size() == 2 ? 0 : convex_turning(vertices, v)};
   }
-  /// The order of entry; of the items in one plane, lines come last.
+  /// The order of entry; of coplanar items, lines come last.
   bool entered_before(Index a, Index b) const {
     const bool line_a = table[a].sides == 2, line_b = table[b].sides == 2;
     if (line_a != line_b) return line_b;
@@ -62,14 +62,14 @@ struct SortTables {
   }
 
  private:
-  /// The vertices that give the polygon's plane. A polygon that is edge-on, or in world coordinates
-  /// in line, has no plane.
+  /// The vertices that define the polygon's plane. A polygon that is edge-on, or collinear in world
+  /// coordinates, has no plane.
   static SupportVertices plane_vertices(std::span<const Point3> points, SortSpace space) {
     return space == SortSpace::device ? support_vertices(points) : spread_vertices(points);
   }
 
-  /// A plane for each polygon that has one, in order of entry: the one that it shares with others
-  /// (Primitives::planes), or else its own.
+  /// A plane for each polygon that has one, in order of entry: a shared one (Primitives::planes),
+  /// or its own.
   static std::vector<Plane> planes_of(const Primitives& all, SortSpace space) {
     std::vector<Plane> planes;
     planes.reserve(all.items.size());
@@ -109,7 +109,7 @@ struct SortTables {
     }
   }
 
-  /// Each polygon has a plane of its own number; those that share one count as lying in one.
+  /// Each polygon has its own plane number; polygons that share a plane count as coplanar.
   void find_shared_planes() {
     if (items.planes.empty()) return;
     std::map<Primitives::PlanePoints, std::uint32_t> first_of;
@@ -120,7 +120,7 @@ struct SortTables {
     }
   }
 
-  /// Algorithm 9.7, but for what the items hold already.
+  /// Algorithm 9.7, except for data that the items have already.
   void save_poly_for_hsc(std::uint32_t i, std::uint32_t plane) {
     const Primitives::Item& item = items.items[i];
     table.entries.push_back({table.d.free(), item.sides, i, plane});
@@ -133,7 +133,7 @@ struct SortTables {
   }
 
   struct LineLook {
-    bool whole = false;        ///< it is an item of two points, no polygon's side
+    bool whole = false;        ///< an item of two points, not a polygon's side
     std::uint8_t visible = 1;  ///< as Primitives::visible
   };
   void save_line(std::uint32_t i, std::uint32_t from, std::uint32_t to, const LineLook& look) {
@@ -143,7 +143,7 @@ struct SortTables {
     table.d.put({to, SideLine::edge(from, to), look.visible});
   }
 
-  /// An edge-on polygon covers nothing; each side that is drawn becomes a line.
+  /// An edge-on polygon covers nothing; each drawn side becomes a line.
   void save_outline(std::uint32_t i) {
     const Primitives::Item& item = items.items[i];
     bool drawn = false;
@@ -162,8 +162,8 @@ struct SortTables {
   }
 };
 
-/// The corner of the item at which the side ends that lies on that line, counted from 0. Looks from
-/// a corner on: the sides of a piece are in the polygon's order.
+/// The corner of the item, from 0, at which the side on that line ends. Searches from a corner on:
+/// the sides of a piece are in the polygon's order.
 inline std::uint32_t corner_of_side(const Primitives& items, const Primitives::Item& item,
                                     const SideLine& line, std::uint32_t look_from) {
   if (line.made_by_cut()) return SortedPieces::kNoCorner;
@@ -177,7 +177,7 @@ inline std::uint32_t corner_of_side(const Primitives& items, const Primitives::I
   return SortedPieces::kNoCorner;
 }
 
-/// The pieces of the entries, in that order, as the display file takes them.
+/// The pieces of the entries, in that order, for the display file.
 template <class Policy>
 SortedPieces sorted_pieces(const SortTables<Policy>& scene,
                            std::span<const PolygonTable::Index> order, bool names_sides = false) {
@@ -186,7 +186,7 @@ SortedPieces sorted_pieces(const SortTables<Policy>& scene,
   const auto whole = [&](std::uint32_t item) {
     sorted.pieces.push_back({item, SortedPiece::kWhole, scene.items.items[item].sides});
   };
-  // Pieces share the points of a cut; rounding is the dear part.
+  // Pieces share the points of a cut; rounding is the expensive part.
   std::vector<std::pair<bool, Point3>> rounded(scene.vertices.made());
   const auto coordinates = [&](std::uint32_t v) {
     if (scene.vertices.is_entered(v)) return scene.vertices.entered(v);

@@ -12,33 +12,32 @@
 
 namespace displayfile {
 
-/// The vertices of polygons and of their pieces by number, and the planes: first the points as
-/// entered, then those that the precision policy makes of them. Polygons that share a number
-/// share a vertex.
+/// The vertices of polygons and their pieces by number, and the planes: first the points as
+/// entered, then those made by the precision policy. Polygons that share a number share a vertex.
 ///
-/// A vertex that a cut made is refined when it first takes exact arithmetic to tell which way it
-/// turns or which way another lies, for it will be asked again. So one thread alone may ask that of
-/// such vertices at a time; all else that is const, and all of others, several may.
+/// A vertex made by a cut is refined when it first needs exact arithmetic for its orientation or
+/// that of another, since it will be used again. So only one thread at a time may call these for
+/// such vertices; other const members, and these for other vertices, may be called by several.
 template <class Policy>
 class VertexTable {
  public:
   using Vertex = typename Policy::Vertex;
 
-  /// The points must stay.
+  /// The points must outlive this.
   VertexTable(std::span<const Point3> points, std::vector<Plane> planes, const Policy& policy)
       : points_(points), planes_(std::move(planes)), policy_(policy) {
     policy_.use({points_, planes_});
   }
 
-  /// The number of a point as a vertex of a polygon in that plane.
+  /// The vertex number of a point of a polygon in that plane.
   std::uint32_t enter(std::uint32_t point, std::uint32_t own) {
     assert(point < points_.size() && (own == kNoPlane || own < planes_.size()));
     if (own == kNoPlane || planes_[own].goes_through(points_[point])) return point;
     return keep(policy_.vertex(point, own));
   }
-  /// Where a side crosses a plane that its ends are on both sides of. An end that counts as on the
-  /// planes that its side lies in may be off them: then what these planes have in common may be
-  /// elsewhere or nothing, and the end that is nearer to the plane stands for it.
+  /// The vertex where a side crosses a plane that separates its ends. An end that counts as on the
+  /// side's planes may be off them: then the common point of these planes may be elsewhere or not
+  /// exist, and the end nearer to the plane is used.
   std::uint32_t cut(std::uint32_t from, std::uint32_t to, const SideLine& line, std::uint32_t own,
                     std::uint32_t plane) {
     if (!(touching_ > 0.0)) [[likely]]
@@ -56,13 +55,13 @@ class VertexTable {
     return static_cast<std::uint32_t>(planes_.size() - 1);
   }
 
-  /// Replaces a plane that no vertex is defined by.
+  /// Replaces a plane by which no vertex is defined.
   void set_plane(std::uint32_t i, const Plane& plane) {
     assert(i < planes_.size());
     planes_[i] = plane;
   }
 
-  /// A plane counts as that one: what lies in either lies in both.
+  /// Identifies two planes: items in either are in both.
   void share_plane(std::uint32_t plane, std::uint32_t with) {
     assert(plane < planes_.size() && with < planes_.size());
     while (counts_as_.size() < planes_.size()) {
@@ -76,15 +75,15 @@ class VertexTable {
   }
 
   double tolerance() const { return policy_.tolerance(); }
-  /// What was entered in one place may be viewed so far apart, in each coordinate
+  /// Sets the distance, per coordinate, by which viewing may separate points entered in one place
   /// (Primitives::touching).
   void set_touching(double touching) { touching_ = touching; }
   double touching() const { return touching_; }
   /// A plane's value at a vertex.
   struct Value {
-    double size;   ///< as doubles have it
-    int sign;      ///< which side the vertex is on
-    bool is_near;  ///< it is about as close to the plane as what touches: then the sign is 0
+    double size;   ///< in doubles
+    int sign;      ///< side of the vertex
+    bool is_near;  ///< within about the touching distance: then the sign is 0
   };
   Value value(std::uint32_t v, std::uint32_t plane_number) const {
     const Plane& plane = planes_[plane_number];
@@ -95,7 +94,7 @@ class VertexTable {
     const double close = plane.reach * touching_;
     if (size > off + close) [[likely]]
       return {size, decided_sign(value), false};
-    // Doubles that are farther off than what touches do not say that it is close.
+    // Doubles with an error above the touching distance do not prove that it is close.
     if (!(off <= close)) return {size, side(v, plane_number), false};
     return {size, 0, true};
   }
@@ -112,11 +111,11 @@ class VertexTable {
     const int filtered = policy_.filtered_turn(near(a), near(b), near(c));
     return filtered != 0 ? filtered : turn_closely(a, b, c);
   }
-  /// Which way points as entered turn in the projection.
+  /// The orientation of points as entered, in the projection.
   int turn(const Point2& a, const Point2& b, const Point2& c) const {
     return policy_.turn(a, b, c);
   }
-  /// The same as turn, but 0 also for what is about as close to the line as what touches.
+  /// The same as turn, but 0 also within about the touching distance of the line.
   int turn_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (!(touching_ > 0.0)) [[likely]]
       return turn(a, b, c);
@@ -129,7 +128,7 @@ class VertexTable {
     if (!(off <= close)) return turn(a, b, c);
     return std::abs(determinant) > 2.0 * close ? decided_sign(determinant) : 0;
   }
-  /// True if none of the three turns that way from a to b, beyond what touches.
+  /// True if none of the three turns that way from a to b, beyond the touching distance.
   bool none_turns(const Point2& a, const Point2& b, const std::array<Point2, 3>& c, int way) const {
     if (touching_ > 0.0) {
       const double close = touching_ * taxicab(a, b);
@@ -144,7 +143,7 @@ class VertexTable {
     }
     return policy_.none_turns(a, b, c, way);
   }
-  /// What has exactly the vertex's x and y, if that is known; valid until the next vertex is made.
+  /// A point with exactly the vertex' x and y, if known; valid until the next vertex is made.
   const Point3* in_projection(std::uint32_t v) const {
     if (v < points_.size()) [[likely]]
       return &points_[v];
@@ -166,7 +165,7 @@ class VertexTable {
     return policy_.compare_xy(at(b), at(a));
   }
 
-  /// Doubles close to the vertex, and how close: no coordinate is farther than `radius`.
+  /// Doubles close to the vertex, with `radius` as the error bound per coordinate.
   NearPoint near(std::uint32_t v) const {
     assert(v < points_.size() + made_.size());
     if (v < points_.size()) return {points_[v], 0.0};
@@ -186,7 +185,7 @@ class VertexTable {
   }
 
  private:
-  /// By the coordinates in the projection, and by what touches.
+  /// By the coordinates in the projection, with the touching distance.
   bool is_between(const NearPoint& v, const NearPoint& a, const NearPoint& b) const {
     const double off = v.radius + a.radius + b.radius + 16.0 * touching_;
     const auto is_between_along = [&](int axis) {

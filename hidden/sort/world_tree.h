@@ -12,40 +12,39 @@
 
 namespace displayfile {
 
-/// The tree of a scene's polygons in world coordinates, before viewing: built once and walked for
-/// every eye (hidden/sort/world_tree.md).
+/// The tree of a scene's polygons in world coordinates, before viewing: built once and traversed
+/// for every eye (hidden/sort/world_tree.md).
 ///
-/// The items are those of a sort, but in world coordinates; no item's plane has a side that is the
-/// viewer's. A polygon whose vertices are in line in space hides nothing, and keeps its outline.
+/// The items are as for a sort, but in world coordinates; planes are not oriented to a viewer. A
+/// polygon with vertices collinear in space hides nothing, and keeps its outline.
 class WorldTree {
  public:
   using Index = std::uint32_t;
 
-  /// The plan gives the precision, how many pieces there may be, and how a root is chosen: `free`
-  /// is `sample` here, since overlaps in a projection belong to one view.
+  /// The plan sets the precision, the limit of pieces, and the choice of roots: `free` is `sample`
+  /// here, since overlaps in a projection belong to one view.
   WorldTree(const Primitives& world, const SurfacePlan& plan, bool names_sides = false);
 
-  /// The pieces that the orders are of, in world coordinates; each item is one piece or more. The
-  /// order in which they stand here has no meaning.
+  /// The pieces to which orders refer, in world coordinates; each item is one piece or more. Their
+  /// sequence here has no meaning.
   const SortedPieces& pieces() const { return pieces_; }
   std::size_t size() const { return pieces_.pieces.size(); }
 
-  /// Indices of all pieces, each once: what hides comes after what it hides, for an eye anywhere,
+  /// Indices of all pieces, each once: each piece follows those that it hides, for an eye anywhere,
   /// also among the pieces. Coplanar ones are in order of entry, lines last. The eye's coordinates
   /// are up to kCoordinateLimit.
   void far_to_near(const Eye& eye, std::vector<Index>& order) const;
-  /// The reverse of what far_to_near gives.
+  /// The reverse of far_to_near.
   void near_to_far(const Eye& eye, std::vector<Index>& order) const;
 
-  /// Does what far_to_near does, and returns how far the eye may move, at the least, before the
-  /// order can change: until it comes to the nearest plane. If the eye is at infinity, the vector's
-  /// end may move that far.
+  /// As far_to_near; returns a lower bound on how far the eye may move before the order can change,
+  /// its distance to the nearest plane. For an eye at infinity, how far the vector's end may move.
   double far_to_near_until(const Eye& eye, std::vector<Index>& order) const;
 
  private:
-  /// A x + B y + C z + D w at an eye, w being 0 at infinity and otherwise 1; with a bound of its
-  /// error, and of that of the doubles that it is made of: error_of_normal (|x| + |y| + |z|)
-  /// + error_of_offset w.
+  /// A x + B y + C z + D w at an eye, with w 0 at infinity and otherwise 1; with a bound on its
+  /// error, including that of its coefficients: error_of_normal (|x| + |y| + |z|) + error_of_offset
+  /// w.
   struct NodePlane {
     NodePlane() = default;
     explicit NodePlane(const Plane& plane);
@@ -54,8 +53,8 @@ class WorldTree {
     double error_of_normal = 0.0, error_of_offset = 0.0;
     double per_length = 0.0;  // 1 / |normal|, or less
   };
-  /// Nodes stand in the order of a walk that takes the front first, and pieces in the order of
-  /// their nodes. Numbers of pieces are all that it takes to find one's way.
+  /// Nodes are stored in the order of a front-first traversal, and pieces in the order of their
+  /// nodes. Counts of pieces suffice for navigation.
   struct Node {
     NodePlane plane;
     Index front = 0, back = 0;  // pieces in front of the plane and in back of it
@@ -74,16 +73,16 @@ class WorldTree {
   void walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const;
 
   std::vector<Node> nodes_;
-  std::vector<Plane> planes_;  // for what the filter leaves undecided
-  Index degenerate_ = 0;       // the first pieces, of which nothing is seen
+  std::vector<Plane> planes_;  // for undecided filters
+  Index degenerate_ = 0;       // number of initial, invisible pieces
   SortedPieces pieces_;
 };
 
-/// The order of a tree's pieces, far to near, for an eye that moves: walks the tree only when the
+/// The order of a tree's pieces, far to near, for a moving eye: traverses the tree only when the
 /// eye may have crossed a plane.
 class MovingEye {
  public:
-  /// The tree must stay.
+  /// The tree must outlive this.
   explicit MovingEye(const WorldTree& tree) : tree_(&tree) {}
 
   /// Valid until the next call.

@@ -7,23 +7,23 @@
 
 namespace displayfile {
 
-/// Which polygons of a scene may have another plane close to their own, in doubles, quickly: by one
-/// sort of their planes' distances from a point, and a look at where polygons lie whose normals are
-/// alike (hidden/touching/touching_planes.md, "Planes that are close and not one").
+/// Finds quickly, in doubles, which polygons of a scene may have another plane close to their own:
+/// by sorting their planes' distances from a point, and checking the positions of polygons with
+/// similar normals (hidden/touching/touching_planes.md, "Planes that are close and not one").
 class ClosePlanes {
  public:
   ClosePlanes() = default;
-  /// `reach` is that of what touches, before modelling transformations, as of TouchingPlanes;
-  /// `near` the same of planes that are close at an angle of 2^-20 at most, no smaller.
+  /// `reach` is the touching distance, before modelling transformations, as in TouchingPlanes;
+  /// `near` the same for planes that are close at an angle of at most 2^-20, no smaller.
   ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf& polygon_of, double reach,
               double near);
 
-  /// The numbers, rising, of the polygons that may lie in another's plane, or another in theirs.
-  /// All where doubles do not tell: where polygons are so thin that they may lie in planes of other
+  /// The indices, ascending, of the polygons that may lie in another's plane, or another in theirs.
+  /// All if doubles do not decide: where polygons are so thin that they may lie in planes of other
   /// normals.
   const std::vector<std::uint32_t>& may_touch() const { return may_touch_; }
-  /// The numbers, rising, of those that may have another polygon's plane near them, or lie near
-  /// another's, other than the plane that they lie in.
+  /// The indices, ascending, of those that may have another polygon's plane near them, or lie near
+  /// another's, other than the plane in which they lie.
   std::vector<std::uint32_t> near_others(const TouchingPlanes& touching) const;
 
  private:
@@ -44,10 +44,10 @@ class ClosePlanes {
 
   std::uint32_t polygons_ = 0;
   std::vector<Entered> planes_;      // of those that may be near, by rising distance from the point
-  double window_ = 0.0;              // how much closer or farther one that is near may be
+  double window_ = 0.0;              // maximum difference in distance of near ones
   double reach_ = 0.0, near_ = 0.0;  // in the world
   double rounding_ = 0.0;            // of points there
-  bool is_known_ = true;             // all planes are, well enough
+  bool is_known_ = true;             // all planes are known accurately enough
   std::vector<std::uint32_t> may_touch_;
 };
 

@@ -10,15 +10,14 @@
 
 namespace displayfile {
 
-/// Finds numbered things by three keys each that are nearly the same: a grid of cubes, in a hash
-/// table, of a few sizes. A search looks into the cubes that its tolerance reaches: one or two
-/// along each key.
+/// Finds numbered items with three nearly equal keys each: a grid of cubes in a hash table, with a
+/// few sizes. A search examines the cubes within its tolerance: one or two along each key.
 class KeyGrid {
  public:
   /// Each 0 or more, and not much above 4.
   using Keys = std::array<double, 3>;
 
-  /// For the numbers below that of `tolerances`, which are those of the searches, each above 2^-50.
+  /// For numbers below the size of `tolerances`, which are those of the searches, each above 2^-50.
   explicit KeyGrid(std::span<const double> tolerances);
 
   /// False if the tolerance is too large for cubes.
@@ -28,8 +27,8 @@ class KeyGrid {
   void insert(std::uint32_t number, const Keys& keys);
   void clear();
 
-  /// Calls visit(number) for all inserted numbers each of whose keys is within the tolerance, and
-  /// for others, maybe more than once, until it returns false. There must be a size for it.
+  /// Calls visit(number) for all inserted numbers with every key within the tolerance, and for
+  /// others, possibly repeatedly, until it returns false. Requires a size for the tolerance.
   template <class Visit>
   void visit_near(const Keys& keys, double tolerance, Visit&& visit) const;
 

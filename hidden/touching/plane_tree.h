@@ -13,24 +13,24 @@
 namespace displayfile {
 
 /// Finds planes that pass near points: a tree over planes as points of four numbers, the unit
-/// normal and the distance from the origin. All planes are known from the beginning and are put in
-/// order once; a search sees those that were inserted. The boxes of a branch are those of the
-/// inserted ones alone, so that what is not inserted costs a search nothing.
+/// normal and the distance from the origin. All planes are given at construction and sorted once; a
+/// search sees the inserted ones. The boxes of a branch include only inserted planes, so that
+/// others cost nothing.
 class PlaneTree {
  public:
   /// Normal and distance: the points v with n . v = distance.
   using Plane = glm::dvec4;
 
-  /// The planes have indices from 0; they are rough, since they are only put in order.
+  /// The planes, approximate, since they only determine the order.
   explicit PlaneTree(std::span<const Plane> planes);
 
-  /// A plane by its index, which may be off by `radius` at points that are looked for; a search may
-  /// leave out those of lesser area.
+  /// Inserts a plane by index, which may be off by `radius` at searched points; searches may skip
+  /// planes of smaller area.
   void insert(std::uint32_t index, const Plane& plane, double radius, double area);
 
   /// Calls visit(index) for each inserted plane that may be within `near` of each corner and has an
-  /// area no less than what visit returned last, at first `least`, and for others too. Returns how
-  /// many nodes it looked at.
+  /// area of at least the last result of visit, initially `least`, and for others too. Returns the
+  /// number of nodes examined.
   template <class Visit>
   std::size_t visit_near(const std::array<Point3, 3>& corners, double near, double least,
                          Visit&& visit) const;
@@ -45,7 +45,7 @@ class PlaneTree {
     Node();
     void include(std::size_t branch, const Plane& plane, double of_radius, double area);
   };
-  /// A search: one corner and two sides of a triangle, which branches are held against.
+  /// A search: one corner and two sides of a triangle, to compare with branches.
   struct Query {
     Point3 corner, first_side, second_side;
     double near;
@@ -58,7 +58,7 @@ class PlaneTree {
   };
   static void divide(std::span<Entry> entries, std::size_t half);
 
-  /// A level's nodes have eight nodes of the level below each, those of the first eight planes.
+  /// Each node has eight nodes of the level below; at the first level, eight planes.
   std::vector<std::vector<Node>> levels_;
   std::vector<std::uint32_t> order_;  // indices of planes
   std::vector<std::uint32_t> place_;  // in order_, by index

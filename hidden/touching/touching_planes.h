@@ -12,46 +12,44 @@
 
 namespace displayfile {
 
-/// Which polygons of a scene lie in the support plane of another, by the definition
-/// (interp/truth/entered_truth.md), from the points as they were entered. Exact. How they are
-/// found: hidden/touching/touching_planes.md.
+/// Finds which polygons of a scene lie in the support plane of another, by the definition
+/// (interp/truth/entered_truth.md), from the points as entered. Exact. Method:
+/// hidden/touching/touching_planes.md.
 class TouchingPlanes {
  public:
-  /// A polygon by its number. Its points and its matrix need only last until the next call, and one
-  /// of fewer than three points has no plane.
+  /// A polygon by its index. Its points and matrix must be valid until the next call; one with
+  /// fewer than three points has no plane.
   using PolygonOf = std::function<EnteredPolygon(std::uint32_t)>;
-  /// How many comparisons were made, for tests and reports.
+  /// Numbers of comparisons, for tests and reports.
   struct Counts {
     std::uint64_t compared = 0;  ///< a polygon with a plane, roughly
-    std::uint64_t tested = 0;    ///< of them those that needed the definition
+    std::uint64_t tested = 0;    ///< of these, the ones that needed the definition
   };
 
   TouchingPlanes() = default;
   /// The polygons are 0 to `polygons` - 1, in order of entry. `reach` is before the modelling
-  /// transformation (entered_reach of clip/surfaces.h); with 0 polygons lie in one
-  /// plane only if they do exactly. Coordinates in
-  /// the world are finite. Throws LimitReached where the budget in force is used up.
+  /// transformation (entered_reach of clip/surfaces.h); with 0 polygons are coplanar only if they
+  /// are exactly. World coordinates are finite. Throws LimitReached beyond the budget in force.
   TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);
-  /// The same, of these polygons alone, whose numbers rise: the others have no plane.
+  /// The same for these polygons only, in ascending order: others have no plane.
   TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
                  const PolygonOf& polygon_of, double reach);
 
-  /// The polygon whose support plane the polygon lies in: itself where it touches no other's, or
-  /// has no plane. plane_of(plane_of(p)) = plane_of(p).
+  /// The polygon in whose support plane the polygon lies: itself if it touches no other's, or has
+  /// no plane. plane_of(plane_of(p)) = plane_of(p).
   std::uint32_t plane_of(std::uint32_t polygon) const {
     assert(polygon < plane_.size());
     const std::uint32_t plane = plane_[polygon];
     return plane == kNone ? polygon : planes_[plane].polygon;
   }
   bool has_plane(std::uint32_t polygon) const { return plane_[polygon] != kNone; }
-  /// How many polygons lie in the plane of another.
+  /// The number of polygons in the plane of another.
   std::size_t touching() const { return touching_; }
 
-  /// The planes in which more than one polygon lies are numbered from 0, in the order of the
-  /// definition.
+  /// Planes with more than one polygon are numbered from 0, in the order of the definition.
   std::size_t shared_planes() const { return first_member_.empty() ? 0 : first_member_.size() - 1; }
-  /// The polygons that lie in such a plane, in the order of the definition: falling area, then
-  /// entry. The plane is that of the first.
+  /// The polygons in such a plane, in the order of the definition: decreasing area, then entry. The
+  /// plane is that of the first.
   std::span<const std::uint32_t> members(std::size_t shared_plane) const {
     assert(shared_plane < shared_planes());
     const std::size_t first = first_member_[shared_plane];
@@ -63,8 +61,8 @@ class TouchingPlanes {
   /// has no plane. With a reach of 0: if it is on the plane.
   bool lies_in(const Point3& entered, const glm::dmat4x3* modelling, std::uint32_t polygon) const;
 
-  /// Keeps shared_planes, members and touching alone, in little memory: nothing else may be called
-  /// from here on.
+  /// Keeps only shared_planes, members and touching, in little memory: nothing else may be called
+  /// afterwards.
   void keep_members_alone();
 
   const Counts& counts() const { return counts_; }

@@ -10,14 +10,13 @@
 
 namespace displayfile {
 
-// Vertices that are meant to be one, and sides on which others end: files round each corner for
-// itself, and what was cut from several bodies has corners on the sides of its neighbours
-// (hidden/touching/vertices_within_reach.md). Any coordinate system; distances are judged in
+// Vertices that are meant to coincide, and sides on which others end: files round each corner
+// separately, and parts cut from several bodies have corners on the sides of their neighbours
+// (hidden/touching/vertices_within_reach.md). Any coordinate system; distances are computed in
 // doubles.
 
-/// For each point the one that it is a vertex with: in order, the first earlier one within reach
-/// that stands for itself, or else itself. With a reach of 0 the first that is equal.
-/// first[first[i]] = first[i] <= i.
+/// For each point its representative: in order, the first earlier representative within reach, or
+/// otherwise itself. With a reach of 0 the first equal point. first[first[i]] = first[i] <= i.
 std::vector<std::uint32_t> first_within(std::span<const Point3> points, double reach);
 
 /// A side between two points, given by their indices.
@@ -28,11 +27,11 @@ struct SideOfPoints {
 /// Sides with the ends of others along them.
 class PartedSides {
  public:
-  /// Looks for ends of the sides that are within reach of another, between its ends. Indices are
-  /// those of vertices, as of first_within.
+  /// Finds ends of the sides that are within reach of another side, between its ends. Indices are
+  /// those of representatives, as of first_within.
   PartedSides(std::span<const Point3> points, std::span<const SideOfPoints> sides, double reach);
 
-  /// The vertices along a side, in order from its start to its end, without these.
+  /// The vertices along a side, in order from its start to its end, excluding both.
   std::span<const std::uint32_t> along(std::size_t side) const {
     if (first_.empty()) return {};
     assert(side + 1 < first_.size());

@@ -8,13 +8,14 @@
 namespace displayfile {
 
 /// 1 or -1 if a polygon of n vertices turns one way all around, once, counterclockwise or
-/// clockwise; 0 if not, also if two vertices in a row are the same or all are in line. What turns
-/// one way goes once around if it changes direction twice, whichever way is called forward.
+/// clockwise; 0 if not, also if two successive vertices coincide or all are collinear. A polygon
+/// that turns one way goes around once if it changes direction twice, for any choice of forward
+/// direction.
 ///
 /// turn(i, j, k) is the sign of the turn from vertex i over j to k; direction(i, j) is 1 if j comes
-/// after i by x, or by y where x is the same, -1 if before and 0 if they are one point. How exact
-/// they are is for the caller to say. With exact ones the result is the same from whichever vertex
-/// the polygon is begun, and the opposite if it is gone around the other way.
+/// after i by x, or by y where x is equal, -1 if before and 0 if they are one point. The caller
+/// determines their exactness. With exact ones the result does not depend on the first vertex, and
+/// flips if the order is reversed.
 template <class Turn, class Direction>
 int convex_turning(std::size_t n, const Turn& turn, const Direction& direction) {
   if (n < 3) return 0;

@@ -13,13 +13,13 @@ namespace displayfile {
 /// Three corners of a polygon, in its order.
 using CornerTriple = std::array<std::uint32_t, 3>;
 
-/// Cuts ears off a polygon until a triangle is left: the plain way, quadratic for usual polygons.
+/// Cuts ears off a polygon until a triangle is left: simple, quadratic for usual polygons.
 class EarCutting {
  public:
-  /// Appends the triangles of a polygon that runs counterclockwise, two fewer than it has corners
-  /// (three at least); each of its sides is a side of one of them. Signs are those of doubles. If a
-  /// round finds no ear, or so many corners have been looked at, the next corner is cut off as it
-  /// is: a polygon that crosses itself is cut where ears are found, and fanned from there.
+  /// Appends the triangles of a polygon that runs counterclockwise, two fewer than its corners (at
+  /// least three); each of its sides is a side of one of them. Signs are in doubles. If a round
+  /// finds no ear, or after most_looks corners, the next corner is cut off anyway: a self-crossing
+  /// polygon is cut where ears are found, and fanned from there.
   void cut(std::span<const Point2> polygon, std::size_t most_looks,
            std::vector<CornerTriple>& triangles);
 

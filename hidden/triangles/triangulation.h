@@ -11,8 +11,7 @@
 
 namespace displayfile {
 
-/// Cuts polygons, mostly those that are not flat, into triangles
-/// (hidden/triangles/triangulation.md).
+/// Cuts polygons, mostly non-planar ones, into triangles (hidden/triangles/triangulation.md).
 class Triangulation {
  public:
   struct Triangle {
@@ -23,18 +22,18 @@ class Triangulation {
 
   /// Polygons of more corners than this are cut by a sweep, others by cutting off ears.
   static constexpr std::size_t kMostForEars = 64;
-  /// Where the sweep finds that a polygon crosses itself, ears are cut until so many corners have
-  /// been looked at for each that it has.
+  /// If the sweep finds that a polygon crosses itself, ears are cut until this many corners have
+  /// been examined for each of its corners.
   static constexpr std::size_t kLooksPerCorner = 256;
 
-  /// Triangles that tile the polygon (three vertices at least, any coordinates in space), two fewer
-  /// than it has vertices, as seen along the axis that is nearest to its Newell normal; each keeps
-  /// the polygon's own turning direction, and each side of the polygon is a side of one of them. In
-  /// n log n. A polygon that crosses itself has no such tiling; it is cut where ears are found, and
-  /// fanned from there. Valid until the next call.
+  /// Triangles that tile the polygon (at least three vertices, any coordinates in space), two fewer
+  /// than its vertices, as seen along the axis nearest to its Newell normal; each has the polygon's
+  /// orientation, and each side of the polygon is a side of one of them. In n log n. A
+  /// self-crossing polygon has no such tiling; it is cut where ears are found, and fanned from
+  /// there. Valid until the next call.
   std::span<const Triangle> triangulate(std::span<const Point3> polygon);
 
-  /// The same by cutting off ears alone, in quadratic time: the tests' reference.
+  /// The same by cutting ears only, in quadratic time: the reference for tests.
   std::span<const Triangle> triangulate_by_ears(std::span<const Point3> polygon);
 
  private:

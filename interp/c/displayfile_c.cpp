@@ -123,7 +123,7 @@ template <class Value>
 std::span<const Value> array_or_null(const void* values, std::size_t count, const df_mesh& mesh,
                                      const char* what) {
   if (values != nullptr && count == 0 && mesh.corner_count > 0) {
-    throw Error(fmt::format("{}: 0 of them: expected more, or null for none", what));
+    throw Error(fmt::format("{}: an empty array: expected null for none", what));
   }
   return array<Value>(values, count, what);
 }
@@ -170,7 +170,7 @@ void df_destroy(df_system* system) { delete system; }
 
 const char* df_error(const df_system* system) {
   if (system == nullptr) return "the system: expected it, not null";
-  if (system == was_busy) return "busy: a call on the system from another thread goes on";
+  if (system == was_busy) return "busy: another thread's call on the system is in progress";
   return system->error.c_str();
 }
 
@@ -274,7 +274,7 @@ int df_draw_as(df_system* system, const df_options* options, const char* format,
                size_t* length) {
   return drawn(system, options, [&](const DrawOptions& asked) {
     require_given(format, "the format");
-    require_given(bytes, "where the bytes go");
+    require_given(bytes, "the pointer to the bytes");
     require_given(length, "where the length goes");
     system->bytes = draw_as(looked_at(*system), format, asked);
     hand_out_text(system->bytes, bytes, length);
@@ -341,7 +341,7 @@ int df_steps(df_system* system, const df_options* options, size_t most_steps, co
     require_given(text, "where the text goes");
     require_given(length, "where the length goes");
     StepsOptions steps;
-    if (!asked.surfaces.method) throw Error("method: expected one that tells its steps");
+    if (!asked.surfaces.method) throw Error("method: expected one with steps");
     steps.method = *asked.surfaces.method;
     steps.width = asked.width;
     steps.height = asked.height;

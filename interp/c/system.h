@@ -23,15 +23,15 @@
 #include "interp/draw/other_eye.h"
 #include "interp/draw/renderer.h"
 
-/// What the C API's functions have in common: the system behind the handle, how a call is carried
-/// out, and structures that say their own size.
+/// Shared by the C API's functions: the system behind the handle, running a call, and versioned
+/// structures.
 
 struct df_system {
   displayfile::GraphicsSystem system;
   bool is_new = true;  // no routine was called
   displayfile::CollectedText recorded;
-  std::optional<displayfile::Recorder> recorder;  // if it retains
-  std::optional<displayfile::View> eye;           // that is looked from
+  std::optional<displayfile::Recorder> recorder;  // if retain was called
+  std::optional<displayfile::View> eye;           // view of df_look_from
   std::optional<displayfile::OtherEye> other;     // made when it is needed
   displayfile::Renderer renderer;
   displayfile::SortedDisplayFile sorted;
@@ -39,18 +39,18 @@ struct df_system {
   std::atomic_flag is_busy;
   std::string error;
 
-  // What was handed out last.
+  // Memory returned last.
   std::string bytes;
   displayfile::DrawnPieces pieces;
 };
 
 namespace displayfile::c {
 
-/// The system that refused this thread's last call on it by DF_BUSY: its error is the other
-/// thread's meanwhile.
+/// The system that returned DF_BUSY for this thread's last call on it: its own error belongs to the
+/// other thread.
 extern constinit thread_local const df_system* was_busy;
 
-/// Carries a call out, by the budget's limits, while no other thread is in one.
+/// Runs a call within the budget's limits, while no other thread is in one.
 template <class Call>
 int carried_out(df_system* system, const WorkLimits& limits, Call&& call) noexcept {
   if (system == nullptr) return DF_ERROR;
@@ -88,7 +88,7 @@ int carried_out(df_system* system, Call&& call) noexcept {
   return carried_out(system, {}, call);
 }
 
-/// Carries a call out that tells the system something.
+/// Runs a call that changes the system.
 template <class Call>
 int told(df_system* system, Call&& call) noexcept {
   return carried_out(system, [&] {
@@ -103,7 +103,7 @@ void require_given(const Pointer* pointer, const char* what) {
   if (pointer == nullptr) throw Error(fmt::format("{}: expected it, not null", what));
 }
 
-/// A file's path. Standard input and output are not the library's to read or write.
+/// A file's path. The library does not use standard input and output.
 inline const char* path_given(const char* path) {
   require_given(path, "the path");
   if (std::strcmp(path, "-") != 0) return path;
@@ -112,8 +112,8 @@ inline const char* path_given(const char* path) {
       "command's");
 }
 
-/// The size that a structure says. That of any version is a multiple of its alignment: no member is
-/// cut in two.
+/// A structure's stated size. In every version it is a multiple of the alignment: no member is cut
+/// in two.
 template <class Structure>
 std::size_t size_said(const Structure* given, const char* name) {
   std::size_t size = 0;
@@ -122,8 +122,8 @@ std::size_t size_said(const Structure* given, const char* name) {
   throw Error(fmt::format("{}: size {}: expected sizeof({})", name, size, name));
 }
 
-/// The structure as this version knows it: members that an earlier caller does not know are 0, and
-/// those that a later one knows must be.
+/// The structure in this version's form: members missing in an earlier version are 0, and those of
+/// a later one must be 0.
 template <class Structure>
 Structure known(const Structure* given, const char* name) {
   static_assert(std::is_trivially_copyable_v<Structure>);
@@ -133,14 +133,14 @@ Structure known(const Structure* given, const char* name) {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
   const std::size_t both = std::min(size, sizeof result);
   if (std::any_of(bytes + both, bytes + size, [](unsigned char byte) { return byte != 0; })) {
-    throw Error(fmt::format("{}: size {}: it says more than version {} of the library knows", name,
+    throw Error(fmt::format("{}: size {}: larger than version {} of the library supports", name,
                             size, df_version()));
   }
   std::memcpy(static_cast<void*>(&result), bytes, both);
   return result;
 }
 
-/// Hands out as much of a structure as the caller has room for.
+/// Copies as much of a structure as the caller's size allows.
 template <class Structure>
 void hand_out(Structure result, Structure* to, const char* name) {
   require_given(to, name);
@@ -154,11 +154,11 @@ inline void hand_out_text(const std::string& from, const char** text, std::size_
   *length = from.size();
 }
 
-/// The scene that a system retains. Throws Error if it does not.
+/// A system's retained scene. Throws Error if there is none.
 const RetainedScene& retained(const df_system& system);
-/// The system as it is looked at.
+/// The system in the view of df_look_from.
 const GraphicsSystem& looked_at(df_system& system);
-/// What it is looked at with, if that is another eye; null: as the application set the view.
+/// The other eye in force; null: the application's view.
 OtherEye* eye_in_force(df_system& system);
 
 }  // namespace displayfile::c

@@ -13,8 +13,8 @@
 
 namespace displayfile {
 
-/// Cairo's library and the functions of it that are used, loaded when it is first asked for: it
-/// brings what draws on screens.
+/// Cairo's library and the functions used, loaded on first use, since it depends on screen-drawing
+/// libraries.
 class Cairo {
   SharedLibrary library_{"libcairo.so.2"};
 
@@ -77,14 +77,14 @@ class Cairo {
 #undef DISPLAYFILE_CAIRO
 };
 
-/// Throws Error, each time that it is called, if this system has none.
+/// Throws Error, at each call, if this system has none.
 inline const Cairo& cairo() {
   static const Cairo library;
   return library;
 }
 
-/// Throws std::bad_alloc where Cairo was out of memory, and Error, "`what`: " and what Cairo says,
-/// where it failed otherwise.
+/// Throws std::bad_alloc if Cairo was out of memory, and Error, "`what`: " with Cairo's message,
+/// for other failures.
 inline void require_cairo_success(cairo_status_t status, std::string_view what) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();

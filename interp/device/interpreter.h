@@ -9,11 +9,11 @@
 
 namespace displayfile {
 
-/// A style with widths and dashes so many times as large.
+/// A style with its width and dashes multiplied by `by`.
 LineStyle scaled(LineStyle style, double by);
 
 /// Calls visit(item, style) for the items of a scene that draw lines, in order of entry; the style
-/// with widths and dashes so many times as large.
+/// has scaled width and dashes.
 template <class Visit>
 void for_each_outlined(const ViewedScene& scene, double line_scale, Visit&& visit) {
   const auto runs = scene.line_styles();
@@ -26,7 +26,7 @@ void for_each_outlined(const ViewedScene& scene, double line_scale, Visit&& visi
   }
 }
 
-/// Hands the lines and the drawn sides of a scene's polygons to the device, in order of entry, as
+/// Passes the lines and the drawn sides of a scene's polygons to the device, in order of entry, as
 /// interpret does with Pass::lines.
 void interpret_lines(const ViewedScene& scene, OutputDevice& device, double line_scale = 1.0);
 

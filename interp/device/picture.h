@@ -19,27 +19,27 @@ namespace displayfile {
 /// The two kinds of pictures: pixels, or vectors.
 enum class PictureKind { raster, vector };
 
-/// A raster picture, top row first. ids and depth are empty unless the options want them.
+/// A raster picture, top row first. ids and depth are empty unless requested by the options.
 struct Picture {
   int width = 0, height = 0;
-  /// 0xAABBGGRR, colours not multiplied by A (in_bytes gives R, G, B, A in memory). Opaque, unless
-  /// there is no background: then 0 where nothing is drawn, and A the part that is covered where
-  /// samples were averaged.
+  /// 0xAABBGGRR, not premultiplied (in_bytes gives R, G, B, A in memory). Opaque, unless there is
+  /// no background: then 0 where nothing is drawn, and with averaged samples A is the covered
+  /// fraction.
   std::vector<std::uint32_t> pixels;
-  std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the fill seen, -1 for none
-  std::vector<double> depth;      ///< of the fill seen; minus infinity for none
-  /// Pixel centres that a sorted display file's painting left to be decided
+  std::vector<std::int32_t> ids;  ///< item buffer: pick identifier of the visible fill; -1: none
+  std::vector<double> depth;      ///< of the visible fill; minus infinity: none
+  /// Number of pixel centres that painting a sorted display file could not decide
   /// (RasterRequest::sorted).
   std::size_t undecided_centres = 0;
 };
 
-/// Rows of a picture from its top, from one up to, but not including, another.
+/// Rows of a picture, counted from its top: [first, end).
 struct PictureRows {
   int first, end;
 };
 
-/// The pixel as a number whose bytes in this machine's memory are R, G, B, A, as files and OpenGL
-/// have them; and from such a number the pixel.
+/// Converts a pixel to a number whose bytes in memory are R, G, B, A, as in files and OpenGL, and
+/// back.
 inline std::uint32_t in_bytes(std::uint32_t pixel) {
   return std::endian::native == std::endian::little ? pixel : __builtin_bswap32(pixel);
 }
@@ -55,117 +55,117 @@ inline std::uint32_t pixel_of(const Background& background) {
   return background.kind == Background::Kind::none ? 0 : pixel_of(background.colour);
 }
 
-/// Where a point in normalised device coordinates is in a picture of this size: in pixels from its
-/// upper left corner, y down, as Renderer::pick takes it.
+/// Maps normalised device coordinates to a picture of this size: in pixels from its upper left
+/// corner, y down, as Renderer::pick takes them.
 inline Point2 pixel_at(const Point3& device, int width, int height) {
   return {device.x * width, (1.0 - device.y) * height};
 }
 
-/// The limits of a picture's size that the devices state and keep.
+/// Limits of a picture's size, for all devices.
 inline constexpr int kLargestSide = 65535;
-inline constexpr int kMostSamples = 16;  ///< of antialiasing, along a pixel's side
-inline constexpr int kUsualSamples = 4;  ///< where nothing is set
+inline constexpr int kMostSamples = 16;  ///< of antialiasing, per pixel side
+inline constexpr int kUsualSamples = 4;  ///< the default
 
 /// Throws Error unless both sides are 1 to kLargestSide.
 void require_picture_size(long long width, long long height);
 
 // Picking.
 
-/// The primitive seen at a place of a picture: the nearest solid polygon, of equally near ones the
-/// one entered later, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
+/// The primitive visible at a point of a picture: the nearest solid polygon, of equally near ones
+/// the one entered last, or a line. Renderer (interp/draw/renderer.h) finds it in a display file,
 /// WorldViews (interp/draw/world_views.h) in a scene before viewing.
 struct Pick {
   enum class Kind {
-    polygon,  ///< the fill of one
+    polygon,  ///< a polygon's fill
     edge,     ///< a drawn side of a polygon
     line,
   };
   Kind kind;
-  /// The pick identifier of the polygon; of a line the one that the application set, -1 if none.
+  /// The pick identifier of the polygon; for a line the one set by the application, -1 if none.
   std::int32_t id;
-  int segment;   ///< the name of the segment that it is in
+  int segment;   ///< the name of its segment
   double depth;  ///< normalised: 0 on the back plane, 1 on the front plane, larger is nearer
-  /// Where it is seen, in world coordinates: the exact point, rounded. From WorldViews alone.
+  /// The visible point in world coordinates: exact, then rounded. From WorldViews alone.
   std::optional<Point3> world;
 };
 
-// Paper and pens. All lengths are millimetres.
+// Paper and pens. All lengths are in millimetres.
 
-/// A sheet of paper on which a picture of vectors is drawn, as large as fits between its margins
-/// and in the middle.
+/// A sheet of paper for a vector picture, which is centred and as large as fits between the
+/// margins.
 struct Paper {
   enum class Turned { automatic, portrait, landscape };
   double width = 210.0, height = 297.0;
   double margin = 10.0;
-  /// automatic: landscape if the picture is wider than high, portrait if it is not.
+  /// automatic: landscape if the picture is wider than high, otherwise portrait.
   Turned turned = Turned::automatic;
   bool operator==(const Paper&) const = default;
 };
 
-/// A4, A3 and so on from A0 to A6, letter, legal, tabloid, in letters of either case, or WxH, which
-/// stays as it is; after each of them -portrait or -landscape if it is to lie so. Throws Error for
-/// any other word, and for sides that are not 1 to kLargestSheet.
+/// Reads a0 to a6, letter, legal, tabloid, in either case, or WxH, which keeps its orientation;
+/// each may be followed by -portrait or -landscape. Throws Error for any other word, and for sides
+/// that are not 1 to kLargestSheet.
 Paper paper_of(std::string_view word);
-std::vector<std::string> sheet_names();  ///< a4 and so on, without those of WxH
+std::vector<std::string> sheet_names();  ///< the named sheets, such as a4
 inline constexpr double kLargestSheet = 10'000.0;
 
 inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
 
 /// The place of a picture on a sheet.
 struct PaperFit {
-  double width, height;  ///< of the sheet as it lies
+  double width, height;  ///< of the sheet, oriented
   double left, top;      ///< the picture's upper left corner, from that of the sheet
   double pixel;          ///< a pixel's side
 };
-/// Throws Error if the margins leave nothing, or are negative, or for a sheet that paper_of
+/// Throws Error if the margins are negative or leave no space, or for a sheet that paper_of
 /// refuses.
 PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height);
 
-/// Fills as parallel lines: the darker a fill, the more of them.
+/// Hatching: fills drawn as parallel lines, closer for darker fills.
 struct Hatching {
-  double spacing = 1.0;  ///< of lines where the fill is as dark as the pen
+  double spacing = 1.0;  ///< between lines where the fill is as dark as the pen
   double angle = 45.0;   ///< degrees, counterclockwise from the horizontal
-  bool cross = false;    ///< what is darker than the middle tone gets lines at right angles too
-  std::optional<Colour> colour{};  ///< of the pen; black by default, white on dark paper
+  bool cross = false;    ///< fills darker than the middle tone get perpendicular lines too
+  std::optional<Colour> colour{};  ///< of the pen; default: black, or white on dark paper
   double width = 0.3;              ///< of the pen's line
   bool operator==(const Hatching&) const = default;
 };
 inline constexpr double kClosestHatching = 0.05;
 
-/// A picture drawn by pens, or cut by a laser: lines in a layer for each pen, none twice, in an
-/// order in which the pen travels little (interp/vector/pens/README.md).
+/// Options for a pen plotter or laser cutter: a layer of lines for each pen, no line twice, in an
+/// order with short pen travel (interp/vector/pens/README.md).
 struct Pens {
-  std::optional<Hatching> hatching{};  ///< none: fills are not drawn
+  std::optional<Hatching> hatching{};  ///< none: no fills are drawn
   bool crumbs = false;                 ///< as VectorOptions::crumbs
   bool operator==(const Pens&) const = default;
 };
-/// Throws Error for lengths or angles that are out of their range.
+/// Throws Error for lengths or angles out of range.
 void require_pens(const Pens& pens);
 
 // Vectors.
 
-/// How disjoint fills, which tile the picture, are written next to each other in vectors
+/// How adjacent disjoint fills, which tile the picture, are written in vectors
 /// (interp/vector/seams.md).
 enum class Seams {
-  trapped,  ///< none is seen: the earlier of two neighbours reaches under the later
-  butted    ///< side to side, in a smaller file; where it is antialiased, what is behind shows
+  trapped,  ///< no visible seams: the earlier of two neighbours extends under the later
+  butted    ///< edge to edge, in a smaller file; antialiased, the background shows through
 };
 
-/// How vectors are written.
+/// Options for vector files.
 struct VectorOptions {
-  /// Vertices are rounded to multiples of this part of a pixel, kFinestPrecision to
+  /// Vertices are rounded to multiples of this fraction of a pixel, kFinestPrecision to
   /// kCoarsestPrecision.
   double precision = 0.01;
   Seams seams = Seams::trapped;
-  /// The picture as large as fits, on a sheet of this size; none: in pixels, or points.
+  /// The sheet on which the picture is fitted; none: sizes are in pixels, or points.
   std::optional<Paper> paper = std::nullopt;
-  bool crumbs = false;    ///< strokes are drawn that are shorter than they are wide, and join none
-  bool pick_ids = false;  ///< each pick identifier is an element of its own, and named; of SVG
+  bool crumbs = false;    ///< also draws isolated strokes shorter than they are wide
+  bool pick_ids = false;  ///< SVG only: one named element per pick identifier
 
   static constexpr double kFinestPrecision = 0.001, kCoarsestPrecision = 1.0;
 };
 
-/// Throws Error for a precision out of its range.
+/// Throws Error for a precision out of range.
 void require_vector_options(const VectorOptions& options);
 
 }  // namespace displayfile

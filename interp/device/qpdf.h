@@ -6,8 +6,7 @@
 
 namespace displayfile {
 
-/// The library that changes PDF files and the functions of it that are used, loaded when it is
-/// first asked for.
+/// The library that edits PDF files, and the functions used, loaded on first use.
 class Qpdf {
   SharedLibrary library_{DISPLAYFILE_QPDF_SONAME};
 
@@ -44,7 +43,7 @@ class Qpdf {
 #undef DISPLAYFILE_QPDF
 };
 
-/// Throws Error, each time that it is called, if this system has none.
+/// Throws Error, at each call, if this system has none.
 inline const Qpdf& qpdf() {
   static const Qpdf library;
   return library;

@@ -58,10 +58,10 @@ MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, P
     return {method, reason_of_method(system, options)};
   }
   if (options.pens && !options.pens->hatching && !is_colour_rule(method)) {
-    return {HiddenMethod::franklin, "for pens: the lines that are seen, and nothing else"};
+    return {HiddenMethod::franklin, "for pens: visible lines only"};
   }
   if (options.pens && !is_colour_rule(method)) {
-    return {HiddenMethod::map, "for pens: fills are hatched where they are seen"};
+    return {HiddenMethod::map, "for pens: visible fills are hatched"};
   }
   std::optional<Background> background = options.background.value_or(system.background());
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are wanted

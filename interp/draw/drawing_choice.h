@@ -6,16 +6,15 @@
 
 namespace displayfile {
 
-/// drawing_method (interp/draw/draw.h), and why it is that.
+/// The result of drawing_method (interp/draw/draw.h), and the reason.
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind);
 
-/// The same of a plan, whose own method is not looked at.
+/// The same for a plan, whose own method is ignored.
 MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, PictureKind kind);
 
-/// The method to bring a display file up to date with where nothing is to be sorted for
-/// `automatic`: for pixels, whose renderer picks a method itself, and for dumps of what was
-/// entered.
+/// The method for updating a display file where `automatic` needs no sort: for pixels, whose
+/// renderer chooses a method itself, and for dumps of the entered instructions.
 constexpr HiddenMethod unsorted_if_automatic(HiddenMethod method) {
   return surfaces_of(method) == HiddenMethod::automatic ? HiddenMethod::none : method;
 }

@@ -11,31 +11,31 @@
 
 namespace displayfile {
 
-/// In what picture something is to be seen.
+/// The picture in which visibility is checked.
 struct SeenIn {
-  /// A picture of pixels, where a fill without lines is seen if it covers one's centre (with
-  /// several samples a pixel, one of theirs); none: of vectors, where it is seen if it has an area.
+  /// A raster picture, where a fill without lines is visible if it covers a pixel centre (with
+  /// several samples per pixel, a sample); none: vectors, where it is visible if it has an area.
   std::optional<PictureSize> pixels = std::nullopt;
-  /// For a retained scene: this view, not those that its segments were drawn in.
+  /// For a retained scene: this view instead of those in which its segments were drawn.
   std::optional<View> view = std::nullopt;
 };
 
 SeenIn seen_in(const PicturePlan& plan);
 
-/// True if the visible segments hold nothing that shows. Looks no further than the first segment
-/// that does.
+/// True if nothing in the visible segments is visible. Stops at the first segment with something
+/// visible.
 bool nothing_is_seen(const DisplayFile& display_file, const SeenIn& in = {});
 
-/// The same of what the application drew, where that is not in the display file
-/// (SystemInside::retain_alone). Looks no further than the first polygon or line that shows.
+/// The same for the application's primitives, if they are not in the display file
+/// (SystemInside::retain_alone). Stops at the first visible polygon or line.
 bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
                      const SeenIn& in = {});
 
-/// Why that is so, from what the application drew, such as "all 6 polygons and lines are behind the
-/// eye": the display file is that of the system that retained the scene.
+/// The reason, from the application's primitives, such as "all 6 polygons and lines are behind the
+/// eye". The display file is that of the system that retained the scene.
 std::string why_nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file,
                                 const SeenIn& in = {});
-/// The same where nothing is retained: it tells no more than what is in the view volume.
+/// The same without a retained scene: only what is in the view volume is known.
 std::string why_nothing_is_seen(const DisplayFile& display_file, const SeenIn& in = {});
 
 }  // namespace displayfile

@@ -11,8 +11,8 @@
 #include "interp/draw/picture_plan.h"
 #include "interp/raster/software.h"
 
-/// What is checked before any work is done, beside what resolve (interp/draw/picture_plan.h)
-/// refuses: what a method can draw, that files can be written, and that there is memory.
+/// Checks before any work is done, in addition to those of resolve (interp/draw/picture_plan.h):
+/// whether a method can draw this, files can be written, and there is memory.
 namespace displayfile {
 
 /// Throws Error if a file that the plan writes cannot be written: every output must be writable
@@ -20,33 +20,33 @@ namespace displayfile {
 void require_writable(const Destination& to, const PicturePlan& plan);
 
 /// Throws Error if the method shows lines only and the device draws surfaces, or if it finds lines
-/// and something of fills is wanted.
+/// and the plan wants data of fills.
 void require_drawable_by(HiddenMethod method, const PicturePlan& plan);
 
-/// True if all that a method hands on is to be seen, or at least hides nothing, so that nothing
-/// needs to be painted over: as pens need it. `of_fills`: and it hands on fills, for hatching.
+/// True if a method's output is all visible, or at least hides nothing, so that pens need not paint
+/// over anything. `of_fills`: and it includes fills, for hatching.
 bool draws_for_pens(HiddenMethod method, bool of_fills);
 /// Throws Error for another method.
 void require_drawn_by_pens(HiddenMethod method, const Pens& pens);
 
-/// Throws Error if lines are to be drawn where they are hidden and nothing draws them there: the
-/// colour rule and the OSMesa device draw what comes, and only an order of fills has such lines.
+/// Throws Error if hidden lines are to be drawn and nothing finds them: the colour rule and the
+/// OSMesa device draw their input, and only an order of fills has hidden lines.
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
                                 const PicturePlan& plan);
 
-/// Throws Error for scope `segment`, of a view of a retained scene: all its segments are drawn
+/// Throws Error for scope `segment` in a view of a retained scene: all its segments are drawn
 /// together.
 void require_scope_of_view(const DrawOptions& options);
-/// Throws Error if the options say how hidden surfaces are found, and the display file, which is
-/// drawn in the order that it has, was put in order otherwise.
+/// Throws Error if the options have hidden-surface settings that differ from those of the display
+/// file's order.
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options);
-/// Calls the options' `warn` if what the system viewed is stretched in a picture of their shape,
-/// and the application did not set that it should be.
+/// Calls the options' `warn` if a system's windows are stretched by default in a picture of this
+/// aspect ratio.
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options);
-/// Throws Error for a method that a retained scene's rays do not draw.
+/// Throws Error for a method that does not draw by rays in a retained scene.
 void require_drawn_by_rays(const PicturePlan& plan);
 
-/// What `draw` returns: a picture in memory, for which there must be room before any work is done.
+/// Returns the result of `draw`, a picture in memory, after checking that there is memory for it.
 template <class Draw>
 Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& kept, Draw&& draw) {
   const DrawOptions& options = plan.options;
@@ -61,9 +61,8 @@ Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& 
       kept.bytes_of_picture());
 }
 
-/// Draws into a file or a stream: by rows, but for a device that has the whole picture in memory,
-/// with a depth for each of its pixels. What a method makes of a scene of so many bytes is no
-/// smaller than it is.
+/// Draws into a file or a stream: by rows, except for a device with the whole picture in memory,
+/// including a depth per pixel. A method's data for a scene take at least `bytes`.
 template <class Draw>
 void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
                             const PicturePlan& plan, Draw&& draw) {

@@ -26,9 +26,9 @@ namespace {
 constexpr std::array kFormats{
     PictureFormat{{".png", "pixels, compressed"}, png_row_file, png_alpha_row_file, nullptr},
     PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
-    PictureFormat{{".svg", "vectors, for the web"}, nullptr, nullptr, write_svg, write_pens_svg},
-    PictureFormat{{".pdf", "vectors, for print"}, nullptr, nullptr, write_pdf, write_pens_pdf},
-    PictureFormat{{".eps", "vectors, to be placed in print"}, nullptr, nullptr, write_eps, nullptr},
+    PictureFormat{{".svg", "vectors for the web"}, nullptr, nullptr, write_svg, write_pens_svg},
+    PictureFormat{{".pdf", "vectors for print"}, nullptr, nullptr, write_pdf, write_pens_pdf},
+    PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, nullptr, write_eps, nullptr},
 };
 
 /// Those that are asked for, of a device that draws the whole picture.
@@ -51,14 +51,14 @@ Picture rows_of(Picture picture, const RasterRequest& request) {
 }
 
 constexpr std::array kDevices{
-    RasterDevice{{"software", "by our own scan conversion"},
+    RasterDevice{{"software", "built-in scan conversion"},
                  [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept) {
                    kept.draw(d, r);
                    return kept.take_picture();
                  },
                  [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer& kept,
                     const TakeRows& take) { kept.draw(d, r, take); }},
-    RasterDevice{{"osmesa", "by OpenGL, to compare with"},
+    RasterDevice{{"osmesa", "OpenGL, for comparison"},
                  [](const DisplayFile& d, const RasterRequest& r, SoftwareRenderer&) {
                    return rows_of(draw_with_osmesa(d, r), r);
                  },

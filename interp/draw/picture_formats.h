@@ -16,11 +16,11 @@
 #include "interp/raster/software.h"
 #include "interp/vector/pens/pen_drawing.h"
 
-/// The tables of what a picture can be written as and by what its pixels can be drawn. A new format
-/// or device is a line here and a file of its own.
+/// The tables of picture formats and raster devices. A new format or device is one line here and
+/// one file.
 namespace displayfile {
 
-/// One line a format: how it is written, from pixels, with alpha where there is no background, or
+/// One line per format: how it is written from pixels, with alpha where there is no background, or
 /// from the display file itself.
 struct PictureFormat {
   Choice choice;
@@ -35,16 +35,16 @@ struct PictureFormat {
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
 };
 
-/// The format of an extension as it was given, in letters of either case, with its dot or without.
-/// Throws Error if there is none, with `whose` before the message.
+/// The format for an extension, in either case, with or without its dot. Throws Error if there is
+/// none, with `whose` before the message.
 const PictureFormat& format_named(const std::string& extension, const std::string& whose = "");
-/// That of the options, or else of the file's name. Throws Error if there is none.
+/// The format of the options, or else of the file's name. Throws Error if there is none.
 const PictureFormat& format_of(const Destination& to, const DrawOptions& options);
-/// The names of those formats that are so, with something between.
+/// The names of the formats for which `which` is true, separated by `between`.
 std::string names_of_formats(bool (PictureFormat::*which)() const, const char* between);
 
-/// One line a device that draws pixels, the whole picture or, row by row, however large it is. One
-/// that has the whole picture in memory anyway leaves out the latter. `kept` is the first device's.
+/// One line per raster device: it draws the whole picture or, if possible, row by row, for pictures
+/// of any size. `kept` is the first device's.
 struct RasterDevice {
   Choice choice;
   Picture (*draw)(const DisplayFile&, const RasterRequest&, SoftwareRenderer& kept);
@@ -54,7 +54,7 @@ struct RasterDevice {
 
 /// Throws Error if there is none of that name.
 const RasterDevice& device_of(std::string_view name);
-/// The one that draws unless another was asked for: our own.
+/// The default device: the built-in one.
 const RasterDevice& first_device();
 
 }  // namespace displayfile

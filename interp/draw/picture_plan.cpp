@@ -28,7 +28,7 @@ void require_numbers(const DrawOptions& options) {
   require_picture_size(options.width, options.height);
   if (const auto& rows = options.rows;
       rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {
-    throw Error(fmt::format("rows {} up to {}: expected some of the picture's {}", rows->first,
+    throw Error(fmt::format("rows {} up to {}: expected rows within the picture's {}", rows->first,
                             rows->end, options.height));
   }
   const int most = kLargestSide / samples;

@@ -10,16 +10,16 @@
 
 namespace displayfile {
 
-/// How one picture is made: a call's options, and what the application set where they leave it
-/// open, with the format and the device that they name. Made once for each picture; whatever draws
-/// it reads this.
+/// The plan of one picture: a call's options completed by the application's settings, with format
+/// and device. Made once per picture; all drawing code reads it.
 struct PicturePlan {
   DrawOptions options;                    ///< with the background in force
   const RasterDevice* device;             ///< of pixels
   const PictureFormat* format = nullptr;  ///< of a file; null: a picture in memory
-  int samples = 1;                        ///< along a pixel's side, of colours: what is in force
+  int samples = 1;                        ///< per pixel side, for colours: the number in force
   SurfacePlan surfaces = {};
-  HiddenMethod method = HiddenMethod::automatic;  ///< that draws: of vectors never `automatic`
+  HiddenMethod method =
+      HiddenMethod::automatic;  ///< the drawing method; for vectors never `automatic`
 
   PictureKind kind() const {
     return format != nullptr && !format->is_of_pixels() ? PictureKind::vector : PictureKind::raster;
@@ -29,28 +29,27 @@ struct PicturePlan {
     return options.with_ids || options.with_depth || !options.ids.empty() || !options.depth.empty();
   }
 
-  /// For what is drawn without the system: options that leave nothing open. The scope has no
-  /// meaning there.
+  /// Complete options for drawing without the system. The scope is irrelevant there.
   DrawOptions without_system() const;
 };
 
-/// How the surfaces of a system's picture are found. Where the application set nothing about hidden
-/// surfaces that is `automatic`, unless all points have one depth: then, as in a drawing of two
-/// dimensions, the order of entry holds.
+/// The surface plan of a system's picture. Where the application set nothing about hidden surfaces
+/// it is `automatic`, unless all points have one depth: then, as in a two-dimensional drawing, the
+/// order of entry holds.
 SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options);
 
-/// The plan of a picture without an application: of a display file that is ready, or a view of a
-/// retained scene. In memory, or if `to` is not null in that file or stream. Throws Error for an
-/// option out of its range, an unknown format or device, and what these cannot do together.
+/// The plan of a picture without an application: of a given display file, or a view of a retained
+/// scene. In memory, or in the file or stream `to` if not null. Throws Error for an option out of
+/// range, an unknown format or device, and invalid combinations.
 PicturePlan resolve(const DrawOptions& options, const Destination* to = nullptr);
-/// The same of a system's picture. Its display file may be looked at for the method that draws
+/// The same for a system's picture. Its display file may be examined to choose the method for
 /// vectors.
 PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& options,
                     const Destination* to = nullptr);
 
-/// The same of what a system retained, in another view, for which there is no display file to
-/// choose a method by: `automatic` stays, but for pens. What the application set stands in the
-/// plan's options for surfaces. `system` may be null: nothing was set.
+/// The same for a system's retained scene in another view, without a display file for choosing a
+/// method: `automatic` is kept, except for pens. The application's settings are in the plan's
+/// surface options. `system` may be null: nothing was set.
 PicturePlan resolve_in_view(const GraphicsSystem* system, const DrawOptions& options,
                             const Destination* to = nullptr);
 

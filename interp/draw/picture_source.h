@@ -16,26 +16,26 @@
 #include "interp/draw/picture_plan.h"
 #include "interp/raster/software.h"
 
-/// What a picture is drawn of, and how one source becomes a picture in memory or a file.
+/// Sources of pictures, and drawing a source into memory or a file.
 namespace displayfile {
 
-/// What a picture is drawn of: a display file, or a retained scene in a view.
+/// The source of a picture: a display file, or a retained scene in a view.
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
   virtual Picture draw(const RasterRequest& request) const = 0;
-  /// Rows are passed on as they are drawn, if the device can.
+  /// Passes rows on as they are drawn, if the device can.
   virtual void draw(const RasterRequest& request, const TakeRows& take) const = 0;
-  /// A picture whose memory may be used again: what is in it means nothing.
+  /// A picture whose memory may be reused; its contents are undefined.
   virtual Picture take_spare() const = 0;
   virtual void write_vectors(const PictureFormat& format, const Destination& to,
                              const RasterRequest& request) const = 0;
-  /// Why nothing is seen of it in such a picture; empty if something is.
+  /// The reason why nothing of it is visible in such a picture; empty if something is.
   virtual std::string why_nothing_is_seen(const SeenIn& in) const = 0;
 };
 
-/// What the application drew into the display file, if it is known, and if it was not in its own
-/// views, in which.
+/// The application's primitives of the display file, if known, and their view if it is not their
+/// own.
 struct EnteredSource {
   const RetainedScene* scene = nullptr;
   const View* view = nullptr;
@@ -43,7 +43,7 @@ struct EnteredSource {
 
 class DisplayFileSource : public PictureSource {
  public:
-  /// `by_depth`: vectors of it are its map, as where a method of image space is asked for.
+  /// `by_depth`: its vectors are its map, as with an image-space method.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const PicturePlan& plan,
                     SoftwareRenderer& kept, const EnteredSource& entered = {})
       : file_(file),
@@ -79,8 +79,8 @@ class DisplayFileSource : public PictureSource {
   SoftwareRenderer& kept_;
 };
 
-/// Without a display file, but for a device that needs one. The casters are what is kept of the
-/// shadows, or null.
+/// Without a display file, except for a device that needs one. The casters are the cached shadow
+/// data, or null.
 class RetainedSource : public PictureSource {
   template <class Do>
   auto of_display_file(Do&& work) const {
@@ -146,13 +146,14 @@ class RetainedSource : public PictureSource {
 
 bool has_background(const DrawOptions& options);
 
-/// What the plan says of pixels.
+/// The raster parameters of the plan.
 RasterRequest raster_request(const PicturePlan& plan);
 
-/// Draws in memory; what is not a colour is not antialiased.
+/// Draws in memory; only colours are antialiased.
 Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const PicturePlan& plan);
-/// Draws into a file, and what else is wanted into others: all of them or, if it fails, none.
+/// Draws into a file, and other requested data into further files: all of them or, on failure,
+/// none.
 void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
                    const PicturePlan& plan);
 

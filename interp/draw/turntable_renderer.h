@@ -9,12 +9,12 @@
 
 namespace displayfile {
 
-/// So many views evenly around a turntable.
+/// Views at equal angles around a turntable.
 struct TurntableViews {
   static constexpr int kMost = 10000;
 
   int number = 0;                             ///< 1 to kMost
-  std::optional<Point3> axis = std::nullopt;  ///< none given: the view's up
+  std::optional<Point3> axis = std::nullopt;  ///< none: the view's up
   bool fit_window = false;                    ///< to all of them
 };
 
@@ -22,35 +22,35 @@ struct TurntableViews {
 void require_turntable_views(int number);
 
 /// Throws Error if the options' method does not draw views of a retained scene, or if it draws all
-/// segments together and the scope is each.
+/// segments together and the scope is `segment`.
 void require_turntable_method(const DrawOptions& options);
 
-/// Which views of a turntable are drawn: of so many, from one up to, but not including, another.
+/// The views of a turntable to draw: of all, those in [first, end).
 struct ViewsDrawn {
   int all = 0, first = 0, end = 0;
 };
 
-/// The name of one of `views` files: with a number of three digits or more before the extension, as
-/// OUT-000.png for OUT.png.
+/// The name of one of `views` files: with a number of at least three digits before the extension,
+/// as OUT-000.png for OUT.png.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);
 
-/// Throws the Errors that drawing these views into numbered files would throw before it draws
-/// anything, as require_drawable (interp/draw/draw.h) does.
+/// Throws the Errors that drawing these views into numbered files would throw before drawing, as
+/// require_drawable (interp/draw/draw.h) does.
 void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
                             const DrawOptions& options);
 
-/// Draws a retained scene turned about an axis through its middle (displayfile/views/turntable.h),
-/// in any of some views evenly around, each by a Renderer: where no method is set all from one BSP
-/// tree in world coordinates. A view is the same, bit for bit, whichever others are drawn. Where
-/// the application edited the scene, it is taken up anew, with its middle and what the window is
-/// fitted to. For one thread, which shares the work among as many as the options say.
+/// Draws a retained scene rotated about an axis through its middle (displayfile/views/turntable.h),
+/// in views at equal angles, each by a Renderer: by default all from one BSP tree in world
+/// coordinates. A view is the same, bit for bit, whichever others are drawn. If the application
+/// edits the scene, it is prepared again, with its middle and fitted window. Not thread-safe: for
+/// use by one thread, which works with as many threads as the options set.
 class TurntableRenderer {
  public:
-  /// What is to be drawn: `scene`, which a system retained, and the display file of that system,
-  /// which says which segments are visible and how their images are transformed. Both must live on,
-  /// and may be edited and moved. What the options do not say is as `system` has it; it need not
-  /// live on. Throws Error as require_turntable_views and require_turntable_method do, for options
-  /// out of their range, and if the segments were drawn in several views.
+  /// `scene` was retained by a system, whose display file has the visibility and image
+  /// transformations of segments. Both must outlive this, and may be edited and moved. Options not
+  /// set are those of `system`, which need not outlive it. Throws Error as require_turntable_views
+  /// and require_turntable_method do, for options out of range, and if the segments were drawn in
+  /// several views.
   TurntableRenderer(const GraphicsSystem& system, const RetainedScene& scene,
                     const DisplayFile& display_file, const TurntableViews& views,
                     const DrawOptions& options);
@@ -59,20 +59,21 @@ class TurntableRenderer {
   ~TurntableRenderer();
 
   int views() const;
-  /// With what the system had set.
+  /// Completed by the system's settings.
   const DrawOptions& options() const;
 
-  /// Throws Error as draw (interp/draw/draw.h) does, for a view that there is not, and as the
-  /// constructor for a scene that was edited: here as below.
+  /// Throws Error as draw (interp/draw/draw.h) does, for a view out of range, and as the
+  /// constructor for an edited scene, here and below.
   Picture draw(int view);
-  /// For a file the options' format or its extension says how, as for draw.
+  /// Draws into a file, whose format is that of the options or its extension, as in draw.
   void draw(int view, const Destination& to);
-  /// Into the file that is numbered so, as are the options' `ids` and `depth`. Returns its name.
+  /// Draws into the numbered file, with the options' `ids` and `depth` numbered likewise. Returns
+  /// its name.
   std::filesystem::path draw_numbered(int view, const std::filesystem::path& file);
-  /// The memory of a picture that is no longer needed, for the next.
+  /// Returns the memory of an unused picture, for the next one.
   void give_back(Picture picture);
 
-  /// That views are drawn by.
+  /// The renderer of the views.
   const Renderer& renderer() const;
 
  private:

@@ -16,31 +16,29 @@
 namespace displayfile {
 
 /// One tree of boxes, many views: ray casting in object space for pictures of a retained scene and
-/// for picking in it (interp/visibility/ray_cast.md). Which polygon is seen at a pixel's centre or
-/// at a point picked is decided exactly, as if the polygons went through the view's matrix
-/// unrounded; of equally near ones it is the one entered later.
+/// for picking in it (interp/visibility/ray_cast.md). The polygon visible at a pixel's centre or a
+/// picked point is found exactly, as if the polygons were transformed by the view's matrix without
+/// rounding; of equally near ones it is the one entered later.
 class WorldViews {
  public:
-  /// Takes the visible segments of the scene; `attributes` is the display file of the system that
-  /// retained them. Both may be edited and moved, while no other thread calls: the next view, or
-  /// pick, takes them anew. Once one of them is gone, views are of what was taken last. Throws
-  /// Error if a segment has an image transformation: those act after viewing.
+  /// Prepares for the visible segments of the scene; `attributes` is the display file of the system
+  /// that retained them. Both may be edited and moved while no other thread calls: the next view,
+  /// or pick, prepares again. After one is destroyed, views show the last state prepared. Throws
+  /// Error if a segment has an image transformation, since these act after viewing.
   WorldViews(const RetainedScene& scene, const DisplayFile& attributes);
 
-  /// The scene in a view. Lights are turned by `lights_turned`, a rotation. Throws Error as
-  /// ViewVolume does, and here as below as the constructor for a scene that was edited. Several
-  /// threads may call it at a time.
+  /// The scene in a view. `lights_turned` rotates the lights. Throws Error as ViewVolume does, and,
+  /// here and below, as the constructor for an edited scene. Several threads may call it at a time.
   ViewedWorld view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0)) const;
-  /// Each segment in the view that the application drew it in. Where these overlap in the picture
-  /// the nearer polygon is seen, by its depth in its own view.
+  /// Each segment in the application's view of it. Where these overlap in the picture the nearer
+  /// polygon is visible, by its depth in its own view.
   ViewedWorld as_drawn() const;
 
-  /// What is seen of the whole scene in that view at a point of the picture: normalised device
-  /// coordinates, 0 to 1 over the picture, y up (the upper left corner of pixel (i, j), which
-  /// Renderer::pick asks about, is (i / width, 1 - j / height)). Solid fills alone are seen,
-  /// through what clipping and back-face removal take away. Nothing where there is none, and
-  /// outside of the viewport. Throws Error as ViewVolume does, and for coordinates that are not
-  /// finite.
+  /// The solid fill of the whole scene visible in that view at a point of the picture: normalised
+  /// device coordinates, 0 to 1 over the picture, y up (the upper left corner of pixel (i, j), as
+  /// in Renderer::pick, is (i / width, 1 - j / height)). Clipped parts and removed back faces are
+  /// not hit. None where nothing is hit, and outside of the viewport. Throws Error as ViewVolume
+  /// does, and for coordinates that are not finite.
   std::optional<Pick> pick(const View& view, double x, double y) const;
 
   std::size_t polygons() const;  ///< in the tree
@@ -48,14 +46,14 @@ class WorldViews {
  private:
   struct Kept;
   std::shared_ptr<const WorldRays> rays() const;
-  std::shared_ptr<Kept> kept_;  // by copies too
+  std::shared_ptr<Kept> kept_;  // shared by copies
 };
 
-/// Draws a retained scene in a view: pixels by rays cast in world
-/// coordinates, world_ray_cast, vectors and what the OSMesa device draws as by any image-space
-/// method. Otherwise the same. Throws Error too for a precision with a ROUNDOFF, scope `segment`,
-/// and a method that is drawn by no rays: in pixels another than `automatic` and world_ray_cast,
-/// the colour rule by these too; in vectors one that is neither the map nor works in image space.
+/// Draws a retained scene in a view: pixels by rays in world coordinates, world_ray_cast; vectors,
+/// and pictures of the OSMesa device, as by any image-space method. Otherwise as draw. Throws Error
+/// too for a precision with ROUNDOFF, scope `segment`, and a method that does not draw by rays: in
+/// pixels other than `automatic`, world_ray_cast and the colour rule by these; in vectors one that
+/// is neither the map nor an image-space method.
 void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& options);
 Picture draw(const ViewedWorld& world, const DrawOptions& options = {});
 

@@ -8,8 +8,8 @@
 
 namespace displayfile {
 
-/// A regular file opened for reading bytes, and how many it holds, so that a reader can refuse
-/// a size that the file cannot back before it takes the memory.
+/// A regular file opened for reading bytes, and its length, so that a reader can refuse a size that
+/// the file cannot have before it allocates memory.
 class BinaryInput {
  public:
   /// Throws Error, naming the file, if it cannot be read or is not a regular file.
@@ -17,7 +17,7 @@ class BinaryInput {
 
   std::istream& stream() { return stream_; }
   std::uint64_t bytes_left();
-  /// Throws Error "FILE: truncated" if the file ends before.
+  /// Throws Error "FILE: truncated" if the file is too short.
   void read(char* to, std::size_t bytes);
   /// Throws Error "FILE: what".
   [[noreturn]] void fail(std::string_view what) const;

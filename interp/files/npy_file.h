@@ -19,13 +19,13 @@ struct NpyArray {
 };
 
 /// Writes an array of shape (height, width) in NumPy's format 1.0 (numpy.lib.format: C order,
-/// little endian, header padded to 64 bytes), of type int32 or float64. The file appears whole or
-/// not at all. Throws Error if there are not width x height values, the size is not 1 to
-/// kLargestSide, or the file, which it names, cannot be written.
+/// little endian, header padded to 64 bytes), of type int32 or float64. The file is written
+/// completely or not at all. Throws Error if there are not width x height values, the size is not 1
+/// to kLargestSide, or the file, which it names, cannot be written.
 void write_npy(std::span<const std::int32_t> values, int width, int height, const Destination& to);
 void write_npy(std::span<const double> values, int width, int height, const Destination& to);
 
-/// The file that write_npy writes, of a picture's ids or of its depth, that come row by row.
+/// The file that write_npy writes, for a picture's ids or depth, written row by row.
 std::unique_ptr<RowFile> ids_row_file(const Destination& to, int width, int height);
 std::unique_ptr<RowFile> depth_row_file(const Destination& to, int width, int height);
 

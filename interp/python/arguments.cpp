@@ -148,7 +148,7 @@ class Words {
     if (PyLong_Check(object) != 0) return add_whole_number(plainly);
     if (PyUnicode_Check(object) != 0) return add_text(word_in(plainly, name()));
     if (PyList_Check(object) != 0 || PyTuple_Check(object) != 0) {
-      if (depth == kDeepest) throw Error(name() + ": sequences stand too deep in each other");
+      if (depth == kDeepest) throw Error(name() + ": sequences are nested too deep");
       // It may change while its parts are read.
       for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
         const auto part = py::reinterpret_borrow<py::object>(PySequence_Fast_GET_ITEM(object, i));

@@ -50,7 +50,7 @@ py::array array_of(py::handle value, std::string_view what, Numbers numbers) {
       reading(refuse(type_name(value) + " of unequal parts or other things").what(), [&] {
         py::object given = py::reinterpret_borrow<py::object>(value);
         if (has_masked(given)) {
-          if (numbers == Numbers::whole) throw refuse("one of which some are masked");
+          if (numbers == Numbers::whole) throw refuse("a masked array");
           given = given.attr("astype")("float64").attr("filled")(
               std::numeric_limits<double>::quiet_NaN());
         }

@@ -86,16 +86,15 @@ void add_errors(py::module_& module) {
   for (const char* name : {"file", "line", "column"}) members[name] = py::none();
   error_type = PyErr_NewExceptionWithDoc(
       "displayfile.Error",
-      "A call that cannot be carried out. The state is what it was before the call; file, line and "
-      "column tell the place in what was read, or are None.",
+      "Raised for an invalid call, which leaves the state unchanged. file, line and column give "
+      "the position in the input, or are None.",
       PyExc_Exception, members.ptr());
   if (error_type == nullptr) throw py::error_already_set();
   module.attr("Error") = py::handle(error_type);
-  limit_type = PyErr_NewExceptionWithDoc("displayfile.LimitReached",
-                                         "An Error: work that would use more than limits allow. "
-                                         "The message says what was reached, and "
-                                         "which method would serve.",
-                                         error_type, nullptr);
+  limit_type = PyErr_NewExceptionWithDoc(
+      "displayfile.LimitReached",
+      "An Error: a limit was reached. The message names the limit and an alternative method.",
+      error_type, nullptr);
   if (limit_type == nullptr) throw py::error_already_set();
   module.attr("LimitReached") = py::handle(limit_type);
   py::register_exception_translator([](std::exception_ptr thrown) {

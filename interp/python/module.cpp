@@ -53,13 +53,11 @@ PYBIND11_MODULE(_displayfile, module) {
   add_polygons(module);
   add_limits(module);
   module.def("user_routines", names_of_routines,
-             "user_routines()\n--\n\n"
-             "The names of all user routines, as methods of System are called.");
-  module.def(
-      "methods", names_of_methods,
-      "methods()\n--\n\n"
-      "The names of the methods that find hidden surfaces or lines, as set_hidden_method and "
-      "the option hidden take them.");
+             "user_routines()\n--\n\nReturns the names of all user routines, which are methods of "
+             "System.");
+  module.def("methods", names_of_methods,
+             "methods()\n--\n\nReturns the names of the hidden-surface and hidden-line methods, "
+             "for set_hidden_method and the option hidden.");
   module.def("_table_of_routines", table_of_routines);
 }
 

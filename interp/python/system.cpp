@@ -249,7 +249,7 @@ SurfacePoints surface_points(py::handle x, py::handle y, py::handle z) {
   }
   const int dimensions = dimensions_of(x, "x");
   if (dimensions_of(y, "y") != dimensions)
-    throw Error("x and y: expected both of as many dimensions");
+    throw Error("x and y: expected the same number of dimensions");
   if (dimensions == 2) {
     Grid of_x = grid_in(x, "x"), of_y = grid_in(y, "y");
     if (of_x.rows != rows || of_x.columns != columns || of_y.rows != rows ||

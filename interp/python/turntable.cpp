@@ -30,8 +30,8 @@ class Turntable {
     system.work([&](GraphicsSystem& of, Renderer&) {
       if (of.retained() == nullptr) {
         throw Error(
-            "a turntable needs world coordinates: expected System(retain=True), with which the "
-            "scene is entered");
+            "a turntable needs world coordinates: expected System(retain=True) before the scene is "
+            "entered");
       }
       if (const auto open = of.open_segment_name()) {
         throw Error(

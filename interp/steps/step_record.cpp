@@ -18,10 +18,10 @@ StepRecord::StepRecord(const StepItems& scene, Steps& steps, std::size_t most_st
 
 Step& StepRecord::step(int line, std::string sentence) {
   if (steps_.steps.size() >= most_steps_) {
-    throw LimitReached(fmt::format(
-        "{} tells more than {} steps of this scene: expected fewer polygons, a smaller picture "
-        "(--size), or a higher limit (--limit-steps)",
-        name_of(steps_.method), most_steps_));
+    throw LimitReached(
+        fmt::format("{} takes more than {} steps for this scene: expected fewer polygons, a "
+                    "smaller picture (--size), or a higher limit (--limit-steps)",
+                    name_of(steps_.method), most_steps_));
   }
   return steps_.steps.emplace_back(Step{line, std::move(sentence)});
 }

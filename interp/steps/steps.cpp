@@ -39,7 +39,7 @@ const SteppedAlgorithm& algorithm_of(HiddenMethod method) {
   for (const SteppedAlgorithm* algorithm : all)
     names.append(" ").append(name_of(algorithm->method));
   throw Error("hidden-surface method " + std::string(name_of(method)) +
-              " tells no steps: expected one of" + names);
+              " has no steps: expected one of" + names);
 }
 
 void describe(const StepItems& scene, Steps& steps) {

@@ -31,11 +31,10 @@ MethodChoice choose_for_vectors(const ViewedScene& scene,
                                 const std::optional<Background>& background) {
   if (background && scene.texts().empty() && shows_lines_alone(scene, *background)) {
     return {HiddenMethod::franklin,
-            "vectors whose fills have the background's colour: the lines that are seen, and "
-            "nothing else"};
+            "vectors whose fills have the background's colour: visible lines only"};
   }
   if (scene.end() == 1) return {HiddenMethod::none, "no fills: nothing hides"};
-  return {HiddenMethod::map, "vectors: the map of what is seen, without a seam"};
+  return {HiddenMethod::map, "vectors: the map of visible surfaces, without seams"};
 }
 
 }  // namespace

@@ -353,7 +353,7 @@ inline Point3 point_hit(const WorldPlane<ExactNumber>& plane, const Ray<ExactNum
     sum.z = sum.z + weight[i] * plane[i].z;
     sum.w = sum.w + weight[i] * plane[i].w;
   }
-  if (sum.w.sign() == 0) throw Error("what is seen there lies infinitely far away");
+  if (sum.w.sign() == 0) throw Error("the visible point is infinitely far away");
   return {rounded_quotient(sum.x, sum.w), rounded_quotient(sum.y, sum.w),
           rounded_quotient(sum.z, sum.w)};
 }

@@ -1,43 +1,43 @@
 /** Display File in JavaScript: the C API compiled to WebAssembly. */
 
-/** Arguments of a user routine, as drawing programs have them: numbers are taken exactly, true and
- *  false are on and off, arrays are their elements one after another. */
+/** Arguments of a user routine, as in drawing programs: numbers are used exactly, true and false mean
+ *  on and off, arrays are flattened. */
 export type Words = number | string | boolean | Iterable<Words>;
 
 export interface Options {
-  /** Pixels; 512. */
+  /** In pixels; default 512. */
   width?: number;
   height?: number;
-  /** A hidden-surface method: "map", "z-buffer", "franklin", ...; else as the application set. */
+  /** A hidden-surface method: "map", "z-buffer", "franklin", ...; default: the application's. */
   method?: string;
   /** "segment" or "all". */
   scope?: string;
   /** "exact", or "roundoff=1e-9". */
   precision?: string;
   hiddenLines?: 'none' | 'dashed';
-  /** Red, green and blue in [0,1]; else as the application set. */
+  /** Red, green and blue in [0,1]; default: the application's. */
   background?: [number, number, number] | 'none';
-  /** Samples along a pixel's side, 1 to 16; 4, or as many as a picture of this size may have. */
+  /** Samples per pixel side, 1 to 16; default 4, or as many as a picture of this size may have. */
   samples?: number;
-  /** That a sort may cut polygons into. */
+  /** Limit on the pieces into which a sort cuts polygons. */
   mostPieces?: number;
-  /** That one call may take. */
+  /** Limit on the time of one call. */
   mostSeconds?: number;
 }
 
 export interface DrawOptions extends Options {
-  /** Also the item buffer. */
+  /** Also return the item buffer. */
   ids?: boolean;
-  /** Also the depths. */
+  /** Also return the depths. */
   depth?: boolean;
 }
 
 export interface Picture {
   width: number;
   height: number;
-  /** Top row first, as an ImageData takes it. */
+  /** Top row first, as in ImageData. */
   rgba: Uint8ClampedArray;
-  /** The pick identifier of the fill seen at each pixel; -1: none. */
+  /** The pick identifier of the visible fill at each pixel; -1: none. */
   ids?: Int32Array;
   /** 0 on the back plane, 1 on the front plane; minus infinity: none. */
   depth?: Float64Array;
@@ -48,24 +48,24 @@ export interface Mesh {
   vertices: ArrayLike<number>;
   /** Indices of vertices, polygon after polygon. */
   corners: ArrayLike<number>;
-  /** How many corners each polygon has; else three each. */
+  /** The number of corners of each polygon; default: three each. */
   sides?: ArrayLike<number>;
-  /** Red, green and blue in [0,1], of one for all or of each polygon. */
+  /** Red, green and blue in [0,1], one colour for all or one per polygon. */
   colours?: ArrayLike<number>;
-  /** Pick identifiers, one of each polygon. */
+  /** Pick identifiers, one per polygon. */
   picks?: ArrayLike<number>;
-  /** x y z of each vertex. */
+  /** x y z, one normal per vertex. */
   normals?: ArrayLike<number>;
 }
 
-/** What is drawn, in order. Piece k has the points first[k] to first[k + 1]. */
+/** Drawn pieces in drawing order. Piece k has the points first[k] to first[k + 1]. */
 export interface Pieces {
   /** 0: solid, 1: hollow, 2: line. */
   kinds: Uint8Array;
   first: Uint32Array;
   /** x y z of each point: x and y in [0,1], y up, larger z nearer. */
   points: Float64Array;
-  /** Of each point: 0 if the side that ends there is not drawn. */
+  /** Per point: 0 if the side that ends there is not drawn. */
   sides: Uint8Array;
   fills: Float64Array;
   lineColours: Float64Array;
@@ -74,7 +74,7 @@ export interface Pieces {
   lineKinds: Uint8Array;
   picks: Int32Array;
   segments: Int32Array;
-  /** Of each point: 1 if a line, or a side that is drawn, is cut there. */
+  /** Per point: 1 if a line, or a drawn side, is cut there. */
   cuts: Uint8Array;
 }
 
@@ -106,7 +106,7 @@ export interface Seen {
   depth: number;
 }
 
-/** What the system could not carry out; the state is then what it was before the call. */
+/** Thrown for an invalid call, which leaves the state unchanged. */
 export class DisplayFileError extends Error {
   file?: string;
   line?: number;
@@ -115,17 +115,18 @@ export class DisplayFileError extends Error {
 
 /** One application's system: its view, styles and segments. */
 export interface System extends UserRoutines {
-  /** Lets go of its memory. Nothing may be asked of it after that. */
+  /** Frees its memory. It must not be used afterwards. */
   free(): void;
-  /** Any user routine by its name, such as "polygon-abs-3". */
+  /** Calls a user routine by its name, such as "polygon-abs-3". */
   call(routine: string, ...values: Words[]): void;
-  /** A drawing program. What its lines did before one that is wrong stays. */
+  /** Runs a drawing program. Lines before an error keep their effect. */
   replay(program: string | Uint8Array, name?: string): void;
-  /** A mesh's file (OBJ, OFF, PLY, STL), in a view that is fitted to it if no window was set. */
+  /** Enters a mesh from a file's bytes (OBJ, OFF, PLY, STL), in a view fitted to it if no window was
+   *  set. */
   importMesh(name: string, bytes: Uint8Array): void;
-  /** The width over the height of the pictures that segments opened from now on are drawn as. */
+  /** Sets the width over height of the pictures in which segments opened from now on are drawn. */
   setAspectRatio(aspect: number): void;
-  /** Many polygons, into the open segment. */
+  /** Enters many polygons into the open segment. */
   mesh(mesh: Mesh): void;
   draw(options?: DrawOptions): Picture;
   /** The bytes of a file. */
@@ -134,24 +135,24 @@ export interface System extends UserRoutines {
   /** Every instruction of the display file. */
   dump(): string;
   pieces(options?: Options): Pieces;
-  /** What is seen at a place in pixels from the upper left corner; lines within `reach` pixels come
-   *  before fills. */
+  /** The primitive visible at a point, in pixels from the upper left corner; lines within `reach`
+   *  pixels take precedence over fills. */
   pick(x: number, y: number, options?: Options & { reach?: number }): Seen | null;
   /** The exact item buffer, by the definition of truth alone. Slow. */
   truth(options?: { width?: number; height?: number }): { width: number; height: number; ids: Int32Array };
-  /** How a method finds what is seen, step by step: what `displayfile steps -o steps.json` writes. */
+  /** The steps of a method, as `displayfile steps -o steps.json` writes them. */
   steps(options: { method: string; width?: number; height?: number; mostSteps?: number }): object;
-  /** Keeps what is drawn before viewing, and all calls as a drawing program: the first call on a
-   *  system, except for its aspect ratio. */
+  /** Retains primitives before viewing, and all calls as a drawing program. Must be the first call
+   *  on a system, except setAspectRatio. */
   retain(): void;
-  /** The one view in which the visible segments were drawn; an error if there were several. */
+  /** The view in which all visible segments were drawn; throws if there are several. */
   view(): View;
-  /** Around what is visible, in world coordinates. */
+  /** Bounding box of the visible segments, in world coordinates. */
   box(): { least: number[]; greatest: number[] };
-  /** From now on drawing, picking, pieces, the dump and the program are what they would be if the
-   *  application had set that view, to the last bit; null: as it did set it. */
+  /** Draws, picks, dumps and records from now on as if the application had set this view, bit for
+   *  bit; null: the application's own view. */
   lookFrom(view: View | null): void;
-  /** All that was called, as a drawing program, in the view that is looked from. */
+  /** All calls as a drawing program, in the view of lookFrom. */
   program(): string;
 }
 
@@ -163,5 +164,5 @@ export interface DisplayFile {
   DisplayFileError: typeof DisplayFileError;
 }
 
-/** Loads the compiled program; `wasm` is its bytes, where a page has them with it. */
+/** Loads the compiled program; `wasm` is its bytes, for pages that contain them. */
 export function load(options?: { wasm?: Uint8Array | ArrayBuffer }): Promise<DisplayFile>;

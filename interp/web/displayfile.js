@@ -1,5 +1,5 @@
 // Display File in JavaScript: the C API (interp/c) compiled to WebAssembly, for pages and for node.
-// displayfile.d.ts says what each function takes and gives. A page has it as `displayfile` after
+// displayfile.d.ts documents each function. A page has it as `displayfile` after
 // <script src="displayfile.js">, node by require("displayfile").
 (function (root) {
   'use strict';
@@ -24,7 +24,7 @@
     }
     bytes(size) {
       const place = this.module._malloc(Math.max(1, size));
-      if (place === 0) throw new DisplayFileError(`${size} bytes of memory are not there`);
+      if (place === 0) throw new DisplayFileError(`out of memory: ${size} bytes`);
       this.places.push(place);
       return place;
     }
@@ -139,7 +139,7 @@
       #system = module._df_create();
 
       constructor() {
-        if (this.#system === 0) throw new DisplayFileError('there is no memory for a system');
+        if (this.#system === 0) throw new DisplayFileError('out of memory: no system');
       }
 
       /** Lets go of its memory. Nothing may be asked of it after that. */
@@ -392,7 +392,7 @@
     return { version: text(module._df_version()), routines, System, DisplayFileError };
   }
 
-  /** `wasm`, the compiled program's bytes, is for pages that have it with them. */
+  /** `wasm`: the compiled program's bytes, for pages that contain them. */
   async function load({ wasm } = {}) {
     if (typeof require !== 'function') return make(await root.createDisplayfile({ wasmBinary: wasm }));
     const path = require('path').join(__dirname, 'displayfile-module.wasm');

@@ -70,7 +70,7 @@ class InstructionCheck : public GoldenCheck {
 };
 
 std::string flat_name(const std::string& input, std::string_view extension) {
-  if (input == "-") throw Error("check needs files: the name of a golden file is its input's");
+  if (input == "-") throw Error("check needs files: the golden file is named after its input");
   return fs::path(input).stem().string() + std::string(extension);
 }
 
@@ -131,33 +131,33 @@ std::string without_name(const std::string& message, const std::string& input) {
 
 CLI::App& CheckCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("check",
-                                          "Compare each input's dump with a golden file; print the "
-                                          "first difference of each, and exit 1 if there is one");
+                                          "Compare each input's dump with a golden file; on a "
+                                          "difference report the first one and exit with 1");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command
       .add_option("--golden", golden,
                   "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
-                  "of several folders have one name; or one file that all inputs are compared "
-                  "with: a golden file or a drawing program")
+                  "in several folders share a name; or one golden file or drawing program to "
+                  "compare all inputs with")
       ->type_name("FOLDER|FILE")
       ->required()
       ->group(kGoldenOptions);
   command.add_flag("--update", update, "write the golden files")->group(kGoldenOptions);
   command
       .add_flag("--summary", summary,
-                "a table of all inputs: passed, differs and how, or bad; and the number of each")
+                "print a table of all inputs: passed, differs and how, or bad; with totals")
       ->group(kReportOptions);
   command
-      .add_flag("--quiet", quiet,
-                "no warnings and no progress; when all inputs are checked, a table of those that "
-                "do not pass; nothing if all do")
+      .add_flag(
+          "--quiet", quiet,
+          "no warnings and no progress; at the end a table of inputs that do not pass, if any")
       ->group(kReportOptions);
   if (other != nullptr) other->add_to(command);
   hidden_surfaces.add_to(command);
   command
       .add_option("--size", size.size,
-                  "in pixels; if not given, for pictures that of the golden picture, and 512x512 "
-                  "for --update; for instructions a square")
+                  "in pixels; by default for pictures the size of the golden picture, and 512x512 "
+                  "with --update; for instructions a square")
       ->type_name("WIDTHxHEIGHT")
       ->group(kPictureOptions);
   meshes.add_to(command);

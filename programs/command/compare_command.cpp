@@ -41,15 +41,15 @@ std::string measures(const PictureDifference& d) {
 }  // namespace
 
 CLI::App& CompareCommand::add_to(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("compare",
-                          "Wrong pixels and largest difference of two pictures or .npy files, or "
-                          "the first difference of two dumps; exit 1 if they differ");
+  CLI::App& command = *app.add_subcommand(
+      "compare",
+      "Print wrong pixels and largest difference of two pictures or .npy files, or the first "
+      "difference of two dumps; exit with 1 if they differ");
   command.add_option("A", a)->type_name("FILE")->required();
   command.add_option("B", b)->type_name("FILE")->required();
   command
       .add_option("--marks", marks,
-                  "picture (.png) of the places: wrong pixels red, the rest light grey")
+                  "picture (.png) that marks wrong pixels red, the rest light grey")
       ->type_name("MARKS.png");
   tolerance.add_to(command);
   return command;
@@ -78,7 +78,7 @@ int CompareCommand::run() const {
     return print(difference, tolerance.passes(difference));
   }
   if (tolerance.is_set()) {
-    throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels are of pictures", a, b));
+    throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels apply to pictures", a, b));
   }
   if (is_npy(a)) {
     const NpyArray first = read_npy(a), second = read_npy(b);

@@ -70,7 +70,7 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
   const std::string name = unknown->substr(0, unknown->find('='));
   if (command.get_name() == "surface" && !name.starts_with("--")) {
     return fmt::format(
-        "unknown option '{}': an expression that begins with - stands in parentheses; {}", *unknown,
+        "unknown option '{}': put an expression that begins with - in parentheses; {}", *unknown,
         help);
   }
   const std::vector<std::string_view> known(names.begin(), names.end());

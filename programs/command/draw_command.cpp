@@ -63,21 +63,21 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   vectors.add_to(command);
   command
       .add_flag("--crumbs", options.crumbs,
-                "also draw pieces of lines that are shorter than wide and join no other")
+                "also draw pieces of lines that are shorter than they are wide and join no other")
       ->group(kHiddenSurfaceOptions);
-  command.add_flag("--stats", stats, "print what was drawn")->group(kReportOptions);
+  command.add_flag("--stats", stats, "print statistics of the drawing")->group(kReportOptions);
   command
       .add_option("--pick", pick,
-                  "print the visible item at a pixel, counted from the upper left corner: a "
-                  "polygon, or a line or edge within REACH of it")
+                  "print the primitive visible at a pixel, counted from the upper left corner: a "
+                  "polygon, or a line or edge within REACH pixels")
       ->type_name("X,Y[,REACH]")
       ->group(kReportOptions);
   command
       .add_flag("--quiet", quiet,
-                "no warnings and no progress; of many inputs, a list at the end of those that were "
-                "not drawn, with reasons")
+                "no warnings and no progress; with many inputs, those not drawn are listed at the "
+                "end, with reasons")
       ->group(kReportOptions);
-  command.add_flag("--explain", explain, "print the method that auto picked, and the reason")
+  command.add_flag("--explain", explain, "print the method that auto chose, and why")
       ->group(kReportOptions);
   return command;
 }
@@ -86,24 +86,24 @@ void DrawCommand::add_output_options(CLI::App& command) {
   command
       .add_option("-o,--output", output,
                   "the picture: " + listed(picture_formats()) +
-                      "; or - for standard output. With {name} or other fields in it, such as "
-                      "'thumbnails/{name}.png', a picture of each input: {name} is its file name, "
-                      "{ext} its extension, {folder} its folder, {number} its place on the line")
+                      "; or - for standard output. With fields, such as 'thumbnails/{name}.png', "
+                      "one picture per input: {name} is its file name, {ext} its extension, "
+                      "{folder} its folder, {number} its position on the command line")
       ->type_name(picture_file())
       ->required()
       ->group(kOutputOptions);
   command
       .add_option("--format", options.format,
-                  "of the picture, if its name does not end in it; png on standard output, or ppm "
-                  "without libpng")
+                  "format of the picture, overriding the file's extension; on standard output png "
+                  "by default, or ppm without libpng")
       ->type_name(picture_format_words())
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,
-                  "item buffer as .npy: the visible pick identifier, -1 for none")
+                  "item buffer as .npy: pick identifiers of visible fills, -1 for none")
       ->type_name("IDS.npy")
       ->group(kOutputOptions);
-  command.add_option("--depth", options.depth, "depth as .npy: of the visible fill, -inf for none")
+  command.add_option("--depth", options.depth, "depth of visible fills as .npy, -inf for none")
       ->type_name("DEPTH.npy")
       ->group(kOutputOptions);
 }
@@ -112,8 +112,8 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   size.add_to(command);
   command
       .add_option("--samples", options.samples,
-                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, the default "
-                  "of osmesa and plain-z-buffer")
+                  "antialiasing: each pixel is the mean of N x N samples; 1 for none, the default "
+                  "with osmesa and plain-z-buffer")
       ->type_name("N")
       ->transform(number_in(1, kMostSamples))
       ->default_str(fmt::format("{}", kUsualSamples))
@@ -123,31 +123,33 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   paper.add_to(command);
   command
       .add_option("--turntable", turntable,
-                  "N views, turned evenly all around the up axis, from one BSP tree; with --hidden "
-                  "z-buffer or another method of image space without a sort, with a method of "
-                  "lines each by itself, and with --hidden world-ray-cast from one tree of boxes: "
-                  "OUT.png becomes OUT-000.png, OUT-001.png, ..., --ids and --depth likewise")
+                  "N views at equal angles around the up axis: OUT.png becomes OUT-000.png, "
+                  "OUT-001.png, ..., --ids and --depth likewise. All are drawn from one BSP tree, "
+                  "with --hidden world-ray-cast from one tree of boxes; z-buffer and other "
+                  "image-space methods sort nothing, and methods of lines draw each view anew")
       ->type_name("N")
       ->group(kPictureOptions);
   command
       .add_option("--views", views,
-                  "of a turntable's N views only those from FIRST up to END, equal to those of the "
-                  "whole; several machines may share them")
+                  "only a turntable's views from FIRST up to END, not including END; several "
+                  "machines may share the N views")
       ->type_name("FIRST:END")
       ->group(kPictureOptions);
   command
       .add_option("--rows", rows,
-                  "only the picture's rows from FIRST up to END, from the top, equal to those of "
-                  "the whole picture; of pixels")
+                  "only the picture's rows from FIRST up to END, not including END, counted from "
+                  "the top; for pixels")
       ->type_name("FIRST:END")
       ->group(kPictureOptions);
   command
-      .add_option("--device", options.device, "the renderer of pixels: " + listed(raster_devices()))
+      .add_option("--device", options.device,
+                  "device that draws pixels: " + listed(raster_devices()))
       ->type_name(raster_device_words())
       ->capture_default_str()
       ->group(kPictureOptions);
   command
-      .add_option("--threads", options.surfaces.threads, "the picture is the same for any number")
+      .add_option("--threads", options.surfaces.threads,
+                  "maximum number of threads; the picture does not depend on it")
       ->type_name("N")
       ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
@@ -174,7 +176,7 @@ DrawOptions DrawCommand::all_options() const {
 
 ViewsDrawn DrawCommand::views_drawn() const {
   if (!turntable) {
-    if (views) throw Error("--views: expected --turntable, of whose views they are");
+    if (views) throw Error("--views: expected --turntable too");
     return {};
   }
   const int all = turntable_views(*turntable);

@@ -13,9 +13,9 @@ namespace displayfile {
 
 CLI::App& DumpCommand::add_to(CLI::App& app) {
   CLI::App& command =
-      *app.add_subcommand("dump", "Every segment's instructions, as canonical text");
+      *app.add_subcommand("dump", "Print every segment's instructions as canonical text");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
-  command.add_option("-o,--output", output, "file to write; standard output if not given")
+  command.add_option("-o,--output", output, "output file; standard output by default")
       ->type_name("OUT.txt");
   hidden_surfaces.add_to(command);
   size.add_to(command);

@@ -38,21 +38,21 @@ ordered_json scene_data(const std::string& name, const std::string& program) {
 }  // namespace
 
 CLI::App& PageCommand::add_to(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("page", "A scene as a page to turn, pick and save from, in one file");
-  add_inputs(command, "INPUT", inputs,
-             "drawing programs and meshes of the scene; none: the product's page, with the gallery")
+  CLI::App& command = *app.add_subcommand(
+      "page", "Write a scene as an interactive page in one file: rotate, pick, save");
+  add_inputs(
+      command, "INPUT", inputs,
+      "drawing programs and meshes of the scene; by default the project's page, with the gallery")
       .required(false);
   command.add_option("-o,--output", output, "the page")
       ->type_name("OUT.html")
       ->required()
       ->group(kOutputOptions);
-  command.add_option("--title", title, "of the page, if it is not the first input's name")
+  command.add_option("--title", title, "title of the page; by default the first input's name")
       ->type_name("TEXT")
       ->group(kOutputOptions);
   command
-      .add_option("--package", package,
-                  "the folder of the WebAssembly package, if it is not installed")
+      .add_option("--package", package, "folder of the WebAssembly package, if it is not installed")
       ->type_name("FOLDER")
       ->group(kOutputOptions);
   size.add_to(command);

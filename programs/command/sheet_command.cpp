@@ -66,7 +66,7 @@ Positions sections_of(const std::vector<std::string>& words) {
     const auto [stop, failure] = std::from_chars(word.data() + equals + 1, end, value);
     if (failure != std::errc{} || stop != end || !std::isfinite(value)) fail(kExpected);
     auto& position = positions[static_cast<std::size_t>(view - kCutViews.begin())];
-    if (position) fail("the view has a section already: expected one a view");
+    if (position) fail("the view already has a section: expected one per view");
     position = value;
   }
   return positions;
@@ -139,18 +139,18 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("OUT.{svg,pdf,dxf}")
       ->required()
       ->group(kOutputOptions);
-  command.add_option("--paper", paper, "as for draw: a4, a3-portrait, 300x200")
+  command.add_option("--paper", paper, "paper size, as in draw: a4, a3-portrait, 300x200")
       ->type_name("PAPER")
       ->capture_default_str()
       ->group(kPaperOptions);
-  command.add_option("--margin", margin, "mm from the paper's edge to the frame")
+  command.add_option("--margin", margin, "distance from the paper's edge to the frame in mm")
       ->type_name("MM")
       ->transform(any_number<double>())
       ->capture_default_str()
       ->group(kPaperOptions);
   command
       .add_option("--scale", scale,
-                  "such as 1:2; if not given, the largest standard one (ISO 5455) that fits")
+                  "scale such as 1:2; by default the largest standard scale (ISO 5455) that fits")
       ->type_name("PAPER:PART")
       ->group(kPictureOptions);
   command
@@ -160,41 +160,44 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("third|first")
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--unit", unit, "of the part's coordinates")
+  command.add_option("--unit", unit, "unit of the part's coordinates")
       ->type_name("mm|cm|m|inch")
       ->capture_default_str()
       ->group(kPictureOptions);
   command
       .add_option("--up", up,
-                  "the up axis; if not given, that of the first input that defines one, or else y. "
-                  "A drawing program defines it by setting a view; without one, cylinders and "
-                  "other parts along z lie on their sides unless --up z is set")
+                  "up axis; by default that of the first input that states one, otherwise y. A "
+                  "drawing program states it by setting a view; for one that sets none, shapes "
+                  "along z, such as cylinders, lie on the sheet unless --up z is given")
       ->type_name("x|y|z|-x|-y|-z")
       ->group(kPictureOptions);
   command
-      .add_option("--section", sections,
-                  "cuts the part in that view, with a hatched cut face; POSITION along the "
-                  "direction toward the viewer, in the part's unit; may be set for each view")
+      .add_option(
+          "--section", sections,
+          "draw this view as a section with the cut face hatched; POSITION is along the direction "
+          "toward the view's viewer, in the part's unit; may be repeated for other views")
       ->type_name("front=POSITION|top=POSITION|side=POSITION")
       ->group(kPictureOptions);
-  command.add_option("--hatch", hatch, "mm between the lines of hatching")
+  command.add_option("--hatch", hatch, "distance between hatching lines in mm")
       ->type_name("MM")
       ->transform(any_number<double>())
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--lines", lines, "which edges are lines, as for draw")
+  command.add_option("--lines", lines, "kinds of edges drawn as lines, as in draw")
       ->type_name("KIND,...")
       ->capture_default_str()
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--title", title,
-                  "in the title block; if not given, or empty, the part's file name")
+                  "title in the title block; by default, or if empty, the part's file name")
       ->type_name("TITLE")
       ->group(kPictureOptions);
-  command.add_option("--date", date, "in the title block; if not given, there is none")
+  command.add_option("--date", date, "date in the title block; by default none")
       ->type_name("DATE")
       ->group(kPictureOptions);
-  command.add_option("--threads", threads, "the sheet is the same for any number")
+  command
+      .add_option("--threads", threads,
+                  "maximum number of threads; the sheet does not depend on it")
       ->type_name("N")
       ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
@@ -230,7 +233,7 @@ int SheetCommand::run() {
     if (!positions[k]) continue;
     require_cut(part.mesh, kinds[k], kCutViews[k], *positions[k]);
     if (!cuts_a_face(part.mesh, kinds[k], *positions[k])) {
-      warnings() << fmt::format("{}: the plane of the section at {} does not cut the part\n",
+      warnings() << fmt::format("{}: the section plane at {} does not cut the part\n",
                                 inputs.front(), *positions[k]);
     }
   }
@@ -245,15 +248,14 @@ int SheetCommand::run() {
   }
   if (!std::ranges::all_of(views, &PartDrawing::closed)) {
     warnings() << fmt::format(
-        "{}: not closed and consistently oriented: the section is drawn open, without hatching\n",
+        "{}: not closed and consistently oriented: the section is open, without hatching\n",
         inputs.front());
   }
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
   const DrawingSheet sheet = arrange(views, words, chosen);
   write_sheet(sheet, output);
   for (const std::string& field : sheet.shortened) {
-    warnings() << fmt::format("{}: too long for the title block, and shortened: {}\n", output,
-                              field);
+    warnings() << fmt::format("{}: too long for the title block, shortened: {}\n", output, field);
   }
   return 0;
 }

@@ -24,14 +24,14 @@
 namespace displayfile {
 
 CLI::App& StepsCommand::add_to(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("steps", "How an algorithm finds visibility, step by step, as a page");
+  CLI::App& command = *app.add_subcommand(
+      "steps", "Write a page that shows the steps of a hidden-surface algorithm");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
-  command.add_option("-o,--output", output, "the page, or its data")
+  command.add_option("-o,--output", output, "the page (.html), or its data (.json)")
       ->type_name("OUT.{html,json}")
       ->required()
       ->group(kOutputOptions);
-  command.add_option("--title", title, "of the page, if it is not the first input's name")
+  command.add_option("--title", title, "title of the page; by default the first input's name")
       ->type_name("TEXT")
       ->group(kOutputOptions);
   std::string methods;
@@ -42,7 +42,7 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
       ->required()
       ->group(kHiddenSurfaceOptions);
   size.add_to(command);
-  command.add_option("--limit-steps", most_steps, "show at most this number of steps")
+  command.add_option("--limit-steps", most_steps, "maximum number of steps")
       ->type_name("N")
       ->transform(any_number<std::size_t>())
       ->capture_default_str()

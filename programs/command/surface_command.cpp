@@ -30,7 +30,7 @@ std::array<std::string, 3> names_of_axes(const std::string& text) {
   if (text.empty()) return {"x", "y", "z"};
   const std::size_t first = text.find(','), second = text.find(',', first + 1);
   if (first == text.npos || second == text.npos || text.find(',', second + 1) != text.npos) {
-    throw Error(fmt::format("--labels {}: expected three names with commas between them", text));
+    throw Error(fmt::format("--labels {}: expected three names separated by commas", text));
   }
   return {text.substr(0, first), text.substr(first + 1, second - first - 1),
           text.substr(second + 1)};
@@ -91,45 +91,49 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       "surface", "Draw surfaces z = F(x, y) over a grid: curves, axes, colours");
   command
       .add_option("SURFACE", surfaces,
-                  "expressions in x and y, or files of heights, .npy, .txt or .csv, the row of "
-                  "y-min first; several are drawn together, and pass through each other")
+                  "expressions in x and y, or files of heights, .npy, .txt or .csv, with the row "
+                  "at y-min first; several are drawn together and may intersect")
       ->type_name("EXPRESSION|HEIGHTS.{npy,txt,csv}")
       ->required();
   command.add_option("-o,--output", output, "the picture")->type_name(picture_file())->required();
-  command.add_option("--x", x, "the range of x [-1:1]")->type_name("A:B");
-  command.add_option("--y", y, "the range of y [-1:1]")->type_name("A:B");
-  command.add_option("--z", z, "heights that the box has at least")->type_name("A:B");
-  command.add_option("--grid", grid, "points of expressions [50x50]")->type_name("NXxNY");
-  command.add_option("--curves", curves, "which curves are drawn")
+  command.add_option("--x", x, "range of x [-1:1]")->type_name("A:B");
+  command.add_option("--y", y, "range of y [-1:1]")->type_name("A:B");
+  command.add_option("--z", z, "heights that the box must include")->type_name("A:B");
+  command.add_option("--grid", grid, "number of points for expressions [50x50]")
+      ->type_name("NXxNY");
+  command.add_option("--curves", curves, "curves to draw")
       ->type_name("x|y|both")
       ->default_str("both");
-  command.add_option("--sides", sides, "which sides of the surface are drawn")
+  command.add_option("--sides", sides, "sides of the surface on which curves are drawn")
       ->type_name("upper|lower|both")
       ->default_str("both");
-  command.add_option("--colour", colour, "cells in colours by their height, and a legend")
+  command.add_option("--colour", colour, "colour cells by height, with a legend")
       ->type_name("height");
   command
-      .add_option("--contours", contours, "number of lines of equal height, at the base of the box")
+      .add_option("--contours", contours,
+                  "number of lines of equal height, drawn at the base of the box")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str("0");
-  command.add_flag("--axes,!--no-axes", axes, "axes with numbers and names")->default_str("true");
-  command.add_flag("--box,!--no-box", box, "the faces of the box behind the surface")
+  command.add_flag("--axes,!--no-axes", axes, "draw axes with numbers and names")
       ->default_str("true");
-  command.add_option("--labels", labels, "the names of the axes [x,y,z]")->type_name("X,Y,Z");
+  command.add_flag("--box,!--no-box", box, "draw the faces of the box behind the surface")
+      ->default_str("true");
+  command.add_option("--labels", labels, "names of the axes [x,y,z]")->type_name("X,Y,Z");
   command.add_flag(
       "--true-scale", true_scale,
-      "a unit is equally long along each axis; otherwise the box has a pleasant shape");
-  command.add_option("--program", program, "write the drawing program, too")
+      "use the same unit length on every axis; by default the box has fixed proportions");
+  command.add_option("--program", program, "also write the drawing program")
       ->type_name("PROGRAM.draw");
   command
-      .add_option("--threads", threads, "threads at most; the picture is the same for any number")
+      .add_option("--threads", threads,
+                  "maximum number of threads; the picture does not depend on it")
       ->type_name("N")
       ->transform(any_number<int>());
   command
       .add_option("--samples", samples,
-                  "antialiasing: the mean of N x N samples for each pixel; 1 for none, the default "
-                  "of plain-z-buffer")
+                  "antialiasing: each pixel is the mean of N x N samples; 1 for none, the default "
+                  "with plain-z-buffer")
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str(fmt::format("{}", kUsualSamples));
@@ -203,7 +207,7 @@ int SurfaceCommand::run() const {
   double entered = 0.0;
   if (!grid.empty() && std::ranges::all_of(surfaces, is_grid_file)) {
     throw Error(
-        fmt::format("--grid {}: expected an expression: a file has points of its own", grid));
+        fmt::format("--grid {}: expected an expression: the file sets the number of points", grid));
   }
   for (const std::string& surface : surfaces) {
     if (!is_grid_file(surface)) {
@@ -218,8 +222,8 @@ int SurfaceCommand::run() const {
   if (!options.surfaces.method) options.surfaces.method = usual_method(data, shown.coloured);
   if (shown.coloured && finds_lines(*options.surfaces.method)) {
     throw Error(
-        fmt::format("--colour height: {} draws lines alone, which have no colours of heights: "
-                    "expected a method that draws surfaces, as map or z-buffer",
+        fmt::format("--colour height: {} draws lines only, which are not coloured by height: "
+                    "expected a method that draws surfaces, such as map or z-buffer",
                     name_of(*options.surfaces.method)));
   }
   GraphicsSystem system;

@@ -31,44 +31,50 @@
 namespace displayfile {
 
 CLI::App& TruthCommand::add_to(CLI::App& app) {
-  CLI::App& command =
-      *app.add_subcommand("truth",
-                          "The visible fill at each pixel, or the visible parts of each line, by "
-                          "exact arithmetic alone, independent of the methods; and the errors of a "
-                          "method of lines: exit 1 if any length is missing or extra");
+  CLI::App& command = *app.add_subcommand(
+      "truth",
+      "Find the visible fill at each pixel, or the visible parts of each line, by exact "
+      "arithmetic, independent of the methods; with --hidden compare a method of lines with it, "
+      "and exit with 1 if any length is missing or extra");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   size.add_to(command);
   meshes.add_to(command);
-  command.add_option("--ids", ids, "item buffer as .npy: the visible pick identifier, -1 for none")
+  command
+      .add_option("--ids", ids,
+                  "item buffer as .npy: pick identifiers of visible fills, -1 for none")
       ->type_name("IDS.npy");
   command
-      .add_option("--depth", depth,
-                  "depth as .npy: of the visible fill, rounded once, -inf for none")
+      .add_option("--depth", depth, "depth of visible fills as .npy, rounded once, -inf for none")
       ->type_name("DEPTH.npy");
   command
       .add_option("--from", from,
-                  "the source of the exact pixels. entered, the default: the points and matrices "
-                  "as entered, by which polygons that touch lie in one plane; world: world "
-                  "coordinates; display-file: its coordinates, which viewing has rounded. The "
-                  "first two, if set, print how many pixels of the last differ")
+                  "coordinates from which pixels are computed; entered (default): the points and "
+                  "matrices entered, with touching polygons in one plane; world: world "
+                  "coordinates; display-file: its coordinates, rounded by viewing. If entered or "
+                  "world is set, the number of pixels that differ from display-file is printed")
       ->type_name("display-file|world|entered");
   add_touching_option(command, touching);
   command
       .add_option("--seen-lines", seen_lines,
-                  "the visible parts of the lines, as a dump: that of a correct method of lines "
-                  "(dump --hidden franklin) is the same")
+                  "the visible parts of lines as a dump, equal to that of a correct method of "
+                  "lines (dump --hidden franklin)")
       ->type_name("LINES.txt");
-  command.add_option("--hidden", hidden, "print missing and extra length of that method of lines")
+  command
+      .add_option("--hidden", hidden,
+                  "print the missing and extra length of visible lines by this method")
       ->type_name("LINE-METHOD");
-  command.add_option("--precision", precision, "of that method")
+  command.add_option("--precision", precision, "precision of that method")
       ->type_name("exact|roundoff[=EPS]")
       ->capture_default_str();
   command
       .add_option("--line-samples", line_samples,
-                  "judge at least N random points of the lines, not whole lines: for many")
+                  "check at least this many random points of lines instead of whole lines, for "
+                  "large scenes")
       ->type_name("N")
       ->transform(any_number<std::size_t>());
-  command.add_option("--threads", threads, "for lines; the result is the same for any number")
+  command
+      .add_option("--threads", threads,
+                  "maximum number of threads for lines; the result does not depend on it")
       ->type_name("N")
       ->transform(number_in(1, 1024));
   return command;
@@ -86,7 +92,7 @@ int TruthCommand::run() {
   }
   if (!from.empty() && retains && wants_lines()) {
     throw Error(fmt::format(
-        "--from {}: lines are judged in display-file coordinates: expected --ids alone", from));
+        "--from {}: lines are computed in display-file coordinates: expected --ids alone", from));
   }
   if (touching && from_what == From::world) {
     throw Error("--touching: expected --from display-file or entered");
@@ -183,8 +189,8 @@ SurfacePlan TruthCommand::judged_method() const {
     if (finds_lines(entry.method)) methods.append(" ").append(entry.name);
   }
   throw Error(
-      fmt::format("--hidden {}: finds no lines: expected one of{}; item buffers of other methods "
-                  "are compared with that of --ids",
+      fmt::format("--hidden {}: finds no lines: expected one of{}; compare item buffers of other "
+                  "methods with that of --ids",
                   hidden, methods));
 }
 

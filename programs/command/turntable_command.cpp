@@ -53,9 +53,8 @@ std::string explanation(const DrawOptions& options) {
   if (surfaces_of(method) == HiddenMethod::automatic) {
     return "auto: bsp: a turntable's views are drawn from one BSP tree in world coordinates\n";
   }
-  return fmt::format(
-      "{}: {}\n", name_of(method),
-      options.pens ? "for pens: the lines that are seen, and nothing else" : "as set");
+  return fmt::format("{}: {}\n", name_of(method),
+                     options.pens ? "for pens: visible lines only" : "as set");
 }
 
 }  // namespace

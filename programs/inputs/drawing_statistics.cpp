@@ -28,7 +28,7 @@ std::string exact_stage_counts() {
     text += fmt::format("exact stage        {}: {} times, and {} zero by definition\n",
                         name_of(static_cast<Predicate>(i)), count.exact, count.by_definition);
   }
-  return text.empty() ? "exact stage        never asked\n" : text;
+  return text.empty() ? "exact stage        not used\n" : text;
 }
 
 /// What sorting the hidden surfaces cost, or how much of lines is seen; nothing if none were

@@ -22,7 +22,7 @@ namespace displayfile {
 namespace {
 
 /// What is said where it would take more to know more.
-constexpr const char* kNoReason = "why would take more to find than the limits allow";
+constexpr const char* kNoReason = "finding the reason would exceed the limits";
 
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {

@@ -20,7 +20,7 @@ bool is_list(const std::string& word) { return word.size() > 1 && word[0] == '@'
 void append_names_in(const std::string& list, std::vector<std::string>& names) {
   const std::string text = read_text_file(list);
   if (text.find('\0') != std::string::npos) {
-    throw Error(fmt::format("{}: holds a zero byte: expected names of inputs, one a line",
+    throw Error(fmt::format("{}: holds a zero byte: expected names of inputs, one per line",
                             input_name(list)));
   }
   const std::size_t before = names.size();
@@ -33,7 +33,7 @@ void append_names_in(const std::string& list, std::vector<std::string>& names) {
   }
   if (names.size() == before) {
     throw Error(
-        fmt::format("{}: is empty: expected names of inputs, one a line", input_name(list)));
+        fmt::format("{}: is empty: expected names of inputs, one per line", input_name(list)));
   }
 }
 
@@ -73,7 +73,7 @@ CLI::Option& add_inputs(CLI::App& command, const char* name, std::vector<std::st
                         const std::string& what) {
   CLI::Option& option = *command.add_option(
       name, inputs,
-      what + "; @FILE means the names in that file, one a line, and @- those on standard input");
+      what + "; @FILE reads names from a file, one per line, and @- from standard input");
   option.type_name("FILE.draw|MESH");
   return *option.required();
 }

@@ -18,8 +18,8 @@ bool pens_draw_nothing(const DisplayFile& drawn, const DrawOptions& options) {
 void warn_that_pens_draw_nothing(const std::string& output, const DrawOptions& options) {
   warnings() << fmt::format("{}: pens draw nothing: {}\n", output,
                             options.pens && options.pens->hatching
-                                ? "no line is seen, and no fill that hatching shows"
-                                : "no line is seen, and fills are drawn by --hatch alone");
+                                ? "no line is visible, and no fill that hatching shows"
+                                : "no line is visible, and fills are drawn with --hatch only");
 }
 
 }  // namespace displayfile

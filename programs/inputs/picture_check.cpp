@@ -18,7 +18,7 @@ namespace displayfile {
 void PictureCheck::add_to(CLI::App& command) {
   command
       .add_flag("--picture", asked_,
-                "compare pictures with one sample a pixel, NAME.png for NAME.draw, in place of "
+                "compare pictures with one sample per pixel, NAME.png for NAME.draw, instead of "
                 "instructions")
       ->group(kPictureOptions);
   tolerance_.add_to(command);
@@ -27,7 +27,7 @@ void PictureCheck::add_to(CLI::App& command) {
 bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   if (!asked_) {
     if (tolerance_.is_set()) {
-      throw Error("--tolerance and --wrong-pixels are of pictures: expected --picture too");
+      throw Error("--tolerance and --wrong-pixels apply to pictures: expected --picture too");
     }
     return false;
   }

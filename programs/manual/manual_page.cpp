@@ -20,8 +20,8 @@ constexpr std::string_view kExitStatus =
     ".TP\n.B 1\nA difference was found.\n"
     ".TP\n.B 2\n"
     "The input or the command line was wrong, or a limit was reached.\n"
-    "A message on standard error says what and where, and nothing is written; of many inputs or\n"
-    "views the pictures that were whole before stay.\n";
+    "A message on standard error says what and where, and nothing is written, except pictures of\n"
+    "many inputs or views that are already complete.\n";
 
 /// A word as it is printed: a hyphen is the one to be typed.
 std::string escaped(std::string_view word) {

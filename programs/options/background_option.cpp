@@ -10,9 +10,10 @@ namespace displayfile {
 
 void BackgroundWord::add_to(CLI::App& command) {
   command
-      .add_option("--background", word,
-                  "in place of the programs' [white]: R,G,B, each 0 to 1, #rrggbb, white, black, "
-                  "or none, which is transparent in .png and nothing in vectors")
+      .add_option(
+          "--background", word,
+          "background colour, overriding the programs' [white]: R,G,B, each 0 to 1, #rrggbb, "
+          "white, black, or none, which is transparent in .png and omitted in vectors")
       ->type_name("R,G,B|#rrggbb|white|black|none")
       ->group(kPictureOptions);
 }

@@ -69,31 +69,30 @@ void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
     return command.add_option(name, word, what)->type_name(value)->group(kCameraOptions);
   };
   option("--eye", eye, "AZIMUTH,ELEVATION|X,Y,Z",
-         fmt::format("where {} is seen from: AZIMUTH,ELEVATION in degrees, 0,0 from the front, "
-                     "90,0 from the right, 0,90 from above; or X,Y,Z, where the eye is [{}]",
+         fmt::format("viewpoint for {}: AZIMUTH,ELEVATION in degrees, 0,0 from the front, 90,0 "
+                     "from the right, 0,90 from above; or X,Y,Z, the eye's position [{}]",
                      usual.what, usual.eye));
   option("--look-at", look_at, "X,Y,Z",
-         "what is in the middle of the picture; if not given, its own middle");
+         "point in the middle of the picture; by default the middle of what is visible");
   option("--up", up, "x|y|z|-x|-y|-z|auto",
-         fmt::format("the axis that is upright; auto, by the custom of the format where the file "
-                     "does not say it [{}]",
+         fmt::format("up axis; auto: by the format's convention if the file does not state it [{}]",
                      usual.up));
-  auto* const angle = option("--fov", fov, "DEGREES",
-                             "degrees from the bottom of the picture to its top; if not given, the "
-                             "eye is four times its radius away");
-  command.add_flag("--parallel", parallel, "parallel projection in place of perspective")
+  auto* const angle = option(
+      "--fov", fov, "DEGREES",
+      "vertical angle of view in degrees; by default the eye is four times the mesh's radius away");
+  command.add_flag("--parallel", parallel, "use parallel instead of perspective projection")
       ->excludes(angle)
       ->group(kCameraOptions);
   command
       .add_flag("--fit,!--no-fit", fit,
-                "fit the window, or the eye's distance for --fov, to the whole mesh; otherwise to "
-                "a ball of radius 1 at the origin, or at --look-at")
+                "fit the window, or the eye's distance for --fov, to show the whole mesh; "
+                "otherwise to a ball of radius 1 at the origin, or at --look-at")
       ->default_str("true")
       ->group(kCameraOptions);
   command
       .add_flag("--widen", widen,
-                "also widen windows that programs set to the picture's shape; otherwise they are "
-                "stretched to it, with a warning")
+                "also widen windows set by programs to the picture's aspect ratio; otherwise they "
+                "are stretched, with a warning")
       ->group(kCameraOptions);
 }
 
@@ -144,8 +143,8 @@ void warn_of_stretched_window(const GraphicsSystem& system, const std::string& p
   if (pixels * std::max(width, height) < 1.0) return;
   warnings() << fmt::format(
       "{}: segment {}: a window {:.4g} times as wide as high is stretched to a viewport {:.4g} "
-      "times as wide as high in {} x {} pixels: --widen widens it, set-window-fit stretch says "
-      "that it is meant\n",
+      "times as wide as high in {} x {} pixels: use --widen to widen it, or set-window-fit stretch "
+      "if this is intended\n",
       picture, stretched->segment, stretched->window, stretched->viewport, width, height);
 }
 

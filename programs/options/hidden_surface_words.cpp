@@ -13,29 +13,30 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   }
   methods.append(" colour-rule=METHOD bsp=last|first|sample|free (the root of a tree)");
   command
-      .add_option("--hidden", hidden, "hidden-surface method in place of the program's:" + methods)
+      .add_option("--hidden", hidden, "hidden-surface method, overriding the program's:" + methods)
       ->type_name("METHOD")
       ->group(kHiddenSurfaceOptions);
-  command.add_option("--scope", scope, "sort each segment, or all visible ones together")
+  command
+      .add_option("--scope", scope, "sort each segment by itself, or all visible segments together")
       ->type_name("segment|all")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--precision", precision,
-                  "of the methods' decisions; exact unless a program sets another")
+                  "precision of the methods [exact, unless a program sets another]")
       ->type_name("exact|roundoff[=EPS]")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option(
           "--lines", lines,
-          "which sides of polygons are lines, in place of the programs' setting, for any method; "
-          "with commas between several: all (those that the line style shows), outline, boundary "
-          "(sides of one polygon), crease or crease=DEGREES (sides at which two turn by more; 30), "
-          "intersection, material (sides at which fills differ)")
+          "kinds of polygon sides drawn as lines, overriding programs, for every method; separated "
+          "by commas: all (those that the line style shows), outline, boundary (sides of one "
+          "polygon), crease or crease=DEGREES (sides between polygons that meet at a greater "
+          "angle; 30), intersection, material (sides between different fills)")
       ->type_name("KIND,...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--hidden-lines", hidden_lines,
-                  "hidden parts of lines; by the methods of hidden lines, and over fills")
+                  "draw hidden parts of lines dashed; for methods that find lines, and over fills")
       ->type_name("none|dashed")
       ->group(kHiddenSurfaceOptions);
   add_touching_option(command, touching);
@@ -44,10 +45,10 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
 void add_touching_option(CLI::App& command, std::optional<std::string>& touching) {
   command
       .add_option("--touching", touching,
-                  "the distance within which polygons touch, in place of the programs' setting: a "
-                  "polygon that touches a plane lies in it, and of polygons in one plane the one "
-                  "entered later is visible; auto (by the precision of the numbers), off, or a "
-                  "length in the coordinates of the input")
+                  "distance within which polygons touch, overriding programs: a polygon that "
+                  "touches a plane is taken to lie in it, and of coplanar polygons the one entered "
+                  "last is visible; auto (from the precision of the numbers), off, or a length in "
+                  "the coordinates of the input")
       ->type_name("auto|off|LENGTH")
       ->group(kHiddenSurfaceOptions);
 }

@@ -44,17 +44,18 @@ std::size_t memory_of(const std::string& word) {
 void ImportWords::add_to(CLI::App& command) {
   command
       .add_option("--import-memory", memory,
-                  "the most memory for reading a mesh that is not OBJ, OFF, PLY or STL, bytes with "
-                  "K, M or G (2G)")
+                  "memory limit for reading a mesh that is not OBJ, OFF, PLY or STL; bytes with K, "
+                  "M or G (2G)")
       ->type_name("BYTES")
       ->group(kImportOptions);
-  command.add_option("--import-seconds", seconds, "the most wall time for reading it (60)")
+  command
+      .add_option("--import-seconds", seconds, "time limit for reading such a mesh, elapsed (60)")
       ->type_name("SECONDS")
       ->group(kImportOptions);
   command
       .add_flag("--any-format", any_format,
-                "on systems that cannot confine the import library: also read formats whose "
-                "readers are not known to be sound")
+                "on systems that cannot confine the import library, also read formats whose "
+                "readers are not known to be safe")
       ->group(kImportOptions);
 }
 

@@ -16,8 +16,8 @@ void MeshWords::add_to(CLI::App& command) {
   import.add_to(command);
   command
       .add_option("--colour", colour,
-                  "of all faces of meshes, in place of their files' colours and a program's fill "
-                  "style: R,G,B, each 0 to 1, #rrggbb, white or black")
+                  "colour of all mesh faces, overriding files and a program's fill style: R,G,B, "
+                  "each 0 to 1, #rrggbb, white or black")
       ->type_name("R,G,B|#rrggbb|white|black")
       ->group(kPictureOptions);
 }

@@ -68,31 +68,31 @@ Hatching hatching_of(const std::string& text) {
 void PaperWords::add_to(CLI::App& command) {
   command
       .add_option("--paper", paper,
-                  "a sheet on which an SVG or a PDF is drawn as large as fits: A0 to A6, letter, "
-                  "legal, tabloid, or WIDTHxHEIGHT in mm; -portrait or -landscape after it; by "
-                  "default by the picture's shape")
+                  "paper size; an SVG or PDF is drawn as large as fits: A0 to A6, letter, legal, "
+                  "tabloid, or WIDTHxHEIGHT in mm; with -portrait or -landscape appended, by "
+                  "default the picture's orientation")
       ->type_name("PAPER")
       ->group(kPaperOptions);
-  command.add_option("--margin", margin, "mm around the picture on the paper [10]")
+  command.add_option("--margin", margin, "margin around the picture on the paper in mm [10]")
       ->type_name("MM")
       ->transform(any_number<double>())
       ->group(kPaperOptions);
   command
       .add_flag("--pens", pens,
-                "for plotters and lasers: strokes alone, none twice, in an order with little "
-                "travel between them, a layer for each pen (colour and width); on A4 unless "
-                "--paper is set; auto is franklin then, and meshes have the lines "
-                "outline,boundary,crease unless --lines or a program before them selects others")
+                "for plotters and laser cutters: strokes only, none drawn twice, ordered for short "
+                "travel, one layer per pen (colour and width); on A4 unless --paper is set; auto "
+                "means franklin, and meshes have the lines outline,boundary,crease unless --lines "
+                "or a program before them selects others")
       ->group(kPaperOptions);
   command
       .add_option(
           "--hatch", hatch,
-          "--pens, with fills as parallel lines: SPACING[,ANGLE][,cross][,width=MM][,COLOUR]. They "
-          "are SPACING mm apart where a fill is as dark as the pen and farther the brighter it is, "
-          "at ANGLE degrees [45]; cross: darker than the middle tone, lines at right angles too; "
-          "by a pen of a width [0.3] and colour [black; white on dark paper]. Fills must come as "
-          "they are seen, and not be painted over: as by --hidden none or back-face where that is "
-          "so")
+          "--pens, with fills hatched by parallel lines: "
+          "SPACING[,ANGLE][,cross][,width=MM][,COLOUR]. Lines are SPACING mm apart where a fill is "
+          "as dark as the pen and farther apart for brighter fills, at ANGLE degrees [45]; cross "
+          "adds perpendicular lines to fills darker than the middle tone; the pen has a width "
+          "[0.3] and colour [black; white on dark paper]. Methods are map and, only where no fill "
+          "covers another, --hidden none or back-face")
       ->type_name("SPACING,...")
       ->group(kPaperOptions);
 }

@@ -19,14 +19,14 @@ namespace displayfile {
 void PictureTolerance::add_to(CLI::App& command) {
   command
       .add_option("--tolerance", channel,
-                  "of pictures: a pixel is wrong if a channel differs by more, of 255")
+                  "for pictures: a pixel is wrong if a channel differs by more than this, of 255")
       ->type_name("N")
       ->transform(number_in(0, 255))
       ->capture_default_str()
       ->group(kPictureOptions);
   command
       .add_option("--wrong-pixels", wrong_pixels,
-                  "of pictures: how many may be wrong, such as 20, or 0.5% of all")
+                  "for pictures: number of wrong pixels allowed, such as 20, or 0.5% of all")
       ->type_name("N|SHARE%")
       ->group(kPictureOptions);
 }

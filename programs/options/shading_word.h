@@ -15,7 +15,7 @@ struct ShadingWord {
   void add_to(CLI::App& command) {
     command
         .add_option("--shading", word,
-                    "what the inputs start with: flat, or gouraud or phong for smooth meshes")
+                    "initial shading of the inputs: flat, or gouraud or phong for smooth meshes")
         ->type_name("flat|gouraud|phong")
         ->capture_default_str()
         ->group(kPictureOptions);

@@ -11,20 +11,20 @@ namespace displayfile {
 void VectorWords::add_to(CLI::App& command) {
   command
       .add_option("--vector-precision", precision,
-                  "visible surfaces in vectors: vertices are rounded to this part of a pixel, "
+                  "unit in pixels to which vertices of visible surfaces in vectors are rounded, "
                   "0.001 to 1 [0.01]")
       ->type_name("PIXELS")
       ->group(kVectorOptions);
   command
       .add_option("--seams", seams,
-                  "visible surfaces in vectors: trapped, so that no seam is visible between "
-                  "neighbours, or butted, in a smaller file [trapped]")
+                  "adjacent visible surfaces in vectors: trapped, without visible seams, or "
+                  "butted, in a smaller file [trapped]")
       ->type_name("trapped|butted")
       ->group(kVectorOptions);
   command
-      .add_flag("--pick-ids", pick_ids,
-                "visible surfaces in .svg: an element for each pick identifier, with data-pick and "
-                "a title")
+      .add_flag(
+          "--pick-ids", pick_ids,
+          "visible surfaces in .svg: one element per pick identifier, with data-pick and a title")
       ->group(kVectorOptions);
 }
 

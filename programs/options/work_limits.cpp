@@ -132,22 +132,22 @@ void WorkLimitWords::add_to(CLI::App& command, bool for_this_machine) {
           : "";
   command
       .add_option("--limit-seconds", seconds,
-                  "the longest time for the command; at the limit nothing is written, except that "
-                  "of many inputs or views the pictures finished before are kept [none]")
+                  "time limit of the command; at the limit nothing is written, except pictures of "
+                  "many inputs or views that are already complete [none]")
       ->type_name("SECONDS")
       ->transform(number_in(1e-3, kMostSeconds))
       ->group(kLimitOptions);
   command
-      .add_option("--limit-memory", memory,
-                  "the most memory for the command: bytes, or with k, M or G after it [3/4 of the "
-                  "machine's" +
-                      here + "]")
+      .add_option(
+          "--limit-memory", memory,
+          "memory limit of the command: bytes, or with k, M or G appended [3/4 of the machine's" +
+              here + "]")
       ->type_name("BYTES")
       ->group(kLimitOptions);
   command
       .add_option("--limit-pieces", pieces,
-                  "the most pieces of cut polygons, pieces of visible lines, and edges of the map; "
-                  "without cuts any number of polygons is allowed")
+                  "limit on the pieces of cut polygons, on the visible pieces of lines, and on the "
+                  "edges of the map; uncut input is always allowed")
       ->type_name("N")
       ->transform(number_in<std::size_t>(1, 4'000'000'000))
       ->capture_default_str()

@@ -8,11 +8,11 @@ const kMethods = [
   ['Hidden surfaces', [['z-buffer', 'z-buffer'], ['scan-line', 'scan line'], ['scan-line-z', 'scan-line z-buffer'],
     ['ray-cast', 'ray casting'], ['world-ray-cast', 'ray casting before viewing'], ['warnock', 'Warnock'],
     ['bsp', 'BSP tree'], ['depth-sort', 'depth sort'], ['map', 'map of visible pieces']]],
-  ['Not exact', [['none', 'none: in order of entry'], ['back-face', 'back faces alone'],
+  ['Not exact', [['none', 'none: in order of entry'], ['back-face', 'back-face check only'],
     ['plain-z-buffer=double', 'plain z-buffer, double'], ['plain-z-buffer=float', 'plain z-buffer, float'],
     ['plain-z-buffer=32', 'plain z-buffer, 32 bits'], ['plain-z-buffer=24', 'plain z-buffer, 24 bits'],
     ['plain-z-buffer=16', 'plain z-buffer, 16 bits']]],
-  ['As the textbook has it', [['plain-scan-line', 'plain scan line'], ['plain-warnock', 'plain Warnock'],
+  ['Textbook forms', [['plain-scan-line', 'plain scan line'], ['plain-warnock', 'plain Warnock'],
     ['plain-bsp', 'plain BSP tree'], ['plain-appel', 'plain Appel']]],
   ['Hidden lines', [['franklin', 'Franklin'], ['roberts', 'Roberts'], ['appel', 'Appel'],
     ['perimeter', 'perimeter, of one surface'], ['colour-rule', 'colour rule']]],
@@ -37,7 +37,7 @@ const kShadings = [[undefined, [kAsProgram, ['flat', 'flat'], ['gouraud', 'Goura
 /** As many along a pixel's side as a picture has where nothing is set. */
 const kUsualSamples = 4;
 const kSamples = [[undefined, [['', `${kUsualSamples} × ${kUsualSamples} a pixel, as is usual`],
-  ...[1, 2, 3].map((n) => [String(n), n === 1 ? 'one a pixel' : `${n} × ${n} a pixel`])]]];
+  ...[1, 2, 3].map((n) => [String(n), n === 1 ? 'one per pixel' : `${n} × ${n} per pixel`])]]];
 
 const kBackgrounds = [[undefined, [kAsProgram, ['none', 'transparent'], ['1 1 1', 'white'], ['0 0 0', 'black']]]];
 

@@ -43,7 +43,7 @@ class Picker {
       marks.clear();
       if (this.#cross) marks.cross(this.#cross);
       if (seen) marks.outline(seen.outlines);
-      this.#viewer.say(seen ? this.#words(seen) : 'Nothing is seen there.');
+      this.#viewer.say(seen ? this.#words(seen) : 'Nothing is visible there.');
     } catch (refused) {
       this.#viewer.say(refused.message);
     }

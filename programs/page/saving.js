@@ -17,7 +17,7 @@ function command_line(viewer) {
 
 async function save_png(viewer) {
   if (!viewer.picture.rgba) {
-    viewer.say('Letters in pixels are drawn by the command alone: save the drawing program, or SVG.');
+    viewer.say('Only the command draws texts in pixels: save the drawing program, or SVG.');
     return;
   }
   save_file(`${name_to_save(viewer)}.png`, await png_file(viewer.picture), 'image/png');
@@ -35,8 +35,8 @@ async function save_program(viewer) {
   const { program, isTheSame } = await viewer.drawer.ask('save', request);
   save_file(`${name_to_save(viewer)}.draw`, program, 'text/plain');
   viewer.say(isTheSame
-    ? 'Saved: drawn anew, the program gives the picture that is shown, byte for byte as SVG.'
-    : 'Saved; but drawn anew, the program gives another picture than the one that is shown.');
+    ? 'Saved. Drawn again, the program gives the picture shown here, byte for byte as SVG.'
+    : 'Saved, but drawn again, the program gives a picture different from the one shown here.');
 }
 
 /** The buttons. What is drawn is at rest before it is saved. */

@@ -71,7 +71,7 @@ class Scene {
     try {
       const view = this.#entered.view();
       const { least, greatest } = this.#entered.box();
-      if (![...least, ...greatest].every(Number.isFinite)) return { whyNot: 'There is nothing in it.' };
+      if (![...least, ...greatest].every(Number.isFinite)) return { whyNot: 'It is empty.' };
       return { view, middle: least.map((x, k) => (x + greatest[k]) / 2) };
     } catch (error) {
       return { whyNot: error.message };

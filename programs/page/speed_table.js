@@ -112,8 +112,8 @@ class SpeedTable {
     const columns = ['Method', 'A new view', 'Again', 'Wrong pixels'];
     this.#place.replaceChildren(element('table', {},
       element('caption', {},
-        `${name} at ${width} × ${height} pixels, in this browser: medians of times, in those of the fastest; pixels ` +
-        'that show another polygon than the one that exact arithmetic finds there.'),
+        `${name} at ${width} × ${height} pixels, in this browser: median times relative to the fastest, and pixels ` +
+        'that show a polygon other than the one that exact arithmetic gives.'),
       element('thead', {}, element('tr', {}, ...columns.map((words) => element('th', { scope: 'col' }, words)))),
       element('tbody', {}, ...rows.map(line))));
   }

@@ -54,7 +54,7 @@ class StepByStep {
     const { drawer, key, view, given, size } = this.#viewer;
     if (!given) return undefined;
     const width = Number(this.#side), height = Math.max(1, Math.round((width * size.height) / size.width));
-    this.#status.textContent = 'Its steps are told …';
+    this.#status.textContent = 'Computing the steps …';
     try {
       const { steps } = await drawer.ask('steps', { key, view, options: { method: this.#method, width, height } });
       this.#status.textContent = '';

@@ -48,7 +48,7 @@ class Viewer {
     this.caption = element('figcaption', {});
     this.command = element('code', { class: 'command' });
     const help = element('p', { class: 'help', id: `${key}-help` },
-      'Drag or arrow keys turn; the wheel after a click, pinching, + and − zoom; Shift with dragging or arrow keys, and ' +
+      'Drag or arrow keys rotate; the wheel after a click, pinching, + and − zoom; Shift with dragging or arrow keys, and ' +
       'two fingers, pan; 0 resets. A click picks, and so does P with the arrow keys, until Escape.');
     this.canvas.setAttribute('aria-describedby', help.id);
     const picture = element('div', { class: 'picture' }, this.canvas, this.marks.element);
@@ -56,7 +56,7 @@ class Viewer {
     this.figure = element('figure', { class: 'figure' }, picture, this.caption, this.status);
     this.controls = element('div', { class: 'controls' }, view_controls(this),
       choice_controls(this), save_controls(this),
-      element('p', { class: 'same' }, 'From the saved program the command draws the same:', this.command), help);
+      element('p', { class: 'same' }, 'The command draws the same picture from the saved program:', this.command), help);
     place.replaceChildren(this.figure, this.controls);
     this.picker = new Picker(this);
     listen_to_gestures(this.canvas, this, this.picker);
@@ -104,7 +104,7 @@ class Viewer {
     this.canvas.classList.toggle('fixed', !view);
     this.#slow = false;
     this.picker.forget();
-    this.say(whyNot ? `This scene is not turned: ${whyNot}` : '');
+    this.say(whyNot ? `This scene cannot be rotated: ${whyNot}` : '');
     this.#offer_shading();
   }
 
@@ -198,7 +198,7 @@ class Viewer {
 
   #move(pose) {
     if (!this.#view) {
-      this.say(`This scene is not turned: ${this.why_not_turned}`);
+      this.say(`This scene cannot be rotated: ${this.why_not_turned}`);
       return;
     }
     this.#pose = pose(this.#view, this.#pose);

@@ -134,10 +134,10 @@ Outcome outcome_of(const std::string& path, bool with_normals, const ImportLimit
   }
   const auto says = [&](const char* words) { return message.find(words) != message.npos; };
   if (!message.starts_with(path)) return kOurs;
-  if (says("crashed on it") || says("ended the process")) return kCrash;
-  if (says("did not read it in")) return kTime;
-  if (says("asked for more than") || says("was killed while")) return kMemory;
-  if (says("what the import program gave is none") || says("cannot be started")) return kOurs;
+  if (says("crashed on it") || says("ended its process")) return kCrash;
+  if (says("seconds: --import-seconds")) return kTime;
+  if (says("of memory: ") || says("was killed while")) return kMemory;
+  if (says("invalid reply of the import program") || says("cannot be started")) return kOurs;
   return kRefused;
 }
 

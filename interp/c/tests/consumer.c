@@ -283,17 +283,17 @@ static void test_meshes(void) {
   mesh.normal_count = 2;
   REFUSED(system, df_polygons(system, &mesh), "2 normals of 5 vertices");
   mesh.normal_count = 0;
-  REFUSED(system, df_polygons(system, &mesh), "the normals: 0 of them");
+  REFUSED(system, df_polygons(system, &mesh), "the normals: an empty array");
   mesh.normal_count = 5;
   mesh.colour_count = 0;
-  REFUSED(system, df_polygons(system, &mesh), "the colours: 0 of them");
+  REFUSED(system, df_polygons(system, &mesh), "the colours: an empty array");
   mesh.colour_count = 1;
   mesh.pick_count = 0;
-  REFUSED(system, df_polygons(system, &mesh), "the pick identifiers: 0 of them");
+  REFUSED(system, df_polygons(system, &mesh), "the pick identifiers: an empty array");
   mesh.picks = NULL;
   mesh.polygon_count = 0;
   mesh.corner_count = 3;
-  REFUSED(system, df_polygons(system, &mesh), "the sides: 0 of them");
+  REFUSED(system, df_polygons(system, &mesh), "the sides: an empty array");
   mesh.corner_count = 0;
   DO(system, df_polygons(system, &mesh)); /* no polygons */
   mesh.corner_count = 16;
@@ -396,7 +396,7 @@ static void test_errors(void) {
   newer.options.size = sizeof newer;
   DO(system, df_draw(system, &newer.options, 1, rgba, NULL, NULL));
   newer.later = 1;
-  REFUSED(system, df_draw(system, &newer.options, 1, rgba, NULL, NULL), "more than version");
+  REFUSED(system, df_draw(system, &newer.options, 1, rgba, NULL, NULL), "larger than version");
   /* One of an earlier version: only the picture's size. */
   options.size = offsetof(df_options, method);
   options.method = "magic";
@@ -406,7 +406,7 @@ static void test_errors(void) {
 
   REFUSED(system, df_draw_as(system, NULL, NULL, &bytes, &length), "the format");
   REFUSED(system, df_draw_as(system, NULL, "gif", &bytes, &length), "expected one of");
-  REFUSED(system, df_draw_as(system, NULL, "svg", NULL, &length), "where the bytes go");
+  REFUSED(system, df_draw_as(system, NULL, "svg", NULL, &length), "the pointer to the bytes");
   REFUSED(system, df_draw_as(system, NULL, "svg", &bytes, NULL), "where the length goes");
   REFUSED(system, df_draw_file(system, NULL, "/no/such/folder/a.png"), "no folder");
   REFUSED(system, df_dump(system, NULL, NULL), "where the text goes");
@@ -528,7 +528,7 @@ static void test_another_eye(void) {
   REFUSED(system, df_steps(system, &options, 0, NULL, &length), "where the text goes");
   options.method = "none";
   REFUSED(system, df_steps(system, &options, 0, &text, &length), "expected");
-  REFUSED(system, df_steps(system, NULL, 0, &text, &length), "expected one that tells its steps");
+  REFUSED(system, df_steps(system, NULL, 0, &text, &length), "expected one with steps");
 
   /* Several views are not one. */
   DO(system, df_call(system, "set-window", "-2 2 -2 2"));

@@ -76,7 +76,7 @@ TEST_F(CThreads, WhoIsRefusedIsToldUntilTheNextCall) {
   });
   while (df_dump(system_, &text, &length) != DF_BUSY) std::this_thread::yield();
   const char* const message = df_error(system_);
-  EXPECT_EQ(std::string(message), "busy: a call on the system from another thread goes on");
+  EXPECT_EQ(std::string(message), "busy: another thread's call on the system is in progress");
   refused = true;
   df_stop(system_);
   other.join();
@@ -101,7 +101,7 @@ TEST_F(CThreads, ThreadsMayStopACall) {
   EXPECT_EQ(df_drawn_pieces(system_, &options, &pieces), DF_ERROR);
   ended = true;
   stopper.join();
-  EXPECT_NE(std::string(df_error(system_)).find("stopped, as requested"), std::string::npos)
+  EXPECT_NE(std::string(df_error(system_)).find("stopped on request"), std::string::npos)
       << df_error(system_);
   options.most_seconds = 1e-3;
   EXPECT_EQ(df_drawn_pieces(system_, &options, &pieces), DF_ERROR);

@@ -1,8 +1,8 @@
 """A display-file 3D graphics system with exact hidden surfaces, in pixels and vectors.
 
-System has every user routine of drawing programs under its name, and draws; a PicklableSystem can
-be sent to other processes. sort, visible_pieces and visible_lines take polygons as arrays and return
-arrays, for programs that draw by themselves.
+System has every user routine of drawing programs as a method, and draws; a PicklableSystem can be
+sent to other processes. sort, visible_pieces and visible_lines take polygons as arrays and return
+arrays, for programs that draw by their own means.
 """
 
 from ._calls import Calls, PicklableSystem

@@ -1,8 +1,7 @@
-"""A system that can be sent to another process: by the calls that entered what is in it.
+"""A system that can be sent to another process as the calls that entered its contents.
 
-System.recording is a drawing program. It has a mesh polygon by polygon, and neither the shape of
-pictures nor which axis was up in a view that was fitted. Calls have arrays and paths, as they were
-given.
+System.recording is a drawing program. It has a mesh polygon by polygon, without the aspect ratio of
+pictures and the up axis of a fitted view. Calls have arrays and paths, as they were passed.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ _ENTERING = (
     *("mesh", "surface", "replay", "replay_file", "import_mesh", "set_aspect_ratio", "record"),
 )
 _OF_FILES = ("import_mesh", "replay_file")
-_DEEPEST = 32  # that sequences stand in each other
+_DEEPEST = 32  # nesting of sequences
 _BETWEEN_ASKING = 0.02  # seconds, whether a limit ends the wait for another thread
 
 
@@ -33,27 +32,27 @@ class _Call(typing.NamedTuple):
 
 
 class Calls:
-    """What was entered into a system, call by call. It can be pickled.
+    """The calls that entered a system's contents. It can be pickled.
 
-    What was read from files is not in it, but their paths: they are read again.
+    It has the paths of files, not their contents: files are read again.
     """
 
     def __init__(self, said: dict[str, typing.Any], calls: tuple[_Call, ...]) -> None:
-        """For PicklableSystem.calls, which makes it."""
+        """Called by PicklableSystem.calls."""
         self._said = said
         self._calls = calls
 
     def system(self, *, retain: bool | None = None) -> System:
-        """Make a system, and call all that was called.
+        """Make a system and repeat the calls.
 
         Args:
-            retain: As in System; as the system had it if it is not said.
+            retain: As in System; default: as in the original system.
 
         Returns:
             The system.
 
         Raises:
-            Error: A file that is no longer what it was.
+            Error: A file has changed.
         """
         said = self._said if retain is None else {**self._said, "retain": retain}
         return self._entered_into(System(**said))
@@ -67,17 +66,17 @@ class Calls:
 
     @property
     def nbytes(self) -> int:
-        """The bytes of the arrays and texts in it."""
+        """The size of its arrays and texts in bytes."""
         return sum(
             _bytes_of(call.arguments) + _bytes_of(tuple(call.said.values())) for call in self._calls
         )
 
 
 class PicklableSystem(System):
-    """A System that can be pickled and copied: it keeps the calls that entered what is in it.
+    """A System that can be pickled and copied: it keeps the calls that entered its contents.
 
-    Arrays, buffers and sequences that are entered are copied. Meshes and programs in files are read again, by their
-    paths, where it is unpickled.
+    Arrays, buffers and sequences that are entered are copied. Files of meshes and programs are read
+    again, by their paths, when it is unpickled.
     """
 
     def __init__(
@@ -103,7 +102,7 @@ class PicklableSystem(System):
 
     @property
     def calls(self) -> Calls:
-        """What was called up to now: the same Calls until more is entered."""
+        """The calls so far: the same object until more is entered."""
         with self._turn():
             if not self._is_known:
                 raise Error("a call was interrupted: it is not known whether it entered anything")
@@ -113,7 +112,7 @@ class PicklableSystem(System):
 
     @contextlib.contextmanager
     def _turn(self) -> typing.Iterator[None]:
-        """Wait until no other thread enters anything; limits and an interrupt end that."""
+        """Wait until no other thread enters anything; limits and interrupts end the wait."""
         while not self._in_turn.acquire(timeout=_BETWEEN_ASKING):
             _displayfile._ask_limits()
         try:
@@ -125,7 +124,7 @@ class PicklableSystem(System):
         return _again, (type(self), self._said, self.calls)
 
     def _note(self, routine: str, arguments: typing.Any, said: typing.Any) -> typing.Any:
-        """Call the routine of System, with copies of what may be changed later, and note it."""
+        """Call the routine of System with copies of mutable arguments, and note the call."""
         if routine in _OF_FILES:
             arguments = (*map(_absolute, arguments[:1]), *arguments[1:])
             said = {name: _absolute(v) if name == "path" else v for name, v in said.items()}
@@ -159,10 +158,10 @@ for _routine in _ENTERING:
 
 
 def _kept(value: typing.Any, depth: int = 0) -> typing.Any:
-    """What is handed over, without what others may change later. What is too deep is refused."""
+    """The argument, with mutable parts copied. Too deep nesting is refused later."""
     if value is None or isinstance(value, (str, bytes, int, float)):
         return value
-    # What cannot be read is refused as what it is.
+    # Unreadable values are passed on and refused by the routine.
     with contextlib.suppress(TypeError, ValueError, OverflowError, BufferError, ReferenceError):
         if hasattr(value, "__array__") or _is_buffer(value):
             return _array(value)
@@ -172,14 +171,14 @@ def _kept(value: typing.Any, depth: int = 0) -> typing.Any:
 
 
 def _array(value: typing.Any) -> typing.Any:
-    """A copy, in which what is masked is masked still."""
+    """A copy that keeps masks."""
     import numpy as np
 
     return value.copy() if isinstance(value, np.ma.MaskedArray) else np.array(value)
 
 
 def _is_buffer(value: typing.Any) -> bool:
-    """Whether its memory can be looked at, as that of array.array or of arrays of ctypes."""
+    """Whether it supports the buffer protocol, as array.array and ctypes arrays do."""
     try:
         memoryview(value).release()
     except TypeError:
@@ -193,7 +192,7 @@ def _is_sequence(value: typing.Any) -> bool:
 
 
 def _absolute(path: typing.Any) -> typing.Any:
-    """The whole of a path. What is none, or no file's, is refused as such later."""
+    """The absolute path. Invalid paths are refused later."""
     try:
         return path if os.fspath(path) in ("-", b"-") else os.path.abspath(path)
     except (TypeError, ValueError):

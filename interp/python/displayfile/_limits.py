@@ -1,4 +1,4 @@
-"""What work may use at most."""
+"""Limits on work."""
 
 from __future__ import annotations
 
@@ -11,14 +11,13 @@ if typing.TYPE_CHECKING:
 
 
 class limits:
-    """What is called in a with block may use at most.
+    """Limits on the calls in a with block.
 
-    Sorts, lines, maps, pictures and whatever else takes long, of systems, of sort, visible_pieces and
-    visible_lines, and of matplotlib's axes, and the wait for another thread's call on the same
-    system. A call that would use more raises LimitReached, and
-    changes nothing. The block's limits are those of its thread, and there of its context: of an
-    asyncio task, and of tasks that it begins while the block lasts, but of no other one. Of blocks
-    within each other the innermost counts.
+    They apply to all long operations - sorts, lines, maps, pictures - of systems, of sort,
+    visible_pieces and visible_lines, and of matplotlib's axes, and to waiting for another thread's
+    call on the same system. A call that exceeds them raises LimitReached and changes nothing. The
+    limits hold for the block's thread and context: for an asyncio task and the tasks that it starts
+    during the block, and for no other. Of nested blocks the innermost applies.
     """
 
     def __init__(
@@ -29,15 +28,15 @@ class limits:
         bytes: int | None = None,
         seconds: float | None = None,
     ) -> None:
-        """Make limits; what is not said is not limited.
+        """Make limits; None means no limit.
 
         Args:
-            pieces: Into which polygons are cut, that lines are seen in, or edges of a map: of one
+            pieces: Pieces of cut polygons, visible pieces of lines, or edges of a map, in one
                 operation.
-            comparisons: Of polygons and lines with each other, of all calls together. They are
-                counted in lumps.
-            bytes: That the tables of one operation take.
-            seconds: From the beginning of the block on.
+            comparisons: Comparisons of polygons and lines with each other, in all calls together.
+                They are counted in batches.
+            bytes: Memory of one operation's tables.
+            seconds: Time since the beginning of the block.
 
         Raises:
             Error: A number below 0, or of another type.

@@ -1,4 +1,4 @@
-"""Picture: what draw returns where more than pixels is asked for."""
+"""Picture: the result of draw with ids or depth."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ if typing.TYPE_CHECKING:
 
 
 class Picture(typing.NamedTuple):
-    """What System.draw returns where ids or depth are asked for."""
+    """The result of System.draw with ids or depth."""
 
     pixels: npt.NDArray[np.uint8]
     """(H, W, 4): red, green, blue and alpha, the top row first."""
     ids: npt.NDArray[np.int32] | None
-    """(H, W): the pick identifier of the fill that is seen, -1 for none; None if not asked for."""
+    """(H, W): the pick identifier of the visible fill, -1 for none; None without ids."""
     depth: npt.NDArray[np.float64] | None
-    """(H, W): that of the fill that is seen, 1 on the front plane and 0 on the back plane; minus
-    infinity where none is seen; None if not asked for."""
+    """(H, W): the depth of the visible fill, 1 on the front plane and 0 on the back plane; minus
+    infinity where there is none; None without depth."""

@@ -1,4 +1,4 @@
-"""Polygons in, pieces out: for programs that draw by themselves."""
+"""Visibility of polygons passed as arrays, for programs that draw by their own means."""
 
 from __future__ import annotations
 
@@ -13,48 +13,49 @@ if typing.TYPE_CHECKING:
 
 
 class PolygonPieces(typing.NamedTuple):
-    """Polygons or pieces of them from back to front, as sort returns them: K of N points in all."""
+    """Polygons or their pieces from back to front, as sort returns them: K with N points in
+    total."""
 
     points: npt.NDArray[np.float64]
     """(N, 3): corners of the polygons are the very numbers that were given."""
     first: npt.NDArray[np.uint32]
     """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     item: npt.NDArray[np.int32]
-    """(K,): which of the polygons each piece is of; segments are counted after them."""
+    """(K,): the index of each piece's polygon; segments are numbered after the polygons."""
     sides: npt.NDArray[np.uint8]
-    """(N,): not 0 if the side that ends at the point is one of the polygon's own."""
+    """(N,): not 0 if the side that ends at the point is a side of the polygon."""
     cuts: npt.NDArray[np.bool_]
-    """(N,): True if a segment, or a side of the polygon's own, is cut there, of which the rest is in
-    another piece."""
+    """(N,): True if a segment, or a side of the polygon, is cut there and continues in another
+    piece."""
 
 
 class VisiblePieces(typing.NamedTuple):
-    """What is seen of polygons, as visible_pieces returns it: K pieces of N points in all."""
+    """The visible pieces of polygons, as visible_pieces returns them: K with N points in total."""
 
     points: npt.NDArray[np.float64]
     """(N, 3): corners of the polygons are the very numbers that were given."""
     first: npt.NDArray[np.uint32]
     """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     item: npt.NDArray[np.int32]
-    """(K,): which of the polygons each piece is of."""
+    """(K,): the index of each piece's polygon."""
 
 
 class VisibleLines(typing.NamedTuple):
-    """Where lines are seen, as visible_lines returns it."""
+    """The visible parts of lines, as visible_lines returns them."""
 
     points: npt.NDArray[np.float64]
-    """(K, 2, 3): the two ends of each."""
+    """(K, 2, 3): the two ends of each part."""
     item: npt.NDArray[np.int32]
-    """(K,): which of the polygons each is a side of, or one of two that intersect there; or which of
-    the segments."""
+    """(K,): the index of the polygon that each part is a side of, or of one of two that intersect
+    there; or of its segment."""
     kinds: npt.NDArray[np.uint8]
-    """(K,): sums of 2 outline, 4 boundary, 8 crease, 16 material, 32 intersection and 64 all,
-    if kinds of lines were asked for; else 1."""
+    """(K,): sums of 2 outline, 4 boundary, 8 crease, 16 material, 32 intersection and 64 all if
+    lines is set; otherwise 1."""
     hidden: npt.NDArray[np.bool_]
-    """(K,): True where the line is hidden, if hidden lines were asked for."""
+    """(K,): True for hidden parts, which hidden=True returns."""
     cuts: npt.NDArray[np.bool_]
-    """(K, 2): True for each end at which the line goes on, hidden; or seen, where it is hidden. A
-    thick line has no cap there."""
+    """(K, 2): True for each end at which the line continues: hidden, or visible if the part is
+    hidden. A thick line has no cap there."""
 
 
 def sort(
@@ -67,32 +68,34 @@ def sort(
     threads: int = 1,
     touching: float | str = "auto",
 ) -> PolygonPieces:
-    """Put polygons in order from back to front, cut where there is no order otherwise.
+    """Sort polygons from back to front, cutting them where no order exists otherwise.
 
-    They are seen along z: x to the right, y up, a larger z nearer to the viewer, in any range. The
-    order is exact.
+    They are viewed along z: x to the right, y up, a larger z nearer to the viewer, in any range.
+    The order is exact.
 
     Args:
-        polygons: An array (M, k, 3), or a sequence of arrays (k, 3), of 3 or more corners each. With
-            sides, all corners, (N, 3), one polygon after another.
-        sides: An array (M,): how many corners each polygon has.
-        segments: An array (L, 2, 3) of lines that are sorted too. Their pieces have two points, and
-            item is M for the first of them.
-        whole: Let the pieces of a polygon follow one another, or be one piece again, where nothing
-            that overlaps them comes between: where the order of others asked for a cut, and where a
-            polygon that is not flat was sorted as triangles.
+        polygons: An array (M, k, 3), or a sequence of arrays (k, 3), of 3 or more corners each.
+            With sides: all corners, (N, 3), polygon after polygon.
+        sides: An array (M,): the number of corners of each polygon.
+        segments: An array (L, 2, 3) of lines to sort too. Their pieces have two points, and item is
+            M for the first of them.
+        whole: Make pieces of a polygon adjacent, or rejoin them, where nothing that overlaps them
+            comes between: where the order of other polygons required a cut, and where a polygon
+            that is not planar was sorted as triangles.
         method: "depth-sort", or "bsp", which cuts more.
-        threads: How many may work, 1 to 1024.
-        touching: Within which distance polygons touch, as set_touching of System: what touches a
-            plane lies in it, and of polygons in one plane the later one is nearer. "auto" is by the
-            precision of the numbers, "off" is what coincides exactly. A length in the coordinates
-            given counts as no less than what moving them into the unit cube rounds: 2e-15 of it.
+        threads: Maximum number of threads, 1 to 1024.
+        touching: Distance within which polygons touch, as in System.set_touching: a polygon that
+            touches a plane is taken to lie in it, and of coplanar polygons the later one is nearer.
+            "auto": from the precision of the numbers; "off": only what coincides exactly touches. A
+            length is in the coordinates of the polygons, and at least the rounding of moving them
+            into the unit cube: 2e-15 of it.
 
     Returns:
         The pieces, in order.
 
     Raises:
-        Error: Another shape or type, a polygon of fewer than 3 corners, a number that is not finite.
+        Error: A wrong shape or type, a polygon of fewer than 3 corners, a number that is not
+            finite.
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
@@ -109,7 +112,7 @@ def visible_pieces(
     threads: int = 1,
     touching: float | str = "auto",
 ) -> VisiblePieces:
-    """Find the pieces of polygons that are seen. They do not overlap in the picture.
+    """Find the visible pieces of polygons. They do not overlap in the picture.
 
     Args:
         polygons: As in sort.
@@ -140,20 +143,21 @@ def visible_lines(
     threads: int = 1,
     touching: float | str = "auto",
 ) -> VisibleLines:
-    """Find where the sides of polygons are seen, or where lines among polygons are.
+    """Find the visible parts of polygons' sides, or of lines among polygons.
 
     Args:
         polygons: As in sort.
         sides: As in sort.
-        segments: An array (L, 2, 3) of lines, which are looked at in place of the polygons' sides.
-        lines: Kinds of sides, as System has them, such as "outline,crease"; all if none is said.
-        hidden: Return the parts that are hidden, too.
-        method: "franklin", "appel" or "roberts", which find the same.
+        segments: An array (L, 2, 3) of lines to use instead of the polygons' sides.
+        lines: Kinds of sides, as in System, such as "outline,crease"; default: all.
+        hidden: Also return hidden parts.
+        method: "franklin", "appel" or "roberts", which give the same result.
         threads: As in sort.
-        touching: As in sort: a line whose ends touch a plane lies in it, and is seen there.
+        touching: As in sort: a line whose ends touch a plane is taken to lie in it and is visible
+            there.
 
     Returns:
-        The parts that are seen.
+        The visible parts.
 
     Raises:
         Error: As in sort; or kinds that are unknown.

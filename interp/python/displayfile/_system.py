@@ -19,7 +19,7 @@ _SIZE_IN_NOTEBOOKS = 512
 
 
 class Pick(typing.NamedTuple):
-    """What is seen at a pixel."""
+    """The primitive visible at a pixel."""
 
     kind: str
     """"polygon", "edge" or "line"."""
@@ -32,10 +32,11 @@ class Pick(typing.NamedTuple):
 
 
 class Pieces(typing.NamedTuple):
-    """What is drawn, in order, as System.pieces returns it: K pieces of N points in all."""
+    """Drawn pieces in drawing order, as System.pieces returns them: K pieces with N points in
+    total."""
 
     kinds: npt.NDArray[np.uint8]
-    """(K,): 0 for a solid polygon, 1 for a polygon's sides alone, 2 for a line."""
+    """(K,): 0 for a solid polygon, 1 for only a polygon's sides, 2 for a line."""
     first: npt.NDArray[np.uint32]
     """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
     points: npt.NDArray[np.float64]
@@ -55,24 +56,24 @@ class Pieces(typing.NamedTuple):
     segments: npt.NDArray[np.int32]
     """(K,): names of segments."""
     cuts: npt.NDArray[np.uint8]
-    """(N,): 1 if the point is an end of a line, or of a side that is drawn, at which it is cut: it goes
-    on there, but something may hide the rest. A thick line has no cap there."""
+    """(N,): 1 if a line, or a drawn side, is cut at the point: it continues, but its rest may be
+    hidden. A thick line has no cap there."""
 
 
 class System(_displayfile.System):
-    """A graphics system: segments of lines and polygons, and how they are viewed and drawn.
+    """A graphics system: segments of lines and polygons, their view and their drawing.
 
-    Every user routine of drawing programs is a method, with underscores for hyphens. Its arguments
-    are numbers, words, True and False for on and off, and sequences or arrays of them: a point may
-    be three numbers, and a polygon an array (n, 3).
+    Every user routine of drawing programs is a method, with underscores for hyphens. Arguments are
+    numbers, words, True or False for on or off, and sequences or arrays of them: a point may be
+    three numbers, a polygon an array (n, 3).
 
-    Every method raises Error for a call that cannot be carried out; the state is then what it
-    was before the call. Several threads may call one system: their calls come one after another.
+    Every method raises Error for an invalid call and then leaves the state unchanged. Several
+    threads may call one system; the calls are serialised.
 
-    World coordinates are those that primitives are entered in, before the modelling
-    transformation, up to 1e100 in magnitude. Normalised device coordinates are those of the picture:
-    x and y from 0 to 1 over the viewport's square, y up, and z from 0 on the back plane to 1 on the
-    front plane. Colours are red, green and blue from 0 to 1; angles are in degrees.
+    World coordinates are those in which primitives are entered, before the modelling
+    transformation, up to 1e100 in magnitude. Normalised device coordinates are those of the
+    picture: x and y from 0 to 1 over the viewport's square, y up, and z from 0 on the back plane to
+    1 on the front plane. Colours are red, green and blue from 0 to 1; angles are in degrees.
     """
 
     def __init__(
@@ -85,13 +86,13 @@ class System(_displayfile.System):
         """Make an empty system.
 
         Args:
-            aspect: The width over the height of its pictures; 1 if it is not said. A window that
-                the program does not set is widened to it. A picture of another shape is
-                stretched, with a warning.
-            lines: Which sides of polygons are lines, in place of what set_lines says: all, or
-                several of outline, boundary, crease, crease=DEGREES, material and intersection,
-                with commas between them.
-            retain: Keep what is entered in world coordinates, too, for turntable.
+            aspect: Width over height of its pictures; default 1. A window that the program does not
+                set is widened to it. A picture with another aspect ratio is stretched, with a
+                warning.
+            lines: Kinds of polygon sides drawn as lines, overriding set_lines: all, or several of
+                outline, boundary, crease, crease=DEGREES, material and intersection, separated by
+                commas.
+            retain: Also keep primitives in world coordinates, for turntable.
         """
         super().__init__()
         if retain:
@@ -106,7 +107,7 @@ class System(_displayfile.System):
             "a System is not pickled or copied: expected a PicklableSystem, which keeps its calls"
         )
 
-    # ---- What is entered -----------------------------------------------------------------
+    # ---- Entering ------------------------------------------------------------------------
 
     def mesh(
         self,
@@ -122,71 +123,71 @@ class System(_displayfile.System):
     ) -> int:
         """Enter many polygons at once, several times as fast as one by one.
 
-        They go into the open segment; if none is open, or segment is given, into one of their own,
-        which is closed again. Styles in force stay what they were.
+        They enter the open segment; if none is open, or segment is given, a new segment, which is
+        closed again. Styles in force are unchanged.
 
         Args:
             vertices: An array (N, 3), in world coordinates.
-            faces: An array (M, k) of indices of vertices, or a sequence of sequences of them, of
-                any lengths. With sides, all corners, one face after another.
-            sides: An array (M,): how many corners each face has.
-            segment: The name of their segment; one above all others if none is said.
-            fill: The colour of all faces, or "hollow"; the fill style in force if none is said.
+            faces: An array (M, k) of vertex indices, or a sequence of sequences of them, of any
+                lengths. With sides: all corners, face after face.
+            sides: An array (M,): the number of corners of each face.
+            segment: The name of their segment; default: one above all others.
+            fill: The colour of all faces, or "hollow"; default: the fill style in force.
             fills: An array (M, 3): the colour of each face.
-            picks: An array (M,): the pick identifier of each face, 0 or more. If none is said, that
-                in force, or the ordinal of each.
-            normals: An array (N, 3): the normals of vertices, for smooth shading.
+            picks: An array (M,): the pick identifier of each face, 0 or more; default: the one in
+                force, or each face's ordinal.
+            normals: An array (N, 3): vertex normals for smooth shading.
 
         Returns:
             The name of the segment.
 
         Raises:
-            Error: Another shape or type, a number that is not finite, an index that is of no
-                vertex, a name that is in use. Nothing is entered then.
+            Error: A wrong shape or type, a number that is not finite, an index out of range, a name
+                in use. Nothing is entered then.
         """
         return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
 
     def surface(self, x: _Numbers, y: _Numbers, z: _Numbers, *, segment: int | None = None) -> int:
         """Enter the surface of heights over a grid.
 
-        Where x and y stand at even steps it is surface_3's, otherwise polygons of four sides.
+        If x and y are evenly spaced it is entered by surface_3, otherwise as quadrilaterals.
 
         Args:
-            x: The places of the columns, (n,), in world coordinates; or those of all points, (m, n),
-                as numpy.meshgrid makes them.
-            y: The places of the rows, (m,); or those of all points, (m, n).
-            z: The heights, (m, n). Where one is nan, or masked, there is a hole.
+            x: Coordinates of the columns, (n,), in world coordinates; or of all points, (m, n), as
+                numpy.meshgrid returns them.
+            y: Coordinates of the rows, (m,); or of all points, (m, n).
+            z: Heights, (m, n). A nan or masked height makes a hole.
             segment: As in mesh.
 
         Returns:
             The name of the segment, as mesh does.
 
         Raises:
-            Error: Fewer than 2 points either way, shapes that do not fit, a number that is infinite.
+            Error: Fewer than 2 points in a direction, shapes that do not match, an infinite number.
         """
         return self._surface(x, y, z, segment)
 
     def replay(self, text: str, name: str = "program") -> None:
-        """Carry out a drawing program, whole or not at all.
+        """Run a drawing program, completely or not at all.
 
         Args:
-            text: One user routine a line (displayfile/text/drawing_programs.md).
-            name: What messages call it.
+            text: One user routine per line (displayfile/text/drawing_programs.md).
+            name: Its name in messages.
 
         Raises:
-            Error: A line that is not understood or that is refused; its file, line and column tell
-                which. Nothing of the program is then carried out.
+            Error: A line that is not understood or is refused, with its file, line and column.
+                Nothing of the program is then carried out.
         """
         self._replay(text, name)
 
     def replay_file(self, path: str | os.PathLike[str]) -> None:
-        """Carry out the drawing program in a file, as replay does.
+        """Run the drawing program in a file, as replay does.
 
         Args:
-            path: The file, of UTF-8; "-" is an Error, and not standard input.
+            path: A UTF-8 file; "-" is an Error, not standard input.
 
         Raises:
-            Error: The same; or a file that cannot be read.
+            Error: As in replay; or a file that cannot be read.
         """
         self._replay_file(path)
 
@@ -203,31 +204,30 @@ class System(_displayfile.System):
         fit: bool = True,
         turning: bool = False,
     ) -> list[str]:
-        """Read a mesh from a file and enter it, each of its objects as a segment.
+        """Read a mesh from a file and enter each of its objects as a segment.
 
-        Where no window was set the view is fitted to it. What was not said before - light, fill and
-        line style, hidden-line removal - is as the command has it for a mesh.
+        If no window was set, the view is fitted to the mesh. Settings not made before - light, fill
+        and line style, hidden-line removal - have the command's defaults for meshes.
 
         Args:
             path: An OBJ, OFF, PLY or STL file, or another one that Assimp reads.
-            colour: Of all faces, in place of those in the file.
-            eye: From where the fitted view looks: (azimuth, elevation) in degrees, (0, 0) from the
+            colour: Colour of all faces, overriding the file.
+            eye: Viewpoint of the fitted view: (azimuth, elevation) in degrees, (0, 0) from the
                 front, (90, 0) from the right; or (x, y, z) in world coordinates.
-            look_at: What is in the middle of the picture, (x, y, z); the mesh's middle if it is not
-                said.
-            up: The axis that is upright: "x", "y", "z", "-x", "-y" or "-z"; or "auto", by the custom
-                of the format where the file does not say it.
-            fov: Degrees from the bottom of the picture to its top.
-            parallel: A parallel projection in place of a perspective one, without fov.
-            fit: Find the window, or the eye's distance for fov, in which the mesh is seen whole.
-            turning: With fov, for a turntable: the eye is as far away as the mesh needs as it turns.
+            look_at: The point in the middle of the picture, (x, y, z); default: the mesh's middle.
+            up: The up axis: "x", "y", "z", "-x", "-y" or "-z"; or "auto": by the format's
+                convention if the file does not state it.
+            fov: Vertical angle of view in degrees.
+            parallel: Use a parallel instead of a perspective projection, without fov.
+            fit: Fit the window, or the eye's distance for fov, to show the whole mesh.
+            turning: With fov, for a turntable: fit the eye's distance for the rotating mesh.
 
         Returns:
-            What of it is not drawn, a sentence each.
+            What is not drawn of the mesh, one sentence each.
 
         Raises:
-            Error: A file that cannot be read, or is no such mesh; with its place if there is one. A
-                camera where the view was set before.
+            Error: A file that cannot be read or is not such a mesh, with the position if known.
+                Camera options when the view was set before.
         """
         return self._import_mesh(
             path,
@@ -242,16 +242,16 @@ class System(_displayfile.System):
         )
 
     def record(self, on: bool = True) -> None:
-        """Record every user routine that is carried out from now on.
+        """Record every user routine that succeeds from now on.
 
         Args:
-            on: False to stop; what was recorded stays.
+            on: False to stop; the recording is kept.
         """
         self._record(on)
 
     @property
     def recording(self) -> str:
-        """What was recorded, as a drawing program that makes the same display file."""
+        """The recording, as a drawing program that makes the same display file."""
         return self._recording()
 
     # ---- Pictures ------------------------------------------------------------------------
@@ -315,36 +315,36 @@ class System(_displayfile.System):
     ) -> typing.Any:
         """Draw the visible segments into memory.
 
-        What is None is as the system's routines say. Drawing again is quick where little changed.
-        Where nothing is seen but the background, a UserWarning says why, here as by svg, save and the
-        like; it says most of System(retain=True).
+        Options that are None use the system's settings. Drawing again is fast where little changed.
+        If only the background is visible, a UserWarning gives the reason, here and in svg, save and
+        the like; it is most precise for System(retain=True).
 
         Args:
             size: (width, height) in pixels, or one number for both: 1 to 65535.
-            ids: Return the item buffer too: at the pixels' centres. Where colours are not used,
-                samples=1 is quicker.
-            depth: Return the depths too, likewise.
-            hidden: The method that finds hidden surfaces or lines, one of methods(), such as "map",
+            ids: Also return the item buffer, at pixel centres. samples=1 is faster if colours are
+                not used.
+            depth: Also return the depths at pixel centres.
+            hidden: The hidden-surface or hidden-line method, one of methods(), such as "map",
                 "z-buffer" or "franklin".
-            lines: Which sides of polygons are lines, as System has it. They are selected as segments
-                are closed, so that it must be what the system selects.
-            hidden_lines: "none", or "dashed" to draw lines where they are hidden, too. An Error where
-                some are and the method, such as "none", draws in order of entry.
-            scope: "segment" or "all": what is put in order together.
+            lines: Kinds of polygon sides drawn as lines, as in System. They are selected when
+                segments are closed, so the value must equal the system's.
+            hidden_lines: "none", or "dashed" to also draw hidden parts of lines. An Error if there
+                are some and the method, such as "none", draws in order of entry.
+            scope: "segment" or "all": what is sorted together.
             precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
             background: A colour, or "none" for a transparent one.
-            rows: (first, end), counted from the top: only these rows, as they are in the whole.
-            samples: Antialiasing: samples along a pixel's side, 1 to 16. If it is None, 4, or the most
-                that a picture of this size may have; 1 by "osmesa" and "plain-z-buffer".
-            threads: How many may work, 1 to 1024; the picture is the same for any.
-            device: "software", or "osmesa" to compare with.
+            rows: (first, end), counted from the top: draw only these rows of the picture.
+            samples: Antialiasing: samples per pixel side, 1 to 16. Default: 4, or the most that a
+                picture of this size may have; 1 with "osmesa" and "plain-z-buffer".
+            threads: Maximum number of threads, 1 to 1024; the picture does not depend on it.
+            device: "software", or "osmesa" for comparison.
 
         Returns:
-            An array (H, W, 4) of red, green, blue and alpha, uint8, the top row first; or with ids or
-            depth a Picture, which has it and them.
+            An array (H, W, 4) of red, green, blue and alpha, uint8, the top row first; with ids or
+            depth, a Picture of all of them.
 
         Raises:
-            Error: An option out of its range, or a picture for which there is not enough memory.
+            Error: An option out of range, or not enough memory for the picture.
         """
         self._require_lines(lines)
         pixels, of_ids, of_depth = self._draw(
@@ -372,25 +372,25 @@ class System(_displayfile.System):
         fit: bool | None = None,
         **options: typing.Any,
     ) -> Turntable:
-        """Make a turntable of what is entered, whose views are those of the command's --turntable.
+        """Make a turntable of the scene, whose views are those of the command's --turntable.
 
-        Without hidden they are drawn from one BSP tree; by "z-buffer" and other methods that work in
-        image space or find lines, each by itself. What is entered later does not change it.
+        By default they are drawn from one BSP tree; with "z-buffer" and other methods that work in
+        image space or find lines, each view by itself. Later calls on the system do not change it.
 
         Args:
-            views: How many, turned evenly all around: 1 to 10000.
+            views: Number of views, at equal angles around the axis: 1 to 10000.
             size: (width, height) in pixels, or one number for both.
-            axis: What is turned about, (x, y, z), through the middle of what is entered; what is up
-                in the view if it is not said.
-            fit: Fit the window to all views. If it is not said, it is where import_mesh fitted it.
+            axis: The axis of rotation, (x, y, z), through the middle of the scene; default: the
+                view's up direction.
+            fit: Fit the window to all views. Default: True if import_mesh fitted it.
             options: Those of draw; and for files of vectors those of save.
 
         Returns:
             The turntable. Nothing is drawn yet.
 
         Raises:
-            Error: A system that is not System(retain=True), segments of several views, a method that
-                does not draw views, an option out of its range.
+            Error: A system that is not System(retain=True), segments in several views, a method
+                that does not draw views, an option out of range.
         """
         options = self._checked(options)
         turned = self._turntable(views, size, axis, fit, **options)
@@ -464,73 +464,74 @@ class System(_displayfile.System):
         format: str | None = None,
         **options: typing.Any,
     ) -> None:
-        """Draw into a file, which appears whole or not at all.
+        """Draw into a file, which is written completely or not at all.
 
         Args:
-            path: Where to; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, and
-                not standard output.
-            size: (width, height) in pixels, of PDF and EPS in points; or one number for both.
-            format: One of these, such as "svg", in place of the name's.
-            options: Those of draw but ids and depth; and for vectors these:
-            paper: A sheet on which the picture lies, as large as fits: "A4", "letter" and others, or
-                "WIDTHxHEIGHT" in mm.
-            margin: Around it, in mm: 10.
-            vector_precision: To what part of a pixel vertices are rounded, 0.001 to 1: 0.01.
-            seams: "trapped", or "butted" for smaller files, in which what is behind may show between
-                neighbours.
-            pick_ids: True: each pick identifier is an element of its own with a title, in SVG.
-            pens: True: strokes alone, none twice, in layers by pen and in an order with little
-                travel, for plotters and lasers; on A4 unless another paper is said.
-            hatch: pens, with fills as parallel lines: so many mm apart where a fill is darkest; or a
-                dictionary of spacing, angle (45 degrees), cross (True: dark fills get lines at right
-                angles too), colour and width (0.3 mm).
+            path: The file; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, not
+                standard output.
+            size: (width, height) in pixels, for PDF and EPS in points; or one number for both.
+            format: One of these, such as "svg", overriding the extension.
+            options: Those of draw except ids and depth; and for vectors these:
+            paper: The paper, on which the picture is as large as fits: "A4", "letter" and others,
+                or "WIDTHxHEIGHT" in mm.
+            margin: Margin of the paper in mm; default 10.
+            vector_precision: Unit in pixels to which vertices are rounded, 0.001 to 1; default
+                0.01.
+            seams: "trapped", or "butted" for smaller files, in which the background may show
+                between neighbours.
+            pick_ids: True: one element with a title per pick identifier, in SVG.
+            pens: True: strokes only, none drawn twice, in layers by pen and ordered for short
+                travel, for plotters and laser cutters; on A4 unless paper is set.
+            hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or
+                a dictionary of spacing, angle (45 degrees), cross (True: dark fills get
+                perpendicular lines too), colour and width (0.3 mm).
 
         Raises:
-            Error: An option out of its range, an unknown format, or a file that cannot be written.
+            Error: An option out of range, an unknown format, or a file that cannot be written.
         """
         self._save(path, format, size, **self._checked(options))
 
     def dump(self, **options: typing.Any) -> str:
-        """Write the instructions of all segments.
+        """Return the instructions of all segments.
 
         Args:
-            options: hidden, hidden_lines, scope, precision and threads, as draw has them.
+            options: hidden, hidden_lines, scope, precision and threads, as in draw.
 
         Returns:
-            The text of the command's dump (displayfile/text/drawing_programs.md). It pins what is
-            drawn to the bit.
+            The text of the command's dump (displayfile/text/drawing_programs.md). It determines the
+            drawing bit for bit.
         """
         return self._dump(**self._checked(options))
 
     def pieces(self, **options: typing.Any) -> Pieces:
-        """Find what is drawn in vectors, for programs that draw by themselves.
+        """Return the pieces of a vector drawing, for programs that draw by their own means.
 
-        By "depth-sort" and "bsp" they are all polygons from back to front, also those that others
-        hide; by "map" the visible pieces only, and so by "auto", which is the map unless there are
-        only lines to see.
+        With "depth-sort" and "bsp": all polygons from back to front, including hidden ones; with
+        "map": the visible pieces only, and so with "auto", which is the map unless only lines are
+        visible.
 
         Args:
-            options: hidden, hidden_lines, scope, precision and threads, as draw has them.
+            options: hidden, hidden_lines, scope, precision and threads, as in draw.
 
         Returns:
-            Arrays: pieces of polygons and lines, in the order in which they are drawn.
+            Arrays of pieces of polygons and lines, in drawing order.
         """
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
         self, x: float, y: float, size: _Size = 512, *, reach: float = 0.0, threads: int = 1
     ) -> Pick | None:
-        """Tell what is seen at a pixel, exactly.
+        """Return the primitive visible at a pixel, exactly.
 
         Args:
             x: Pixels from the left of the picture.
             y: Pixels from its top.
-            size: The picture's, as draw has it.
-            reach: Within so many pixels lines and edges are picked, before polygons.
-            threads: How many may work.
+            size: The picture's size, as in draw.
+            reach: Distance in pixels within which lines and edges are picked, before polygons.
+            threads: Maximum number of threads.
 
         Returns:
-            What is seen there; None if nothing is.
+            The Pick; None if nothing is visible there.
         """
         picked = self._pick(x, y, reach, size, threads=threads)
         return None if picked is None else Pick(*picked)
@@ -559,7 +560,7 @@ class System(_displayfile.System):
         height = _SIZE_IN_NOTEBOOKS / max(1.0, aspect)
         return max(1, round(width)), max(1, round(height))
 
-    # ---- What may be asked ---------------------------------------------------------------
+    # ---- Properties ----------------------------------------------------------------------
 
     @property
     def segments(self) -> list[int]:
@@ -578,37 +579,37 @@ class System(_displayfile.System):
 
     @property
     def aspect_ratio(self) -> float:
-        """The width over the height of the pictures that segments are viewed for."""
+        """Width over height of the pictures for which segments are viewed."""
         return self._aspect_ratio()
 
     def set_aspect_ratio(self, aspect: float) -> None:
-        """Set the width over the height of pictures, for the segments that are opened from now on.
+        """Set the width over height of pictures, for segments opened from now on.
 
         Args:
-            aspect: Above 0. Nothing records it.
+            aspect: Above 0. It is not recorded.
 
         Raises:
-            Error: A segment is open, or no such number.
+            Error: A segment is open, or the number is invalid.
         """
         self._set_aspect_ratio(aspect)
 
     def set_threads(self, threads: int) -> None:
-        """Set how many threads may work as a segment is closed and put in order.
+        """Set the maximum number of threads for sorting a segment when it is closed.
 
         Args:
-            threads: 1 to 1024; the order is the same for any.
+            threads: 1 to 1024; the order does not depend on it.
         """
         self._set_threads(threads)
 
     def to_device(self, point: _Numbers) -> tuple[float, float, float] | None:
-        """Find where a point is in the view in force.
+        """Map a point by the view in force.
 
         Args:
             point: Three numbers, in world coordinates; the modelling transformation acts on them.
 
         Returns:
             Normalised device coordinates x, y and z, as set_image_centre takes them; None if the
-            point is not before the eye.
+            point is not in front of the eye.
         """
         return self._to_device(point)
 

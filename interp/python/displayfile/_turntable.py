@@ -1,4 +1,4 @@
-"""Turntable: a scene in views evenly around it."""
+"""Turntable: views of a scene at equal angles."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ if typing.TYPE_CHECKING:
 
 
 class Turntable:
-    """The views of a scene that turns before a camera and lights that stay.
+    """The views of a scene that rotates in front of a fixed camera and fixed lights.
 
-    It is of what the system had when System.turntable made it; len() of it is the number of views. A
+    It shows the system's contents at the time of System.turntable; len() is the number of views. A
     view is the same, bit for bit, whichever others are drawn. Several threads may call one
-    turntable: their calls come one after another.
+    turntable; the calls are serialised.
     """
 
     def __init__(self, views: _displayfile.Turntable, more_than_pixels: bool) -> None:
-        """For System.turntable, which makes it."""
+        """Called by System.turntable."""
         self._views = views
         self._more_than_pixels = more_than_pixels
 
@@ -34,29 +34,29 @@ class Turntable:
             view: Its number, from 0.
 
         Returns:
-            What System.draw returns.
+            The same as System.draw.
 
         Raises:
-            Error: No such view, or a picture for which there is not enough memory.
+            Error: No such view, or not enough memory for the picture.
         """
         picture = Picture(*self._views._draw(view))
         return picture if self._more_than_pixels else picture.pixels
 
     def save(self, path: _Path, views: tuple[int, int] | None = None) -> list[str]:
-        """Draw views into files, numbered as the command does it: turn-000.png for turn.png.
+        """Draw views into files, numbered as by the command: turn-000.png for turn.png.
 
-        Each file appears whole or not at all.
+        Each file is written completely or not at all.
 
         Args:
-            path: Where to, without the number; its name ends in .svg, .pdf, .eps, .png or .ppm.
-            views: (first, end): only these; all if it is not said.
+            path: The file name without the number; it ends in .svg, .pdf, .eps, .png or .ppm.
+            views: (first, end): only these; default: all.
 
         Returns:
             The names of the files.
 
         Raises:
-            Error: Views that there are not, an unknown format, or a file that cannot be written: if
-                that is so from the start, nothing is drawn.
+            Error: Views out of range, an unknown format, or a file that cannot be written; if this
+                is known beforehand, nothing is drawn.
         """
         first, end = self._range(views)
         self._views._require_drawable(first, end, path)

@@ -1,8 +1,8 @@
 """Pictures by bands of rows, and turntables, on the workers of a Dask cluster.
 
-What is returned is Dask's own, and computed when it is asked for: by the workers of the
-distributed.Client that there is, or else on this machine. Every pixel is that of System.draw, and
-of Turntable.draw, bit for bit. The scene is sent to each worker once.
+Functions return Dask objects, which are computed on demand by the workers of the current
+distributed.Client, or else on this machine. Every pixel is that of System.draw or Turntable.draw,
+bit for bit. The scene is sent to each worker once.
 """
 
 from __future__ import annotations
@@ -35,8 +35,7 @@ if typing.TYPE_CHECKING:
 
 __all__ = ["draw", "save", "save_turntable", "turntable"]
 
-# What one task draws, where it is not said: so many bytes of pixels at most, and no more than one
-# of so many parts of the whole.
+# The default size of a task: at most these bytes of pixels and this part of the whole.
 _MOST_BYTES = 1 << 26
 _PARTS = 32
 
@@ -52,24 +51,24 @@ def draw(
     depth: bool = False,
     **options: typing.Any,
 ) -> typing.Any:
-    """Make a picture whose bands of rows are drawn when they are asked for.
+    """Make a picture whose bands of rows are drawn on demand.
 
     Args:
-        system: What is drawn, as it is now.
+        system: The system to draw, in its present state.
         size: As in System.draw.
-        band: How many rows one task draws. If it is not said, at most 64 MiB of pixels and at most a
+        band: Number of rows that one task draws; default: at most 64 MiB of pixels and at most a
             32nd of the picture.
-        ids: Draw the item buffer too.
-        depth: Draw the depths too.
-        options: Those of System.draw but rows.
+        ids: Also draw the item buffer.
+        depth: Also draw the depths.
+        options: Those of System.draw except rows.
 
     Returns:
-        A dask.array (H, W, 4), uint8, in bands; or with ids or depth a Picture of such arrays. A slice
-        asks for the bands that it touches alone.
+        A dask.array (H, W, 4), uint8, in bands; with ids or depth, a Picture of such arrays. A slice
+        computes only the bands that it touches.
 
     Raises:
-        Error: A system that cannot be sent, or what System.draw would refuse, but for what is only
-            known as it is drawn.
+        Error: A system that cannot be sent, or arguments that System.draw refuses, except for errors
+            that occur during drawing.
     """
     options = _checked(system, {"ids": ids, "depth": depth, **options})
     width, bands = _bands(system, None, size, band, options)
@@ -87,23 +86,23 @@ def turntable(
     depth: bool = False,
     **options: typing.Any,
 ) -> typing.Any:
-    """Make the views of System.turntable, which are drawn when they are asked for.
+    """Make the views of System.turntable, drawn on demand.
 
     Args:
-        system: What turns, as it is now.
+        system: The system to rotate, in its present state.
         views: As in System.turntable.
         size: As in System.draw.
-        block: How many views one task draws; if it is not said, as many as draw does of rows.
-        ids: Draw the item buffers too.
-        depth: Draw the depths too.
+        block: Number of views that one task draws; default: limited as band in draw.
+        ids: Also draw the item buffers.
+        depth: Also draw the depths.
         options: Those of System.turntable.
 
     Returns:
-        A dask.array (views, H, W, 4), uint8, in blocks of views; or with ids or depth a Picture of such
+        A dask.array (views, H, W, 4), uint8, in blocks of views; with ids or depth, a Picture of such
         arrays.
 
     Raises:
-        Error: As draw does, of what System.turntable would refuse.
+        Error: As in draw, for arguments that System.turntable refuses.
     """
     options = _checked(system, {"ids": ids, "depth": depth, **options})
     (height, width), blocks = _blocks(system, None, views, size, block, options)
@@ -119,23 +118,23 @@ def save(
     band: int | None = None,
     **options: typing.Any,
 ) -> Delayed:
-    """Have workers draw a picture's bands into files: wall-000.ppm and so on for wall.ppm.
+    """Make workers draw a picture's bands into files: wall-000.ppm and so on for wall.ppm.
 
-    Each file appears whole or not at all.
+    Each file is written completely or not at all.
 
     Args:
-        system: What is drawn, as it is now.
-        path: Where to, without the number, in a folder that all workers see; its name ends in .png
-            or .ppm.
+        system: The system to draw, in its present state.
+        path: The file name without the number, in a folder that all workers can access; it ends in
+            .png or .ppm.
         size: As in System.draw.
         band: As in draw.
-        options: Those of System.draw but rows, ids and depth.
+        options: Those of System.draw except rows, ids and depth.
 
     Returns:
-        A Delayed; computed it is the names of the files, from the top.
+        A Delayed of the names of the files, from the top.
 
     Raises:
-        Error: As draw does; or an unknown format.
+        Error: As in draw; or an unknown format.
     """
     options = _checked(system, options)
     path = _for_workers(path)
@@ -154,23 +153,23 @@ def save_turntable(
     block: int | None = None,
     **options: typing.Any,
 ) -> Delayed:
-    """Have workers draw the views of System.turntable into files, as Turntable.save numbers them.
+    """Make workers draw the views of System.turntable into files, numbered as by Turntable.save.
 
-    Each file appears whole or not at all.
+    Each file is written completely or not at all.
 
     Args:
-        system: What turns, as it is now.
-        path: Where to, without the number, in a folder that all workers see.
+        system: The system to rotate, in its present state.
+        path: The file name without the number, in a folder that all workers can access.
         views: As in System.turntable.
         size: As in System.draw.
         block: As in turntable.
-        options: Those of System.turntable but ids and depth.
+        options: Those of System.turntable except ids and depth.
 
     Returns:
-        A Delayed; computed it is the names of the files.
+        A Delayed of the names of the files.
 
     Raises:
-        Error: As turntable does; or an unknown format.
+        Error: As in turntable; or an unknown format.
     """
     options = _checked(system, options)
     path = _for_workers(path)
@@ -183,7 +182,7 @@ def save_turntable(
 
 
 class _Turned(typing.NamedTuple):
-    """How a turntable is made."""
+    """Arguments of System.turntable."""
 
     views: int
     size: _Size
@@ -191,7 +190,7 @@ class _Turned(typing.NamedTuple):
 
 
 def _for_workers(path: _Path) -> str:
-    """They are in other folders."""
+    """The absolute path: workers run in other folders."""
     try:
         return os.path.abspath(os.fsdecode(path))
     except TypeError:
@@ -205,7 +204,7 @@ def _bands(
     band: int | None,
     options: dict[str, typing.Any],
 ) -> tuple[int, list[_Range]]:
-    """The picture's width, and its rows shared out. What draw would refuse is refused here."""
+    """The picture's width, and its rows in bands. Raises the Errors of draw."""
     if "rows" in options:
         raise Error("rows: expected a slice of the picture that is returned, or a band")
     width, height = system._require_drawn(path, size, rows=(0, 1), **options)
@@ -220,7 +219,7 @@ def _blocks(
     block: int | None,
     options: dict[str, typing.Any],
 ) -> tuple[tuple[int, int], list[_Range]]:
-    """The pictures' height and width, and the views shared out; refuses likewise."""
+    """The pictures' height and width, and the views in blocks. Raises the Errors of turntable."""
     drawn = {key: value for key, value in options.items() if key not in ("axis", "fit")}
     width, height = system._require_drawn(path, size, **drawn)
     system._require_turned(views, size, options.get("axis"), options.get("fit"), **drawn)
@@ -230,7 +229,7 @@ def _blocks(
 
 
 def _shared_out(number: int, bytes_of_one: int, most: int | None, what: str) -> list[_Range]:
-    """Ranges of `most` each, but for the last."""
+    """Ranges of `most` each, except for the last."""
     if most is None:
         most = max(1, min(_MOST_BYTES // bytes_of_one, -(-number // _PARTS)))
     try:
@@ -245,7 +244,7 @@ def _shared_out(number: int, bytes_of_one: int, most: int | None, what: str) -> 
 def _checked(system: typing.Any, options: dict[str, typing.Any]) -> dict[str, typing.Any]:
     if not isinstance(system, PicklableSystem):
         raise Error(
-            "a system is sent to workers by its calls: expected a PicklableSystem, not "
+            "a system is sent to workers as its calls: expected a PicklableSystem, not "
             f"{type(system).__name__}"
         )
     return system._checked(options)
@@ -255,9 +254,9 @@ def _checked(system: typing.Any, options: dict[str, typing.Any]) -> dict[str, ty
 
 
 class _Scene:
-    """Calls, and the systems and turntables that were made by them where it is.
+    """Calls, and the systems and turntables made from them in this process.
 
-    They are kept from task to task, one for each thread that draws at the same time.
+    They are kept between tasks, one for each concurrent thread.
     """
 
     def __init__(self, calls: Calls, key: str) -> None:
@@ -337,7 +336,7 @@ _scenes: weakref.WeakKeyDictionary[Calls, _Scene] = weakref.WeakKeyDictionary()
 
 
 def _scene_of(system: PicklableSystem) -> Delayed:
-    """It stays one as long as nothing is entered into the system."""
+    """The system's scene, the same one until more is entered."""
     calls = system.calls
     scene = _scenes.setdefault(calls, _Scene(calls, f"displayfile-scene-{uuid.uuid4().hex}"))
     graph = HighLevelGraph.from_collections(scene.key, {scene.key: scene}, dependencies=[])
@@ -351,7 +350,7 @@ def _graph(
     parts: typing.Sequence[typing.Any],
     zeros: tuple[int, ...] = (),
 ) -> tuple[str, HighLevelGraph]:
-    """A task for each part, under its number, and that of the scene."""
+    """A graph of one task per part, under its number, and the scene's task."""
     scene = _scene_of(system)
     name = f"{name}-{uuid.uuid4().hex}"
     tasks = {(name, k, *zeros): (task, scene.key, part) for k, part in enumerate(parts)}
@@ -367,7 +366,7 @@ def _pictures(
     ids: bool,
     depth: bool,
 ) -> typing.Any:
-    """Pixels, ids and depths as arrays: parts of the first axis, whole in the others."""
+    """Pixels, ids and depths as arrays, chunked along the first axis only."""
     chunks = (tuple(end - first for first, end in parts), *((side,) for side in shape))
     zeros = (0,) * len(shape)
     if not (ids or depth):
@@ -400,7 +399,7 @@ def _pictures(
 def _names(
     name: str, task: typing.Any, system: PicklableSystem, parts: typing.Sequence[typing.Any]
 ) -> Delayed:
-    """The lists that the tasks return, one after another."""
+    """The concatenated lists that the tasks return."""
     name, graph = _graph(name, task, system, parts)
     own = f"{name}-names"
     all_names = {own: (_joined, [(name, k) for k in range(len(parts))])}

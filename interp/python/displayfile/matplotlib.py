@@ -22,24 +22,24 @@ _METHODS = ("depth-sort", "bsp")
 def exact(
     ax: Axes3D, *, method: str = "depth-sort", lift: float = 0.0, off: bool = False
 ) -> Exact:
-    """Make the axes draw with exact visibility, from now on.
+    """Make the axes draw with exact visibility from now on.
 
-    Polygons, lines and markers are hidden where opaque polygons are before them, whichever artist
-    they are of. Those that are added later are drawn so too.
+    Polygons, lines and markers are hidden where opaque polygons are in front of them, across
+    artists, including those added later.
 
     Args:
         ax: Three-dimensional axes.
         method: "depth-sort", or "bsp", which cuts more.
-        lift: Lines and markers are taken as nearer to the viewer by so much of the depth of the
-            scene: those in a surface are seen without.
-        off: Let the axes draw as before.
+        lift: Moves lines and markers toward the viewer by this fraction of the scene's depth. Lines
+            and markers in a surface are visible without it.
+        off: Restore the axes.
 
     Returns:
-        What draws them; its remove method lets the axes draw as before, too.
+        The Exact that draws them; its remove method restores the axes, too.
 
     Raises:
-        Error: Other axes, another method or lift, or a version of matplotlib without an attribute
-            that is needed.
+        Error: Axes that are not three-dimensional, an unknown method, a lift out of range, or a
+            version of matplotlib without a required attribute.
     """
     if not isinstance(ax, Axes3D):
         raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
@@ -62,7 +62,7 @@ def exact(
 
 
 class Exact:
-    """Draws axes with exact visibility. The function exact makes it."""
+    """Draws axes with exact visibility. Returned by exact()."""
 
     method: str
     """As in exact; it may be set."""
@@ -73,7 +73,7 @@ class Exact:
         self.ax = ax
 
     def remove(self) -> None:
-        """Let the axes draw as before."""
+        """Restore the axes."""
         if getattr(vars(self.ax).get("draw"), "__self__", None) is self:
             del self.ax.draw
             self.ax.stale = True
@@ -86,7 +86,7 @@ class Exact:
             if not is_taken(artist):
                 drawn.append(artist)
                 continue
-            # Without a computed order the artists' own order is kept: each is a scene by itself.
+            # Without a computed order the artists' order is kept: each is a scene by itself.
             group = groups.setdefault(0.0 if ax.computed_zorder else artist.get_zorder(), [])
             if not group:
                 drawn.append(group)

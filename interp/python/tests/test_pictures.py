@@ -361,7 +361,7 @@ def test_hidden_lines_that_nothing_finds_are_refused_or_warned_of():
                 call(drawn(-1))
             call(drawn(1))
         for call in (lambda s: s.dump(**options), lambda s: s.pieces(**options)):
-            with pytest.raises(Error, match="hidden lines are found where a method puts in order"):
+            with pytest.raises(Error, match="hidden lines need a method that sorts"):
                 call(drawn(-1))
             call(drawn(1))
         behind = drawn(-1)

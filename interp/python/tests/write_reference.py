@@ -20,8 +20,8 @@ PAGE = Path(__file__).resolve().parents[1] / "reference.md"
 WIDTH = 120
 BEGIN = """# Reference
 
-`tests/write_reference.py` writes this page from the docstrings of the package, which `help()` shows too.
-[README.md](README.md) says how to begin.
+`tests/write_reference.py` generates this page from the docstrings of the package, which `help()` shows too.
+[README.md](README.md) is the introduction.
 """
 
 
@@ -183,10 +183,9 @@ def page() -> str:
     return "\n\n".join(parts) + "\n"
 
 
-ROUTINES = """Each is a method of System. Arguments stand in the order of the table; what stands in brackets
-may be left out, and words are strings: set_line_style("dashed", 1, 0, 0, 2). Where a row says x y z ...,
-any number of points may be given, as numbers, sequences or arrays. Values in brackets in a meaning are in
-force if nothing is said."""
+ROUTINES = """Each is a method of System. Arguments are in the order of the table; those in brackets are optional,
+and words are strings: set_line_style("dashed", 1, 0, 0, 2). x y z ... stands for any number of points, as
+numbers, sequences or arrays. Values in brackets in a meaning are the defaults."""
 
 
 if __name__ == "__main__":

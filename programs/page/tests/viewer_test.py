@@ -232,12 +232,12 @@ class TurningTest(PageTest):
     def test_several_views_are_not_turned(self):
         scene = PROGRAMS / "four-views.draw"
         self.open_scene(scene)
-        self.assertRegex(self.status(), "not turned: .*view")
+        self.assertRegex(self.status(), "cannot be rotated: .*view")
         self.assertEqual(self.pixels(), self.drawn(scene))
         before = self.pixels()
         self.drag(100, 0)
         self.assertEqual(self.pixels(), before)
-        self.assertRegex(self.status(), "not turned: .*view")
+        self.assertRegex(self.status(), "cannot be rotated: .*view")
 
     def test_picking(self):
         self.open_scene(GEARS)

@@ -33,59 +33,63 @@ int run(int argc, char** argv) {
   auto* command = app.add_subcommand("bench", kBenchDescription);
   command
       ->add_option("SCENE", bench.scenes.names,
-                   "generated scenes, families of hard cases, drawing programs and meshes; "
-                   "default, as without any: all generated scenes and hard cases")
+                   "generated scenes, families of hard cases, drawing programs and meshes; by "
+                   "default all generated scenes and hard cases")
       ->type_name("SCENE|FILE.draw|MESH");
   command
       ->add_option("-o,--output", bench.page,
-                   "the page, .html; what is finished is kept in "
-                   "PAGE.partial until then, and an interrupted run "
-                   "goes on from there")
+                   "the page, .html; finished results are kept in PAGE.partial until then, and an "
+                   "interrupted run continues from them")
       ->type_name("PAGE.html")
       ->capture_default_str();
-  command->add_option("--json", bench.json, "the figures for programs")->type_name("FIGURES.json");
+  command->add_option("--json", bench.json, "the figures as JSON")->type_name("FIGURES.json");
   command->add_flag("--full", bench.scenes.full,
                     "more sizes, precisions and rounds: hours instead of minutes");
-  auto* methods = command->add_option("--methods", bench.methods, "only these, with commas between")
-                      ->type_name("METHOD,...")
-                      ->delimiter(',');
+  auto* methods =
+      command->add_option("--methods", bench.methods, "only these methods, separated by commas")
+          ->type_name("METHOD,...")
+          ->delimiter(',');
   command
-      ->add_option("--roundoff", bench.roundoffs,
-                   "EPS of the precisions roundoff=EPS beside exact, with commas between, or none")
+      ->add_option(
+          "--roundoff", bench.roundoffs,
+          "EPS of the precisions roundoff=EPS measured besides exact, separated by commas, or none")
       ->type_name("EPS,...")
       ->delimiter(',');
-  command->add_option("--threads", bench.threads, "numbers of threads, with commas between")
+  command->add_option("--threads", bench.threads, "numbers of threads, separated by commas")
       ->type_name("N,...")
       ->delimiter(',')
       ->transform(number_in(1, 1024));
   command
-      ->add_option("--polygons", bench.scenes.polygons, "of generated scenes, with commas between")
+      ->add_option("--polygons", bench.scenes.polygons,
+                   "numbers of polygons of generated scenes, separated by commas")
       ->type_name("N,...")
       ->delimiter(',')
       ->transform(number_in(std::size_t{1}, std::size_t{10'000'000}));
-  command->add_option("--sizes", bench.scenes.sizes, "pixels a side, with commas between")
+  command
+      ->add_option("--sizes", bench.scenes.sizes,
+                   "picture sizes in pixels per side, separated by commas")
       ->type_name("N,...")
       ->delimiter(',')
       ->transform(number_in(1, 16384));
-  command->add_option("--seed", bench.scenes.seed, "of all scenes that are generated")
+  command->add_option("--seed", bench.scenes.seed, "seed of all generated scenes")
       ->type_name("N")
       ->transform(any_number<std::uint64_t>());
-  command->add_option("--rounds", bench.rounds, "of each ratio")
+  command->add_option("--rounds", bench.rounds, "rounds of each ratio")
       ->type_name("N")
       ->transform(number_in(1, 1000));
   command
       ->add_option("--seconds", bench.most_seconds,
-                   "at most for the rounds of one ratio; hard cases take less")
+                   "time limit for the rounds of one ratio; hard cases take less")
       ->type_name("SECONDS")
       ->transform(number_in(0.001, 1e6));
   command->add_flag(
       "--features,!--no-features", bench.features,
-      "what each feature costs, off and on; without it, only where no SCENE is named");
+      "measure the cost of each feature, off and on; by default only if no SCENE is given");
   command
-      ->add_flag("--moving-camera", bench.moving_camera,
-                 "only the table of new views of retained scenes: times as fast as OSMesa, wrong "
-                 "pixels, bytes a triangle, growth; pictures of 1024 pixels a side unless --sizes "
-                 "says otherwise")
+      ->add_flag(
+          "--moving-camera", bench.moving_camera,
+          "only the table of new views of retained scenes: speed relative to OSMesa, wrong pixels, "
+          "bytes per triangle, growth; pictures of 1024 pixels per side unless --sizes is set")
       ->excludes(methods);
   const AskedOfItself asked(argc, argv);
   WorkLimitWords limits;

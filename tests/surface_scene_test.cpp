@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <set>
@@ -179,12 +180,13 @@ struct Call {
 };
 
 /// What entering surfaces calls, in world coordinates.
-std::vector<Call> calls_of(const std::vector<SurfaceData>& surfaces, const SurfaceLook& look) {
-  GraphicsSystem system;
+std::vector<Call> calls_of(const std::vector<SurfaceData>& surfaces, const SurfaceLook& look,
+                           GraphicsSystem& system) {
   std::ostringstream recording;
   Recorder recorder(recording);
   system.set_recorder(&recorder);
   enter_surfaces(system, surfaces, look);
+  system.set_recorder(nullptr);
   std::vector<Call> calls;
   std::istringstream lines(recording.str());
   for (std::string line; std::getline(lines, line);) {
@@ -195,6 +197,11 @@ std::vector<Call> calls_of(const std::vector<SurfaceData>& surfaces, const Surfa
     calls.push_back(std::move(call));
   }
   return calls;
+}
+
+std::vector<Call> calls_of(const std::vector<SurfaceData>& surfaces, const SurfaceLook& look) {
+  GraphicsSystem system;
+  return calls_of(surfaces, look, system);
 }
 
 SurfaceLook bare() {
@@ -389,12 +396,12 @@ std::vector<Colour> colours_of_cells(const std::vector<Call>& calls) {
 }
 
 TEST(SurfaceScene, ACellHasTheColourOfItsMeanHeight) {
-  // Of heights from 0 to 64, so that a step is 1 high.
-  const SurfaceData surface = surface_of(3, 3, {0, 0, 64, 0, 6, 64, 0, 18, 64});
+  // Of heights from 100 to 164, so that a step is 1 high.
+  const SurfaceData surface = surface_of(3, 3, {100, 100, 164, 100, 106, 164, 100, 118, 164});
   SurfaceLook look = bare();
   look.coloured = true;
   const std::vector<Call> calls = calls_of({surface}, look);
-  const std::vector<Colour> expected{height_colour_of_step(1),    // (0 + 0 + 0 + 6) / 4
+  const std::vector<Colour> expected{height_colour_of_step(1),    // 100 and (0 + 0 + 0 + 6) / 4
                                      height_colour_of_step(33),   // (0 + 64 + 6 + 64) / 4
                                      height_colour_of_step(6),    // (0 + 6 + 0 + 18) / 4
                                      height_colour_of_step(38)};  // (6 + 64 + 18 + 64) / 4
@@ -406,8 +413,8 @@ TEST(SurfaceScene, ACellHasTheColourOfItsMeanHeight) {
   }
   ASSERT_EQ(cells.size(), 4u);
   using Words = std::vector<std::string>;
-  EXPECT_EQ(cells[1].words, (Words{"1", "3", "2", "2", "3.5", "2", "0", "64", "6", "64"}));
-  EXPECT_EQ(cells[2].words, (Words{"-1", "1", "2", "3.5", "5", "2", "0", "6", "0", "18"}));
+  EXPECT_EQ(cells[1].words, (Words{"1", "3", "2", "2", "3.5", "2", "100", "164", "106", "164"}));
+  EXPECT_EQ(cells[2].words, (Words{"-1", "1", "2", "3.5", "5", "2", "100", "106", "100", "118"}));
 }
 
 TEST(SurfaceScene, ColoursReachFromTheLowestToTheHighest) {
@@ -473,6 +480,84 @@ TEST(SurfaceScene, TheLegendShowsWhichColourIsWhichHeight) {
   EXPECT_LT(places.at("\"10\""), 0.25);  // letters stand about the tick's middle
   EXPECT_GT(places.at("\"10\""), 0.24);
   EXPECT_GT(places.at("\"depth\""), 0.75);
+}
+
+/// Where the legend of a surface stands, in parts of the picture's height.
+struct LegendPlaces {
+  double left = 0.0, right = 0.0;    ///< of the bar
+  double tick = 0.0, numbers = 0.0;  ///< right of it
+  double letters = 0.0, end = 0.0;   ///< size of the texts; where the longest ends, about
+};
+LegendPlaces legend_places(const std::string& name, const std::vector<double>& heights,
+                           double aspect, bool axes = false) {
+  GraphicsSystem system;
+  system.set_aspect_ratio(aspect);
+  SurfaceLook look = bare();
+  look.coloured = true;
+  look.axes = axes;
+  look.names[2] = name;
+  LegendPlaces places;
+  double x = 0.0;
+  bool is_legend = false;
+  for (const Call& call : calls_of({surface_of(2, 2, heights)}, look, system)) {
+    if (call.routine == "open-segment") is_legend = call.words.at(0) == "2";
+    if (!is_legend) continue;
+    if (call.routine == "polygon-abs-3") {
+      places.left = call.number(0);
+      places.right = call.number(3);
+    } else if (call.routine == "set-text-style") {
+      places.letters = call.number(0);
+    } else if (call.routine == "line-abs-3" && x == places.right && call.number(0) > x) {
+      places.tick = call.number(0) - x;
+    } else if (call.routine == "move-abs-3") {
+      x = call.number(0);
+    } else if (call.routine == "text") {
+      const std::string text = call.words.at(0).substr(1, call.words.at(0).size() - 2);
+      const double width = 0.64 * places.letters * static_cast<double>(text.size());
+      places.end = std::max(places.end, x + width);
+      if (x > places.right) places.numbers = x - places.right;
+    }
+  }
+  // Its window is the picture, upright.
+  for (const Point3& corner : {Point3(0, 0, 0), Point3(1, 1, 0)}) {
+    const auto device = system.to_device({corner.x * aspect, corner.y, 0.0});
+    EXPECT_TRUE(device && glm::length(Point2(*device) - Point2(corner)) < 1e-12);
+  }
+  return places;
+}
+
+/// The bar is 0.115 to 0.14 from the right side, and farther where texts need that: the longest
+/// ends 0.01 before the side.
+TEST(SurfaceScene, TheLegendHasRoomForItsTexts) {
+  const std::vector<double> few{1, 2, 3, 4}, many{1000001, 1000002, 1000003, 1000004};
+  const LegendPlaces usual = legend_places("z", few, 1.5);
+  EXPECT_NEAR(usual.left, 1.5 - 0.14, 1e-12);
+  EXPECT_NEAR(usual.right, 1.5 - 0.115, 1e-12);
+  EXPECT_NEAR(usual.tick, 0.008, 1e-12);
+  EXPECT_NEAR(usual.numbers, 0.014, 1e-12);
+  EXPECT_NEAR(usual.letters, 0.026, 1e-12);
+  EXPECT_LT(usual.end, 1.5);
+  const LegendPlaces with_name = legend_places("temperature-in-K", few, 1.5);
+  EXPECT_NEAR(with_name.end, 1.5 - 0.01, 1e-12);
+  EXPECT_LT(with_name.left, usual.left);
+  const LegendPlaces with_numbers = legend_places("z", many, 1.5);
+  EXPECT_NEAR(with_numbers.end, 1.5 - 0.01, 1e-12);
+  EXPECT_LT(with_numbers.left, usual.left);
+  EXPECT_NEAR(with_numbers.right - with_numbers.left, 0.025, 1e-12);
+  // But no farther than 0.4 more.
+  EXPECT_NEAR(legend_places(std::string(60, 'n'), few, 1.5).left, 1.5 - 0.54, 1e-12);
+}
+
+/// In a narrow picture it is smaller as a whole.
+TEST(SurfaceScene, TheLegendIsSmallerInANarrowPicture) {
+  // With axes its margins are 0.14, and 0.12 and 0.24 for the legend: two thirds of the width.
+  const double scale = 0.5, aspect = scale * 0.5 * 3.0 / 2.0;
+  const LegendPlaces places = legend_places("z", {1, 2, 3, 4}, aspect, true);
+  EXPECT_NEAR(places.left, aspect - scale * 0.14, 1e-12);
+  EXPECT_NEAR(places.right, aspect - scale * 0.115, 1e-12);
+  EXPECT_NEAR(places.tick, scale * 0.008, 1e-12);
+  EXPECT_NEAR(places.numbers, scale * 0.014, 1e-12);
+  EXPECT_NEAR(places.letters, scale * 0.026, 1e-12);
 }
 
 TEST(SurfaceScene, SurfacesTogetherHaveFillsOfTheirOwn) {

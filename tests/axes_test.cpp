@@ -66,6 +66,79 @@ TEST(Axes, NumbersAreMultiplesOfARoundOne) {
   EXPECT_EQ(numbers(1, std::nextafter(1.0, 2.0)).front(), "1");
 }
 
+/// An x axis that is 1 / 1.8 of the picture's height long, with texts of a size.
+GraphicsSystem axis_with_texts(double low, double high, double size) {
+  GraphicsSystem g;
+  const double margin = 0.4 * (high - low);
+  g.set_window(low - margin, high + margin, -margin, high - low + margin);
+  g.set_text_style({.size = size});
+  g.open_segment(1);
+  axes_3(g, {low, 0, 0}, {high, 0, 0}, {"", "", ""});
+  g.close_segment();
+  return g;
+}
+constexpr double kAxis = 1.0 / 1.8;
+
+/// In a row a number has 2.8 times the size of the texts to itself, and an axis at most five steps.
+TEST(Axes, StepsAreAsWideAsNumbersNeed) {
+  using Words = std::vector<std::string>;
+  const auto numbers_of = [](double size) { return texts_of(axis_with_texts(0, 5, size)); };
+  const double five = kAxis / (5 * 2.8), two = kAxis / (2 * 2.8);
+  EXPECT_EQ(numbers_of(0.2 * five), (Words{"0", "1", "2", "3", "4", "5"}));
+  EXPECT_EQ(numbers_of(0.99 * five), (Words{"0", "1", "2", "3", "4", "5"}));
+  EXPECT_EQ(numbers_of(1.01 * five), (Words{"0", "2", "4"}));
+  EXPECT_EQ(numbers_of(1.01 * two), (Words{"0", "5"}));
+}
+
+/// The same in a column, where a number needs half of that.
+TEST(Axes, StepsAreAsHighAsNumbersNeed) {
+  using Words = std::vector<std::string>;
+  const auto numbers_of = [](double size) {
+    GraphicsSystem g;
+    g.set_window(-2, 7, -2, 7);
+    g.set_text_style({.size = size});
+    g.open_segment(1);
+    axes_3(g, {0, 0, 0}, {0, 5, 0}, {"", "", ""});
+    g.close_segment();
+    return texts_of(g);
+  };
+  const double five = kAxis / (5 * 1.4);
+  EXPECT_EQ(numbers_of(0.99 * five), (Words{"0", "1", "2", "3", "4", "5"}));
+  EXPECT_EQ(numbers_of(1.01 * five), (Words{"0", "2", "4"}));
+}
+
+/// Ticks have 0.4 of the texts' size, numbers stand 0.45 below them; a long number that would be
+/// closer than half a size to the one before stands farther out.
+TEST(Axes, NumbersStandInARowWhileTheyHaveRoom) {
+  const double letters = 6 * 0.6;  // of 100000, in sizes
+  for (const double apart : {letters + 0.55, letters + 0.45}) {
+    const double size = kAxis / 5 / apart;
+    const GraphicsSystem g = axis_with_texts(100000, 100005, size);
+    const std::vector<DeviceText> texts = drawn_texts(g);
+    ASSERT_EQ(texts.size(), 6u);
+    const double axis = 0.4 / 1.8, capital = 0.7;
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+      EXPECT_NEAR(texts[k].anchor.x, (0.4 + 0.2 * static_cast<double>(k)) / 1.8, 1e-9);
+      const double below = (axis - texts[k].anchor.y) / size - capital;  // of the letters' tops
+      const bool is_farther = apart < letters + 0.5 && k % 2 == 1;
+      if (is_farther) {
+        EXPECT_NEAR(below, 0.4 + 0.45 + 1.0, 1e-6) << k;
+      } else {
+        EXPECT_NEAR(below, 0.4 + 0.45, 1e-6) << k;
+      }
+    }
+    int ticks = 0;
+    const ViewedScene scene(g.display_file());
+    for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
+      const PointRow points = scene.points(item);
+      if (scene.kind(item) != Primitives::Kind::line || points[0].x != points[1].x) continue;
+      EXPECT_NEAR(std::abs(points[0].y - points[1].y), 0.4 * size, 1e-9);
+      ++ticks;
+    }
+    EXPECT_EQ(ticks, 6);
+  }
+}
+
 /// A flat chart: the x axis below, the y axis to the left, names in their middles.
 TEST(Axes, OfAFlatChart) {
   const GraphicsSystem g = axes_of({0, 0, 0}, {10, 5, 0}, {"time", "speed", "none"});

@@ -166,8 +166,18 @@ TEST_F(ColourRuleFiles, InVectorsFillsHaveTheBackgroundsColour) {
 TEST(ColourRule, IsDumpedWithFillsInTheBackgroundsColour) {
   GraphicsSystem g;
   enter_cube(g);
-  const std::string text = dump(g.display_file(), Colour{1, 1, 1});
-  EXPECT_EQ(text.find("fill solid 1 1 1"), text.rfind("fill solid"));
+  const auto fills_of = [](const std::string& text) {
+    std::vector<std::string> fills;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t at = line.find("fill ");
+      if (at != std::string::npos) fills.push_back(line.substr(at));
+    }
+    return fills;
+  };
+  using Words = std::vector<std::string>;
+  ASSERT_EQ(fills_of(dump(g.display_file())).size(), 3u);  // one a face, by its light
+  EXPECT_EQ(fills_of(dump(g.display_file(), Colour{1, 1, 1})), Words{"fill solid 1 1 1"});
 }
 
 TEST(ColourRule, IsNotDrawnByOpenGl) {

@@ -35,6 +35,15 @@ class Command : public displayfile::test::TemporaryFolder {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  /// Runs the command, which must succeed. False only if this build lacks what the words of its
+  /// message name: then a test may be skipped. Any other failure fails the test.
+  bool can_run(const std::string& arguments, const std::string& lacks) {
+    const int status = run(arguments);
+    if (status == 2 && err_.find(lacks) != std::string::npos) return false;
+    EXPECT_EQ(status, 0) << arguments << "\n" << err_;
+    return true;
+  }
+
   /// Exit status 2, a message of one line that holds the words, nothing printed, and no file
   /// but those that were there.
   void expect_error(const std::string& arguments, const std::string& words,

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "clip/unit.h"
@@ -64,9 +64,14 @@ TEST(Hatching, IsAsDenseAsTheFillIsDark) {
 }
 
 TEST(Hatching, LiesAtItsAngle) {
-  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 0.0)) EXPECT_EQ(s.from.y, s.to.y);
-  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 90.0)) EXPECT_EQ(s.from.x, s.to.x);
-  for (const Stroke& s : hatched(box(10, 10, 90, 90), 1.0, 1.0, 45.0)) {  // up to the right
+  const auto lines = [](double angle) {
+    const std::vector<Stroke> strokes = hatched(box(10, 10, 90, 90), 1.0, 1.0, angle);
+    EXPECT_GE(strokes.size(), 80u) << angle;
+    return strokes;
+  };
+  for (const Stroke& s : lines(0.0)) EXPECT_EQ(s.from.y, s.to.y);
+  for (const Stroke& s : lines(90.0)) EXPECT_EQ(s.from.x, s.to.x);
+  for (const Stroke& s : lines(45.0)) {  // up to the right
     EXPECT_NEAR(s.to.x - s.from.x, -(s.to.y - s.from.y), 1.0);
   }
 }
@@ -84,6 +89,7 @@ bool is_inside(const Polygon& polygon, double x, double y) {
 TEST(Hatching, LiesInsideOfTheFill) {
   std::mt19937 random(3);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  double whole = 0.0;
   for (int round = 0; round < 60; ++round) {
     Polygon polygon;
     for (int k = 0; k < 3 + round % 7; ++k)
@@ -101,7 +107,9 @@ TEST(Hatching, LiesInsideOfTheFill) {
         EXPECT_TRUE(x >= 0.0 && x <= 200.0 && y >= 0.0 && y <= 200.0);
       }
     }
+    whole += length(strokes);
   }
+  EXPECT_GT(whole * 3.0, 60 * 3000.0);  // or little of the fills was hatched
 }
 
 /// Pieces of one tone that tile a figure have the lines of the figure, none of them cut.
@@ -179,6 +187,7 @@ TEST(Hatching, FollowsALinearDarkness) {
   lines.add(square, std::vector<double>{0.0, 1.0, 1.0, 0.0});
   const std::vector<Stroke> strokes = lines.strokes(0.0);
   EXPECT_NEAR(length(strokes) * 0.5, 128 * 128 / 2.0, 128.0);
+  EXPECT_GT(strokes.size(), 200u);
   for (const Stroke& s : strokes) EXPECT_EQ(s.to.x, 128'000);
   HatchLines halves(0.5, 0.0, kSheet);  // in two pieces: the same lines
   halves.add(Polygon{{0, 0}, {128, 0}, {128, 128}}, std::vector<double>{0.0, 1.0, 1.0});
@@ -189,7 +198,24 @@ TEST(Hatching, FollowsALinearDarkness) {
 TEST(Hatching, ShortLinesAreLeftOut) {
   HatchLines lines(1.0, 45.0, kSheet);
   add(lines, box(10, 10, 20, 20), 1.0);
-  for (const Stroke& s : lines.strokes(3.0)) EXPECT_GE(length(s), 2.999);
+  const std::vector<Stroke> all = lines.strokes(0.0), some = lines.strokes(3.0);
+  std::vector<Stroke> expected;
+  for (const Stroke& s : all) {
+    if (length(s) >= 3.0) expected.push_back(s);
+  }
+  EXPECT_EQ(some, expected);
+  EXPECT_GT(some.size(), 8u);
+  EXPECT_LT(some.size(), all.size());
+}
+
+/// Lines go on over gaps of two thousandths of a millimetre, which no pen leaves, and not of three.
+TEST(Hatching, ClosesGapsThatNoPenLeaves) {
+  for (const auto& [gap, strokes] : {std::pair(0.0015, 20u), std::pair(0.003, 40u)}) {
+    HatchLines lines(1.0, 0.0, kSheet);
+    add(lines, box(10, 10, 20, 30), 1.0);
+    add(lines, box(20 + gap, 10, 40, 30), 1.0);
+    EXPECT_EQ(lines.strokes(0.0).size(), strokes) << gap;
+  }
 }
 
 TEST(Darkness, IsBetweenPaperAndPen) {
@@ -199,6 +225,18 @@ TEST(Darkness, IsBetweenPaperAndPen) {
   EXPECT_NEAR(Darkness(white, black).of(grey), 0.75, 1e-12);
   EXPECT_NEAR(Darkness(black, white).of(grey), 0.25, 1e-12);  // a white pen on black paper
   EXPECT_EQ(Darkness(white, white).of(black), 0.0);           // it would not be seen
+}
+
+/// By the weights of ITU-R BT.709.
+TEST(Darkness, CountsEachComponentByItsLuma) {
+  const Darkness darkness(Colour(1.0), Colour(0.0));
+  EXPECT_NEAR(darkness.of({1, 0, 0}), 1.0 - 0.2126, 1e-12);
+  EXPECT_NEAR(darkness.of({0, 1, 0}), 1.0 - 0.7152, 1e-12);
+  EXPECT_NEAR(darkness.of({0, 0, 1}), 1.0 - 0.0722, 1e-12);
+  // Of a pen and a paper with colours, too.
+  EXPECT_NEAR(Darkness(Colour(1.0), {0, 0, 1}).of({1, 0, 0}), (1.0 - 0.2126) / (1.0 - 0.0722),
+              1e-12);
+  EXPECT_NEAR(Darkness({0, 1, 0}, Colour(0.0)).of({1, 0, 0}), 1.0 - 0.2126 / 0.7152, 1e-12);
 }
 
 }  // namespace

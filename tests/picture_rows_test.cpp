@@ -68,7 +68,7 @@ TEST_F(PictureRowsTest, AreThoseOfTheWholePicture) {
   });
 }
 
-TEST_F(PictureRowsTest, OfViewsAndOtherDevices) {
+TEST_F(PictureRowsTest, OfViews) {
   test::Retained retained;
   replay_file(DISPLAYFILE_SOURCE_DIR "/programs/gears.draw", retained.system);
   DrawOptions options{.samples = 1};
@@ -80,7 +80,14 @@ TEST_F(PictureRowsTest, OfViewsAndOtherDevices) {
   ASSERT_EQ(rows.height, 23);
   EXPECT_TRUE(std::equal(rows.pixels.begin(), rows.pixels.end(),
                          whole.pixels.begin() + std::ptrdiff_t{10} * 64));
-  if (!osmesa_available()) return;
+}
+
+TEST_F(PictureRowsTest, OfOsmesa) {
+  if (!osmesa_available()) GTEST_SKIP() << osmesa_description();
+  test::Retained retained;
+  replay_file(DISPLAYFILE_SOURCE_DIR "/programs/gears.draw", retained.system);
+  DrawOptions options{.width = 64, .height = 64, .samples = 1};
+  options.rows = PictureRows{10, 33};
   options.device = "osmesa";
   options.with_depth = true;
   const Picture by_osmesa = draw(retained.system, options);

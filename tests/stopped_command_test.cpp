@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include "tests/command_fixture.h"
 
@@ -43,6 +45,7 @@ TEST_F(StoppedCommand, LeavesNothingBehindWhenItIsStopped) {
     int status = 0;
     while (!fs::exists(folder_ / "t-0002.png")) {
       ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "it ended by itself";
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     ::kill(child, signal);
     ASSERT_EQ(::waitpid(child, &status, 0), child);

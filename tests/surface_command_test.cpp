@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interp/files/npy_file.h"
@@ -37,12 +38,9 @@ class SurfaceCommandTest : public Command {
 
   /// True if this build reads expressions.
   bool reads_expressions() {
-    if (run("surface x -o s.svg") == 0) {
-      fs::remove(folder_ / "s.svg");
-      return true;
-    }
-    EXPECT_NE(err_.find("this build has no muParser"), std::string::npos) << err_;
-    return false;
+    const bool reads = can_run("surface x -o s.svg", "this build has no muParser");
+    fs::remove(folder_ / "s.svg");
+    return reads;
   }
 };
 
@@ -93,9 +91,11 @@ TEST_F(SurfaceCommandTest, IsDrawnByRaysInTheWorld) {
       << err_;
   ASSERT_EQ(run("draw s.draw -o again.png --size 90x90"), 0) << err_;
   EXPECT_EQ(read(folder_ / "again.png"), read(folder_ / "w.png"));
-  EXPECT_EQ(
-      run("surface g.txt g.txt --lines outline -o w.png --size 90x90 --hidden world-ray-cast"), 0)
-      << err_;
+  const std::string both = "surface g.txt g.txt --lines outline --size 90x90 --program s.draw ";
+  ASSERT_EQ(run(both + "-o both.png --hidden world-ray-cast"), 0) << err_;
+  ASSERT_EQ(run("draw s.draw -o again.png --size 90x90"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "again.png"), read(folder_ / "both.png"));
+  EXPECT_NE(read(folder_ / "both.png"), read(folder_ / "w.png"));  // it has no curves
 }
 
 /// Between two commas, before the first and after the last may be nothing: no height moves to
@@ -123,9 +123,11 @@ TEST_F(SurfaceCommandTest, AMissingCellIsAHole) {
 /// A file of that name that is no grid makes no difference to an expression.
 TEST_F(SurfaceCommandTest, AnExpressionMayBeCalledAsAFileIs) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
+  ASSERT_EQ(run("surface x 'x*y' -o before.svg"), 0) << err_;
   fs::create_directory(folder_ / "x");
   write("x*y", "any text");
-  EXPECT_EQ(run("surface x 'x*y' -o s.svg"), 0) << err_;
+  ASSERT_EQ(run("surface x 'x*y' -o s.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "s.svg"), read(folder_ / "before.svg"));
 }
 
 TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
@@ -139,9 +141,17 @@ TEST_F(SurfaceCommandTest, ATextAndAnArrayAreTheSame) {
 
 TEST_F(SurfaceCommandTest, AllFormatsAndMethodsDrawIt) {
   write("g.txt", "0 1 0\n1 2 1\n0 1 0\n");
-  for (const char* name : {"a.svg", "a.pdf", "a.eps", "a.png", "a.ppm"}) {
-    EXPECT_EQ(run(std::string("surface g.txt --colour height -o ") + name), 0) << err_;
-    EXPECT_GT(fs::file_size(folder_ / name), 500u);
+  for (const auto& [name, begin] :
+       {std::pair("a.svg", "<?xml "), std::pair("a.pdf", "%PDF-"), std::pair("a.eps", "%!PS-Adobe"),
+        std::pair("a.png", "\x89PNG\r\n"), std::pair("a.ppm", "P6\n640 480\n255\n")}) {
+    const std::string arguments = std::string(" --size 640x480 -o ") + name;
+    ASSERT_EQ(run("surface g.txt --colour height --program s.draw" + arguments), 0) << err_;
+    const std::string coloured = read(folder_ / name);
+    EXPECT_TRUE(coloured.starts_with(begin)) << name;
+    ASSERT_EQ(run("draw s.draw" + arguments), 0) << err_;
+    EXPECT_EQ(read(folder_ / name), coloured) << name;
+    ASSERT_EQ(run("surface g.txt" + arguments), 0) << err_;
+    EXPECT_NE(read(folder_ / name), coloured) << name;  // without colours
   }
   ASSERT_EQ(run("surface g.txt -o p.svg"), 0) << err_;
   for (const char* method : {"franklin", "roberts", "appel", "perimeter"}) {
@@ -162,15 +172,24 @@ TEST_F(SurfaceCommandTest, TellsThatPensLeaveOutTexts) {
 
 TEST_F(SurfaceCommandTest, AHoleIsDrawnByAnotherMethod) {
   write("g.txt", "0 1 0\n1 nan 1\n0 1 0\n2 2 2\n");
-  EXPECT_EQ(run("surface g.txt -o s.svg"), 0) << err_;
+  ASSERT_EQ(run("surface g.txt -o s.svg"), 0) << err_;
+  ASSERT_EQ(run("surface g.txt -o f.svg --hidden franklin"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "s.svg"), read(folder_ / "f.svg"));
+  expect_error("surface g.txt -o p.svg --hidden perimeter", "whole and of solid cells");
 }
 
 TEST_F(SurfaceCommandTest, OneCellAndAFlatSurfaceAreDrawn) {
   write("cell.txt", "0 1\n1 0\n");
   write("flat.txt", "3 3\n3 3\n");
   for (const char* options : {"", "--colour height", "--contours 5", "--eye 0,90", "--eye 0,0"}) {
-    for (const char* grid : {"cell.txt ", "flat.txt "}) {
-      EXPECT_EQ(run(std::string("surface -o s.svg ") + grid + options), 0) << options << err_;
+    for (const std::string grid : {"cell.txt ", "flat.txt "}) {
+      SCOPED_TRACE(grid + options);
+      EXPECT_EQ(count(grid + options, "surface-3"), 1u);
+      const std::string drawn = read(folder_ / "s.svg");
+      ASSERT_EQ(run("surface --no-axes --no-box -o bare.svg " + grid + options), 0) << err_;
+      const std::string surface = read(folder_ / "bare.svg");
+      EXPECT_NE(surface.find("<path"), std::string::npos);
+      EXPECT_GT(std::ranges::count(drawn, '\n'), std::ranges::count(surface, '\n'));
     }
   }
 }
@@ -247,8 +266,15 @@ TEST_F(SurfaceCommandTest, OptionsSayWhatIsDrawn) {
   EXPECT_EQ(count("g.txt --sides lower", "set-surface-sides"), 1u);
   EXPECT_EQ(count("g.txt --labels u,v,height", "text \"height\""), 0u);  // no blank follows
   EXPECT_NE(read(folder_ / "s.draw").find("text \"height\"\n"), std::string::npos);
-  for (const char* names : {",north,h", "east,,h", "east,north,"}) {  // an axis without a name
-    ASSERT_EQ(run("surface g.txt -o s.svg --labels " + std::string(names)), 0) << err_;
+  const std::size_t with_names = count("g.txt --labels east,north,h", "text");
+  for (const std::string names : {",north,h", "east,,h", "east,north,"}) {  // an axis without one
+    EXPECT_EQ(count("g.txt --labels " + names, "text"), with_names - 1) << names;
+    const std::string program = read(folder_ / "s.draw");
+    for (const std::string name : {"east", "north", "h"}) {
+      EXPECT_EQ(program.find("text \"" + name + "\"") != std::string::npos,
+                ("," + names + ",").find("," + name + ",") != std::string::npos)
+          << names << ": " << name;
+    }
   }
 }
 
@@ -321,7 +347,14 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
 
 TEST_F(SurfaceCommandTest, CommasAndComparisonsAreInExpressions) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
-  EXPECT_EQ(run("surface 'x>=0 && y<=1 && x!=y || x==y ? max(x,y) : 0' -o s.svg"), 0) << err_;
+  ASSERT_EQ(run("surface 'x>=0 && y<=1 && x!=y || x==y ? max(x,y) : 7' -o s.svg --grid 3x2 "
+                "--program s.draw"),
+            0)
+      << err_;
+  // Of x = -1, 0, 1 and y = -1, 1: true where x is not negative, or both are -1.
+  EXPECT_NE(read(folder_ / "s.draw").find("surface-3 -1 1 3 -1 1 2 -1 0 1 7 1 1\n"),
+            std::string::npos)
+      << read(folder_ / "s.draw");
 }
 
 TEST_F(SurfaceCommandTest, AnExpressionMayBeLongerThanAFilesName) {
@@ -330,7 +363,8 @@ TEST_F(SurfaceCommandTest, AnExpressionMayBeLongerThanAFilesName) {
   for (int i = 0; i < 300; ++i) sum += "+y";
   ASSERT_EQ(run("surface '" + sum + "' --grid 3x3 -o long.svg"), 0) << err_;
   EXPECT_EQ(err_, "");
-  EXPECT_GT(read(folder_ / "long.svg").size(), 1000u);
+  ASSERT_EQ(run("surface 'x+300*y' --grid 3x3 -o short.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "long.svg"), read(folder_ / "short.svg"));
 }
 
 TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {

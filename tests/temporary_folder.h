@@ -13,10 +13,13 @@
 
 namespace displayfile::test {
 
-/// The bytes of a file; none if it cannot be read.
+/// The bytes of a file. Fails the test if it cannot be read: two files of which neither is there
+/// would be equal.
 inline std::string content(const std::filesystem::path& path) {
+  const std::ifstream file(path, std::ios::binary);
+  if (!file) ADD_FAILURE() << path << ": cannot be read";
   std::ostringstream all;
-  all << std::ifstream(path, std::ios::binary).rdbuf();
+  all << file.rdbuf();
   return all.str();
 }
 

@@ -58,8 +58,13 @@ TEST_F(Command, TurntableDrawsViewsWithoutASort) {
       EXPECT_EQ(run(std::string("compare t") + view + " v" + view), 0) << method << out_;
     }
   }
-  EXPECT_EQ(run(turned + "-o v.png --hidden z-buffer --samples 2"), 0) << err_;
-  EXPECT_EQ(run(turned + "-o v.svg --hidden z-buffer"), 0) << err_;
+  for (const std::string file : {".png --samples 2", ".svg"}) {
+    ASSERT_EQ(run(turned + "--hidden z-buffer -o v" + file), 0) << err_;
+    ASSERT_EQ(run("draw t.draw --size 60x50 --hidden z-buffer -o f" + file), 0) << err_;
+    const std::string format = file.substr(0, 4);
+    EXPECT_EQ(read(folder_ / ("v-000" + format)), read(folder_ / ("f" + format)));
+    EXPECT_NE(read(folder_ / ("v-001" + format)), read(folder_ / ("f" + format)));
+  }
   expect_error(turned + "-o w.png --hidden depth-sort", "not by depth-sort: expected bsp");
   EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
 }

@@ -4,13 +4,17 @@
 
 #include <cmath>
 #include <glm/mat4x4.hpp>
+#include <limits>
 #include <random>
+#include <string>
 
 #include "clip/base/error.h"
 #include "tests/error_of.h"
 
 namespace displayfile {
 namespace {
+
+using test::error_of;
 
 // The problem book's normalised perspective view volume, in our convention: the book looks
 // along +z from the origin, we along -z, so its (x, y, z) is our (x, y, -z). Its window is
@@ -209,6 +213,91 @@ TEST(View, RefusesWhatItCanTellAloneAndStaysAsItWas) {
   EXPECT_EQ(view.projection, View::Projection::parallel);
   EXPECT_EQ(view.window, (Rectangle{-1, 1, -1, 1}));
   EXPECT_EQ(view.front, -1.0);
+}
+
+/// Each bound of a range is tried from both sides, in each coordinate.
+TEST(View, TakesWhatIsAtTheEndOfARange) {
+  View view;
+  view.set_viewport({0, 1, 0, 1});
+  EXPECT_EQ(view.viewport, (Rectangle{0, 1, 0, 1}));
+  const Rectangle inside{0.25, 0.75, 0.25, 0.75};
+  view.set_viewport(inside);
+  constexpr double kBeyond = 0x1p-40;
+  Rectangle left = inside, right = inside, below = inside, above = inside;
+  left.x_min = -kBeyond;
+  right.x_max = 1.0 + kBeyond;
+  below.y_min = -kBeyond;
+  above.y_max = 1.0 + kBeyond;
+  for (const Rectangle& wrong : {left, right, below, above}) {
+    EXPECT_EQ(error_of([&] { view.set_viewport(wrong); }),
+              "viewport leaves the display: expected values within 0 to 1");
+  }
+  for (const Rectangle& flat : {Rectangle{1, 1, 0, 1}, Rectangle{0, 1, 1, 1}, Rectangle{1, 0, 0, 1},
+                                Rectangle{0, 1, 1, 0}}) {
+    EXPECT_NE(error_of([&] { view.set_viewport(flat); }).find("viewport has no area"),
+              std::string::npos);
+    EXPECT_NE(error_of([&] { view.set_window(flat); }).find("window has no area"),
+              std::string::npos);
+  }
+  EXPECT_EQ(view.viewport, inside);
+
+  view.set_depth(-1e100, 1e100);
+  view.set_depth(0.0, 0x1p-1000);
+  EXPECT_EQ(view.front, 0.0);
+  EXPECT_EQ(view.back, 0x1p-1000);
+  EXPECT_EQ(error_of([&] { view.set_depth(0.5, 0.5); }),
+            "front plane behind back plane: expected front distance < back distance");
+  EXPECT_NE(error_of([&] { view.set_depth(0.0, 1e101); }).find("view depth is not"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { view.set_depth(-1e101, 0.0); }).find("view depth is not"),
+            std::string::npos);
+  EXPECT_EQ(view.back, 0x1p-1000);
+}
+
+/// From an eye: the target in the middle, the angle from the bottom to the top, the front plane
+/// just before the eye and the back plane as far behind the target as the eye is before it.
+TEST(LookAt, SeesTheAngleOfViewAroundTheTarget) {
+  for (const double angle : {1.0, 60.0, 90.0, 179.0}) {
+    const View view = look_at({2, 3, 9}, {2, 3, 4}, {0, 1, 0}, angle);
+    const double half = 5.0 * std::tan(angle * 0.5 * 0.017453292519943295);
+    EXPECT_NEAR(view.window.y_max, half, 1e-12 * half) << angle;
+    EXPECT_EQ(view.window, (Rectangle{-view.window.y_max, view.window.y_max, -view.window.y_max,
+                                      view.window.y_max}));
+    EXPECT_EQ(view.reference_point, Point3(2, 3, 4));
+    EXPECT_EQ(view.centre_of_projection, Point3(2, 3, 9));
+    EXPECT_EQ(view.projection, View::Projection::perspective);
+    EXPECT_EQ(view.plane_normal, Point3(0, 0, -5));
+    EXPECT_DOUBLE_EQ(view.front, -0.999 * 5.0);
+    EXPECT_DOUBLE_EQ(view.back, 5.0);
+  }
+  // How far the eye is does not overflow, and each coordinate counts.
+  for (const Point3& eye :
+       {Point3(3e99, 4e99, 0), Point3(0, -3e99, 4e99), Point3(4e99, 0, -3e99)}) {
+    EXPECT_DOUBLE_EQ(look_at(eye, {0, 0, 0}, {1, 1, 1}, 40.0).back, 5e99);
+  }
+}
+
+TEST(LookAt, RefusesAnglesAndDirectionsThatShowNothing) {
+  const auto error = [](double angle) {
+    return error_of([&] { look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, angle); });
+  };
+  EXPECT_EQ(error(0x1p-20), "");
+  EXPECT_EQ(error(180.0 - 0x1p-20), "");
+  for (const double angle : {0.0, -1.0, 180.0, 181.0, std::nan("")}) {
+    EXPECT_NE(error(angle).find("expected degrees, more than 0 and less than 180"),
+              std::string::npos)
+        << angle;
+  }
+  const auto error_of_up = [](const Point3& up) {
+    return error_of([&] { look_at({0, 0, 5}, {0, 0, 0}, up); });
+  };
+  EXPECT_NE(error_of_up({0, 0, 3}).find("view up is along the line of sight"), std::string::npos);
+  EXPECT_NE(error_of_up({0.9e-9, 0, -1}).find("view up is along"), std::string::npos);
+  EXPECT_EQ(error_of_up({1.1e-9, 0, 1}), "");
+  EXPECT_NE(error_of([] {
+              look_at({1, 2, 3}, {1, 2, 3});
+            }).find("at what it looks at"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace displayfile {
 
 Colour height_colour(double part) {
-  // Even steps in lightness (CIE L* 18 to 92), chosen for this.
+  // Even steps in lightness (CIE L* 16 to 91), chosen for this.
   static const std::array<Colour, 7> kColours{Colour{0.23, 0.06, 0.36}, Colour{0.24, 0.22, 0.52},
                                               Colour{0.16, 0.38, 0.56}, Colour{0.10, 0.53, 0.56},
                                               Colour{0.25, 0.68, 0.47}, Colour{0.60, 0.81, 0.30},

@@ -82,7 +82,7 @@ def parts(line):
         found = re.match(pattern, line)
         if found:
             end = closing(line, found.end() - 1)
-            if end is None:
+            if end is None or ";" in line[:end]:  # which declares something first
                 return None
             return line[: found.end()], line[found.end() : end], line[end:]
     found = re.match(r"for \([^;:]*; ([^;]*);", line)

@@ -11,6 +11,21 @@ import pytest
 ROOT = Path(__file__).resolve().parents[3]
 
 
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A test that is skipped is a failure: what it needs is a package that tests/run installs. Where
+    a system does not offer it, DISPLAYFILE_MAY_SKIP is set."""
+    reporter = session.config.pluginmanager.get_plugin("terminalreporter")
+    skipped = reporter.stats.get("skipped", []) if reporter is not None else []
+    if not skipped or os.environ.get("DISPLAYFILE_MAY_SKIP"):
+        return
+    reasons = sorted({report.longrepr[2] for report in skipped if isinstance(report.longrepr, tuple)})
+    reporter.write_line("")
+    reporter.write_line(
+        f"{len(skipped)} skipped: expected none, or DISPLAYFILE_MAY_SKIP to be set: {reasons}"
+    )
+    session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
 def ring(around: int, across: int) -> str:
     """A closed ring of so many quads around and across, as an OBJ file has it."""
     lines = []

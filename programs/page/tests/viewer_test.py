@@ -188,6 +188,8 @@ class TurningTest(PageTest):
             const pose = { ...kAsDrawn, shift: [0.3, -0.1], zoom: 1.5 };
             const larger = zoomed(view, pose, 2, [0.2, 0.9]);
             return [in_window(view, pose, [0.2, 0.9]), in_window(view, larger, [0.2, 0.9]), larger.zoom];""")
+        self.assertEqual(len(moved[0]), len(moved[1]))
+        self.assertEqual(len(moved[0]), 2)
         for before, after in zip(moved[0], moved[1]):
             self.assertAlmostEqual(before, after)
         self.assertEqual(moved[2], 3)

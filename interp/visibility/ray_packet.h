@@ -33,7 +33,7 @@ class RayPacket {
 
   const PixelBox& rays() const { return rays_; }
 
-  /// True if a fill no nearer than this is seen by none of the rays.
+  /// True if no ray sees a fill at this depth or farther.
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
 
   /// The fill whose spans follow.
@@ -67,7 +67,7 @@ class RayPacket {
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
   }
-  /// The error by which depths are told apart: none while only the nearest is looked for.
+  /// The error used to distinguish depths: 0 while only the nearest is searched.
   double error_of(Fill fill) const { return cast_ == Cast::for_fills ? depths_.error(fill) : 0.0; }
   bool hides_closely(Fill other, int column, int row) {
     return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);

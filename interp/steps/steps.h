@@ -34,7 +34,7 @@ enum class StepRole : std::uint8_t {
   seen,      ///< found to be seen
   hidden,    ///< found to be hidden
   tagged,    ///< has been moved before
-  upper,     ///< the upper perimeter of what is drawn
+  upper,     ///< the upper perimeter
   lower,     ///< and the lower one
 };
 /// The word of a role, in lower case.

@@ -10,9 +10,9 @@
 
 namespace displayfile {
 
-// What is seen of the lines of a picture, by the definition of truth alone: whole numbers of any
-// length, no tolerance, and nothing shared with the methods that are judged.
-// interp/truth/true_lines.md explains. Lengths are in device coordinates, whose unit is the
+// The visible parts of a picture's lines, by the definition of truth alone: in integers of any
+// length, without tolerance, and sharing no code with the methods that are checked.
+// interp/truth/true_lines.md has the details. Lengths are in device coordinates, whose unit is the
 // picture.
 
 /// A part of a line between two parameters along its projection, 0 <= from < to <= 1: 0 is where it

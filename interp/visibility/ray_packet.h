@@ -14,9 +14,9 @@ namespace displayfile {
 /// of a square of pixels or a part of one, and the fill that each sees.
 ///
 /// Exact: the nearest, the later of equally near ones. With a ROUNDOFF: the one entered last of
-/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is no order, so that what is seen
-/// would depend on the order of the hits if rays were cast once: they are cast again when the
-/// nearest depths are known. A ROUNDOFF of 0 is an order, and one cast is enough.
+/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is not an order, so a single cast
+/// would depend on the order of the hits: rays are cast again when the nearest depths are known. A
+/// ROUNDOFF of 0 is an order, and one cast is enough.
 class RayPacket {
  public:
   using Fill = ViewedScene::Fill;

@@ -6,11 +6,11 @@
 
 namespace displayfile {
 
-/// A normal of the polygon, by Newell's sums (equation 9.3): its components are twice the
-/// areas of the polygon's projections along x, y and z. Taken about the first vertex, which
-/// leaves the sums what they are and spares small polygons far from the origin their
-/// cancellation. Points out of the light face: the one from which the vertices run
-/// counterclockwise. In the reverse order of the vertices it is the opposite, but for rounding.
+/// A normal of the polygon, by Newell's sums (equation 9.3): its components are twice the areas of
+/// the polygon's projections along x, y and z. Computed relative to the first vertex, which does
+/// not change the sums but avoids cancellation for small polygons far from the origin. Points out
+/// of the light face: the one from which the vertices run counterclockwise. Reversing the vertices
+/// negates it, up to rounding.
 inline Point3 newell_normal(std::span<const Point3> vertices) {
   Point3 sum(0.0);
   if (vertices.empty()) return sum;

@@ -250,7 +250,7 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<Segment> segments_;
   GrowingArray<Primitive> primitives_;
   std::vector<Text> texts_;
-  std::vector<Attributes> attributes_;             // but for the colours of fills
+  std::vector<Attributes> attributes_;             // without fill colours
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks
   GrowingArray<Point3> points_;

@@ -119,7 +119,7 @@ class SceneViewer {
   bool all_edges_drawn_ = true;
   bool selects_lines_ = false;
   std::vector<LineKinds> sides_;  // of the corners in the last view, if lines are selected
-  std::vector<Look> looks_;       // of attributes, but for colours
+  std::vector<Look> looks_;       // of attributes, without colours
   bool shows_shadows_ = false;    // then polygons between pixel centres matter
   bool shows_lines_ = false;      // or texts: the same
   bool is_lit_ = false;

@@ -7,10 +7,10 @@
 namespace displayfile {
 
 /// A number as the unevaluated sum of two doubles, the first of which is the sum rounded: some 106
-/// digits. In rounding to nearest, without overflow and underflow, and if each operation rounds to
-/// a double, the operations err by no more than is said here, with u = 2^-53 (Joldes, Muller and
-/// Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
-/// ACM TOMS 44, 2017).
+/// bits. In rounding to nearest, without overflow and underflow, and if each operation rounds to a
+/// double, the errors of operations are within the bounds stated here, with u = 2^-53 (Joldes,
+/// Muller and Popescu, Tight and rigorous error bounds for basic building blocks of double-word
+/// arithmetic, ACM TOMS 44, 2017).
 struct DoubleDouble {
   double high = 0.0, low = 0.0;
 };
@@ -61,8 +61,8 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return sum_of_ordered(high.high, high.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Off by at most 16 u^2 of the quotient: the rounded quotient of the leading parts, and what is
-/// left over that.
+/// Off by at most 16 u^2 of the quotient: the rounded quotient of the leading parts, plus that of
+/// the remainder.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble taken = exact_product(first, b.high);

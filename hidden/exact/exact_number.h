@@ -7,11 +7,11 @@
 
 namespace displayfile {
 
-/// An integer times a power of two, of any size: every finite double is one, and sums,
-/// differences and products of them are exact, so that the laws of integers hold: they may be added
-/// and multiplied in any order, and (a - a).sign() is 0. The exact stage of the predicates. The
-/// digits are kept in place while they are few, so that no memory is allocated for coordinates of
-/// ordinary size; what is done with digits is in exact_digits.h.
+/// An integer times a power of two, of any size: every finite double is one, and sums, differences
+/// and products of them are exact, so that the laws of integers hold: they may be added and
+/// multiplied in any order, and (a - a).sign() is 0. The exact stage of the predicates. Few digits
+/// are stored in place, so that no memory is allocated for coordinates of ordinary size;
+/// exact_digits.h has the operations on digits.
 class ExactNumber {
  public:
   ExactNumber() = default;

@@ -12,7 +12,7 @@ namespace displayfile {
 /// centre farther outside of a side than the rounding error is not covered; undecided ones may be.
 ///
 /// The error: on a picture of up to 65535 pixels a side a corner's place in pixels is off by less
-/// than 2^-36, and what is computed with sides of up to a few pixels by less than 2^-30.
+/// than 2^-36, and values computed for sides of up to a few pixels by less than 2^-30.
 inline bool covers_none_of_few(const Point3& a, const Point3& b, const Point3& c,
                                const PictureSize& size, std::int32_t column, std::int32_t columns,
                                std::int32_t row, std::int32_t rows) {

@@ -13,11 +13,11 @@
 namespace displayfile {
 
 // Where something meets a line from a to b: the parameter t of the point a + t (b - a), an exact
-// rational, cut off at the line's ends and rounded once, to the nearest double, of two equally
-// near the one with an even last digit. The same bits on every machine and in every rounding
-// mode, whichever of the things that meet there is asked about, for coordinates up to
-// kCoordinateLimit. Rounding keeps order, so what is found out about intervals between such
-// parameters is true of the exact ones, but for those that vanish (predicates.md, section 9).
+// rational, clamped to the line's ends and rounded once, to the nearest double, of two equally near
+// the one with an even last digit. The same bits on every machine and in every rounding mode, for
+// any description of the same meeting point, for coordinates up to kCoordinateLimit. Rounding is
+// monotonic, so results about intervals between such parameters hold for the exact ones, except for
+// intervals that vanish (predicates.md, section 9).
 //
 // The parameter depends only on the meeting point: p and q may be exchanged, and so may a plane's
 // points, or two planes. Along the line from b to a it is 1 - t rounded once, which may differ from

@@ -4,8 +4,8 @@
 
 namespace displayfile {
 
-/// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the plan: a tree of
-/// polygons, each node's plane dividing what is in front from what is in back (hidden/sort/bsp.md).
+/// The textbook's sort (algorithms 9.8 to 9.16) at the precision of the plan: a tree of polygons,
+/// each node's plane separates its front from its back (hidden/sort/bsp.md).
 SortedPieces sort_by_bsp(const Primitives& items, const SurfacePlan& plan);
 
 /// The same by the textbook's tree (hidden/sort/plain_bsp.h), without choosing roots.

@@ -79,7 +79,7 @@ OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t 
       triangles[p] = entered_triangle(scene.vertices, outline);
     }
   });
-  constexpr std::size_t kTurnsOfAStep = 256;  // that are asked for of two polygons of many sides
+  constexpr std::size_t kTurnsOfAStep = 256;  // orientation tests of two polygons with many sides
   const auto overlap = [&](std::uint32_t p, std::uint32_t q, WorkSteps& steps) {
     if (triangles[p].turning != 0 && triangles[q].turning != 0) {
       steps.step();

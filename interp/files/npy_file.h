@@ -29,9 +29,9 @@ void write_npy(std::span<const double> values, int width, int height, const Dest
 std::unique_ptr<RowFile> ids_row_file(const Destination& to, int width, int height);
 std::unique_ptr<RowFile> depth_row_file(const Destination& to, int width, int height);
 
-/// Reads what write_npy writes, and arrays of type uint8 and int64 (as int32) and float32 (as
-/// float64), in versions 1 to 3 of the format. Throws Error, naming the file and what was
-/// expected: not a .npy file, truncated, another type, shape or order, a value beyond int32.
+/// Reads files of write_npy, and arrays of type uint8 and int64 (as int32) and float32 (as
+/// float64), in versions 1 to 3 of the format. Throws Error, naming the file and what was expected:
+/// not a .npy file, truncated, another type, shape or order, a value beyond int32.
 NpyArray read_npy(const std::filesystem::path& path);
 
 }  // namespace displayfile

@@ -11,7 +11,7 @@ namespace displayfile {
 struct PictureDifference {
   bool same_size = true;          ///< if not, nothing else was compared
   std::int64_t pixels = 0;        ///< compared
-  std::int64_t wrong_pixels = 0;  ///< that are not equal, but for a tolerance
+  std::int64_t wrong_pixels = 0;  ///< different beyond the tolerance
   /// The largest difference of a channel of two pictures, 0 to 255, or the largest absolute
   /// difference of two values of arrays: infinite where one is infinite or NaN and the other is not
   /// equal.

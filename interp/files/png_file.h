@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// False in a build without libpng: what follows throws Error then, and says so.
+/// False in a build without libpng: the functions below then throw Error.
 extern const bool kHasPng;
 
 /// Whether a file of pixels has alpha.
@@ -25,10 +25,10 @@ void write_png(const Picture& picture, const Destination& to);
 std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height);
 std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height);
 
-/// Reads a PNG file of any colour type; 16-bit samples are cut to 8. What is transparent is laid
-/// over white, or stays so if alpha is to be kept; then what is wholly transparent is 0. Throws
-/// Error, naming the file: not a PNG, truncated, damaged, or of a size that is beyond kLargestSide
-/// or that the file's length cannot hold.
+/// Reads a PNG file of any colour type; 16-bit samples are reduced to 8 bits. Transparent pixels
+/// are composited over white, or kept with Alpha::stored, where fully transparent ones are 0.
+/// Throws Error, naming the file: not a PNG, truncated, damaged, or of a size beyond kLargestSide
+/// or the file's length.
 Picture read_png(const std::filesystem::path& path, Alpha alpha = Alpha::none);
 
 }  // namespace displayfile

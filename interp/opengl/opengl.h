@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// OSMesa's library and the functions of it that are used, loaded when it is first asked for: it
-/// brings LLVM, which takes longer to load than most pictures to draw.
+/// OSMesa's library and the functions used, loaded on first use: it depends on LLVM, which takes
+/// longer to load than most pictures to draw.
 class OpenGl {
   SharedLibrary library_{"libOSMesa.so.8"};
 
@@ -84,7 +84,7 @@ class OpenGl {
   }
 };
 
-/// Throws Error, each time that it is called, if this system has none.
+/// Throws Error, at each call, if this system has none.
 inline const OpenGl& gl() {
   static const OpenGl library;
   return library;

@@ -15,18 +15,18 @@ namespace displayfile {
 /// build without its headers, and on a system without its library, osmesa_available() is false and
 /// the rest throws Error. The library is loaded at the first call (interp/opengl/opengl.h).
 ///
-/// What it draws is a TriangleList (interp/opengl/triangle_list.h), in flat colours, without
-/// antialiasing, dithering or blending. Vertices are rounded to 1/256 pixel by the renderer,
-/// so no edge moves by more than that. Depth, nearer larger, spans the range of z that the
-/// picture shows; of equal depths the one entered later is seen.
+/// It draws a TriangleList (interp/opengl/triangle_list.h), in flat colours, without antialiasing,
+/// dithering or blending. The renderer rounds vertices to 1/256 pixel, so no edge moves by more
+/// than that. Depth, larger nearer, spans the range of z in the picture; of equal depths the one
+/// entered later is visible.
 ///
 /// llvmpipe's number of threads comes from the environment variable LP_NUM_THREADS, which it
 /// reads once, when the process makes its first OpenGL context (0: everything in the calling
 /// thread; n: n more that draw). RasterRequest::threads has no effect here.
 bool osmesa_available();
 
-/// Renderer, Mesa version, depth bits that were granted when this many (16, 24 or 32) were asked
-/// for, and the largest picture: for reports. Without OSMesa it says that there is none.
+/// Renderer, Mesa version, depth bits granted for this request (16, 24 or 32), and the largest
+/// picture: for reports. Without OSMesa it states that there is none.
 std::string osmesa_description(int depth_bits = 24);
 
 /// Draws the display file, on the background. Throws Error for a size outside of 1 to the
@@ -48,8 +48,8 @@ class OsmesaBuffers {
 
   /// Clears, draws and waits until all is drawn (glFinish); nothing is read back.
   void draw();
-  /// Draws and reads back what was requested. The item buffer and the depth come from a
-  /// drawing of their own, of the fills alone.
+  /// Draws and reads back the requested data. The item buffer and the depth are drawn separately,
+  /// with the fills only.
   Picture picture();
 
   std::size_t triangles() const;  ///< that draw() draws

@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// An OpenGL context of OSMesa, current for as long as a Current lives. What it draws into is
-/// a framebuffer object: unlike OSMesa's own buffers that has a depth of 16, 24 or 32 bits as
-/// asked for, and is not copied each time a picture is finished. All objects go with the context.
+/// An OpenGL context of OSMesa, current during the lifetime of a Current. It draws into a
+/// framebuffer object: unlike OSMesa's own buffers that has the requested depth of 16, 24 or 32
+/// bits, and is not copied for each finished picture. All objects are destroyed with the context.
 class OsmesaContext {
  public:
   /// Throws Error if this system has no OSMesa, or if it gives none.
@@ -37,7 +37,7 @@ class OsmesaContext {
 /// OSMesa cannot draw into such a one.
 int bind_framebuffer(int width, int height, int depth_bits, bool stencil);
 
-/// Throws Error, with what was being done, if OpenGL has an error to report.
+/// Throws Error, with `doing`, if OpenGL reports an error.
 void require_no_gl_error(const char* doing);
 
 }  // namespace displayfile

@@ -15,20 +15,19 @@ namespace displayfile::python {
 /// NumPy's numbers as Python's; anything else as it is. `what` names it in messages.
 pybind11::object plain(pybind11::handle value, std::string_view what);
 
-// What Python programs hand over, read with an Error for what is of another type. `what` names it
-// in messages.
+// Arguments from Python, with an Error for wrong types. `what` names the argument in messages.
 
 double number_in(pybind11::handle value, std::string_view what);  ///< finite
 int whole_number_in(pybind11::handle value, std::string_view what);
 std::uint64_t count_in(pybind11::handle value, std::string_view what);  ///< 0 or more
 std::string word_in(pybind11::handle value, std::string_view what);
-/// A string, bytes or what has __fspath__, as the file system has it. Not "-", which is standard
-/// input or output in C++.
+/// A string, bytes or an object with __fspath__, in the file system's encoding. Not "-", which is
+/// standard input or output in C++.
 std::string path_in(pybind11::handle value, std::string_view what);
 int threads_in(pybind11::handle value);                         ///< 1 to 1024
 bool switch_in(pybind11::handle value, std::string_view what);  ///< True, False, "on" or "off"
 
-/// The same where None stands for an argument that is not given.
+/// The same with None for a missing argument.
 template <class Read>
 auto if_given(pybind11::handle value, std::string_view what, const Read& read)
     -> std::optional<decltype(read(value, what))> {
@@ -36,14 +35,13 @@ auto if_given(pybind11::handle value, std::string_view what, const Read& read)
   return read(value, what);
 }
 
-/// Throws Error if the routine takes points, as many as there are, and an array or a sequence of
-/// numbers in the arguments holds none of so many coordinates.
+/// Throws Error if the routine takes any number of points, and an array or a sequence of numbers in
+/// the arguments does not hold whole points.
 void require_whole_points(const pybind11::args& arguments, const UserRoutine& routine);
 
 /// The arguments of a user routine as the words of a drawing program: numbers in the shortest form
-/// that reads back to the same double, True and False as on and off, sequences and arrays as what
-/// they hold, one after another. Where the routine expects text in quotation marks, strings get
-/// them.
+/// that reads back to the same double, True and False as on and off, sequences and arrays
+/// flattened. Strings are quoted where the routine expects a quoted text.
 std::string words_of(const pybind11::args& arguments, const UserRoutine& routine);
 
 /// The same of numbers alone: adds them, or returns false for anything else.

@@ -16,9 +16,9 @@ namespace displayfile::python {
 
 // ---- In ----------------------------------------------------------------------------------
 
-// Arrays of any numbers, and sequences of which NumPy makes one, are read as doubles or as whole
-// numbers. What they hold is copied in one block: another thread may change them while it is used.
-// Each throws Error, in which `what` names the array, for another shape or type.
+// Arrays of any numbers, and sequences that NumPy converts to one, are read as doubles or integers.
+// Their contents are copied in one block, since another thread may change them meanwhile. Each
+// function throws Error, with `what` naming the array, for a wrong shape or type.
 
 std::string type_name(pybind11::handle value);
 
@@ -28,7 +28,7 @@ std::vector<double> numbers_in(pybind11::handle value, std::string_view what);
 bool add_array(pybind11::handle value, std::vector<double>& numbers);
 /// (N, 3).
 std::vector<Point3> points_in(pybind11::handle value, std::string_view what);
-/// (N, 3), each in [0,1] as the routine that takes them asks.
+/// (N, 3), each in [0,1], as the routine requires.
 std::vector<FillStyle> fills_in(pybind11::handle value, std::string_view what);
 /// (N,).
 std::vector<std::int32_t> whole_numbers_in(pybind11::handle value, std::string_view what);

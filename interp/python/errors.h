@@ -48,9 +48,9 @@ auto placing_errors(Read&& read) {
 bool says_that_it_is_another(const pybind11::error_already_set& raised);
 [[noreturn]] void raise_from(pybind11::error_already_set& raised, const std::string& message);
 
-/// Calls read(), which asks an argument for what it holds. Where it does not hold that, and Python
-/// says so in its own words (a TypeError, a ValueError and the like), an Error says `message` in
-/// their place, with them as its cause. Whatever else an argument raises comes through.
+/// Calls read(), which reads an argument's contents. If that raises a Python type or value error
+/// (TypeError, ValueError and the like), throws an Error with `message`, with the Python error as
+/// its cause. Other exceptions of an argument are passed on.
 template <class Read>
 auto reading(const std::string& message, Read&& read) {
   try {

@@ -11,7 +11,7 @@
 
 namespace displayfile::python {
 
-/// Where work is called, as Python tells whoever has its lock.
+/// The context of a call, read while holding the interpreter's lock.
 struct Caller {
   std::shared_ptr<LimitsBlock> block = block_in_force();
   bool is_main_thread = is_on_main_thread();  ///< where Python handles signals
@@ -19,9 +19,9 @@ struct Caller {
   static bool is_on_main_thread();
 };
 
-/// While it lives, the work of this thread has the limits of the block in which it is called, and
-/// an interrupt from the keyboard (SIGINT) stops it by LimitReached, beside what Python does with
-/// it. The latter on the main thread alone, where Python raises KeyboardInterrupt.
+/// During its lifetime, the work of this thread has the limits of the enclosing block, and on the
+/// main thread, where Python raises KeyboardInterrupt, a keyboard interrupt (SIGINT) also stops it
+/// by LimitReached.
 class StoppedByInterrupt {
  public:
   explicit StoppedByInterrupt(const Caller& caller);
@@ -43,9 +43,9 @@ class StoppedByInterrupt {
 /// limit and an interrupt end that.
 std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex);
 
-/// Calls work() without the interpreter's lock. When an interrupt from the keyboard has stopped it,
-/// Python's handler is called; if that raises nothing, the work begins again: what was stopped has
-/// left the state as it was.
+/// Calls work() without the interpreter's lock. If a keyboard interrupt has stopped it, Python's
+/// handler is called; if that raises nothing, the work is restarted: stopped work leaves the state
+/// unchanged.
 template <class Work>
 auto without_interpreter(Work&& work) {
   const Caller caller;

@@ -8,11 +8,11 @@
 
 namespace displayfile::python {
 
-/// Draws the pieces of one polygon one after another where the picture stays what it was: of any
-/// two pieces that overlap in the picture, the one that was drawn first is still drawn first.
-/// Overlaps within a strip of 1e-9 of the picture's side do not count, except with lines. A polygon
-/// all of whose pieces have come together, and do not overlap each other, is one piece again, with
-/// the corners that it was given.
+/// Makes the pieces of one polygon consecutive where the picture does not change: of any two pieces
+/// that overlap in the picture, the one drawn first is still drawn first. Overlaps within a strip
+/// of 1e-9 of the picture's side are ignored, except with lines. A polygon whose pieces have all
+/// become consecutive, and do not overlap each other, is rejoined to one piece with its original
+/// corners.
 ///
 /// Points have x and y in [0,1]. Picks are the polygons' numbers; polygon k has sides[k] of the
 /// points, which follow one another. Lines have higher picks, and stay as they are. The time grows

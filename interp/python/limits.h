@@ -9,7 +9,7 @@
 
 namespace displayfile::python {
 
-/// What takes long where several threads call one object.
+/// The name of waiting for another thread's call on the same object.
 inline constexpr WorkDone kWaiting{"waiting for another thread's call", nullptr};
 
 /// A `with limits(...)` block. Contexts (Python's contextvars) know those that began in them, and
@@ -20,7 +20,7 @@ struct LimitsBlock {
   std::unique_ptr<WorkBudget> budget;
   bool has_ended = false;
 
-  /// The budget was told to stop: another one, of what is left of it, takes its place.
+  /// Replaces a stopped budget by one with the remaining limits.
   void renew_budget();
 };
 
@@ -28,7 +28,7 @@ struct LimitsBlock {
 /// them.
 std::shared_ptr<LimitsBlock> block_in_force();
 
-/// Adds what limits is made of.
+/// Adds the functions used by limits.
 void add_limits(pybind11::module_& module);
 
 }  // namespace displayfile::python

@@ -9,8 +9,8 @@
 
 namespace displayfile::python {
 
-/// How a picture is drawn: its size as a number of pixels, or two, and by their names in Python
-/// what else DrawOptions has. None stands for an argument that is not given.
+/// The options of a picture: its size as one or two numbers of pixels, and the other members of
+/// DrawOptions by their Python names. None stands for a missing argument.
 DrawOptions draw_options_in(pybind11::handle size, const pybind11::kwargs& keywords);
 
 /// The picture's pixels, and its ids and depth or None, as arrays over its own memory. That of the

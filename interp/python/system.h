@@ -36,8 +36,8 @@ class SparePictures {
   Picture spare_;
 };
 
-/// The application's system and what is kept between its pictures, for several threads: their calls
-/// come one after another. Who waits, and who works for long, has not the interpreter's lock.
+/// The application's system and data cached between its pictures, for several threads: their calls
+/// are serialised. Waiting and long work release the interpreter's lock.
 class System {
  public:
   /// A call that takes long, or may. It may be called again after an interrupt.
@@ -49,8 +49,8 @@ class System {
     });
   }
 
-  /// A call that is over soon, and calls nothing of Python's: to give the interpreter's lock away
-  /// would take longer, if nobody else is at work.
+  /// A short call that calls nothing in Python: releasing the interpreter's lock would take longer,
+  /// if no other thread is working.
   template <class Call>
   auto call(Call&& call) {
     const std::unique_lock in_turn(mutex_, std::try_to_lock);
@@ -60,7 +60,7 @@ class System {
 
   const std::shared_ptr<SparePictures>& spare() const { return spare_; }
 
-  /// Records from now on, or stops. What was recorded stays.
+  /// Starts or stops recording. The recording is kept.
   void record(bool on) {
     call([&](GraphicsSystem& system) { system.set_recorder(on ? &recorder_ : nullptr); });
   }
@@ -68,12 +68,12 @@ class System {
     return call([&](GraphicsSystem&) { return recording_.str(); });
   }
 
-  /// What a turntable asks of the view that was fitted to imported meshes.
+  /// The data of a view fitted to imported meshes that a turntable needs.
   struct Fitted {
     Point3 axis;     ///< that is up
     bool to_window;  ///< the window was fitted, not an angle of view
   };
-  /// To be called within work() or call(), as set_fitted.
+  /// Must be called within work() or call(), as set_fitted.
   const std::optional<Fitted>& fitted() const { return fitted_; }
   void set_fitted(const Fitted& fitted) { fitted_ = fitted; }
 
@@ -89,9 +89,10 @@ class System {
 
 using SystemClass = pybind11::class_<System>;
 
-/// The class, with every user routine under its name, and what enters meshes, surfaces and files.
+/// Adds the class, with every user routine under its name, and the methods that enter meshes,
+/// surfaces and files.
 SystemClass add_system(pybind11::module_& module);
-/// What draws, and tells what is drawn.
+/// Adds the methods that draw and query the drawing.
 void add_pictures(SystemClass& system);
 /// The views of a turntable.
 void add_turntable(pybind11::module_& module, SystemClass& system);

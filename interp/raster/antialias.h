@@ -8,10 +8,10 @@
 
 namespace displayfile {
 
-/// Antialiasing by samples x samples centres for each pixel: a picture drawn so many times as
-/// large, its colours averaged. Takes its rows from the top and passes on those of the picture; of
-/// pixels only. Where there is no background, a pixel that samples cover in part has the mean of
-/// their colours, and alpha for the part that they cover.
+/// Antialiasing by samples x samples centres per pixel: averages the colours of a picture drawn
+/// that many times as large. Receives its rows from the top and passes on those of the picture;
+/// pixels only. Without a background, a partly covered pixel has the mean of its samples' colours,
+/// and the covered fraction as alpha.
 class SampleAverage {
  public:
   /// The width of the picture passed on.

@@ -13,16 +13,16 @@
 
 namespace displayfile {
 
-/// For polygons of a retained scene that are seen while the lights stay: which others may hide
-/// their light (WorldCasters::find_casters_on), found when they are seen first and kept. May be
-/// asked by several threads at a time.
+/// For visible polygons of a retained scene while the lights are fixed: the polygons that may hide
+/// their light (WorldCasters::find_casters_on), found on first use and kept. Several threads may
+/// call it at a time.
 class CasterLists {
  public:
   using Primitive = WorldCasters::Primitive;
   /// A longer list is no shorter way than the tree of all.
   static constexpr std::size_t kLongest = 24;
 
-  /// For a scene of so many primitives; the casters must live on.
+  /// For a scene with this many primitives; the casters must outlive this.
   CasterLists(const WorldCasters& casters, std::size_t primitives);
 
   /// Forgets all, and keeps the memory: other lights. Not while others ask.

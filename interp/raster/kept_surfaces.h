@@ -18,7 +18,7 @@ namespace displayfile {
 class KeptSurfaces {
  public:
   using Fill = ViewedScene::Fill;
-  /// What decides which they are.
+  /// The data that determine them.
   struct Of {
     std::uint64_t geometry;  ///< ViewedScene::geometry
     HiddenMethod method;

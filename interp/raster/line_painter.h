@@ -17,7 +17,7 @@
 
 namespace displayfile {
 
-/// What is seen of one line.
+/// The visible parts of one line.
 class SeenOfLine {
  public:
   explicit SeenOfLine(std::span<const VisiblePiece> pieces) : pieces_(pieces) {}
@@ -61,7 +61,7 @@ class LinePainter {
     }
   }
 
-  /// What is seen of a scene's lines, in order of entry: pieces as visible_lines has them of the
+  /// Visible parts of a scene's lines, in order of entry: pieces as in visible_lines for the
   /// scene's items.
   template <class Plot>
   void seen(const ViewedScene& scene, std::span<const VisiblePiece> pieces, double line_scale,

@@ -12,10 +12,9 @@
 
 namespace displayfile {
 
-/// The lines that are drawn over the fills of a picture, where they are seen by the rule of lines
-/// (hidden/lines/README.md): found once, before rows are drawn, and kept while they stay the same.
-/// Those of a scene are found together, or where segments were sorted on their own those of each of
-/// them.
+/// The lines drawn over the fills of a picture where they are visible by the rule of lines
+/// (hidden/lines/README.md): found once, before rows are drawn, and kept while they are unchanged.
+/// Lines of a scene are found together; where segments were sorted separately, per segment.
 class LinesOverFills {
  public:
   /// Which lines, and how exactly.
@@ -38,7 +37,7 @@ class LinesOverFills {
     Wanted wanted;
     std::vector<Stroke> hidden;         ///< drawn before the others
     std::vector<VisiblePiece> pieces;   ///< of the scene's lines
-    std::vector<Stroke> intersections;  ///< what is seen of them
+    std::vector<Stroke> intersections;  ///< their visible parts
 
     bool is_nothing() const { return hidden.empty() && pieces.empty() && intersections.empty(); }
     /// By a LinePainter.
@@ -64,7 +63,7 @@ class LinesOverFills {
   const Group* of_segment(int name) const;
 
  private:
-  /// With what decides which lines they are.
+  /// With the data that determine the lines.
   struct OfSegment {
     std::shared_ptr<const Instructions> entered;
     ImageTransformation image;

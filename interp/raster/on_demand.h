@@ -8,12 +8,11 @@
 
 namespace displayfile {
 
-/// Values that are worked out when they are asked for first, by any of several threads: a table
-/// that costs only what is looked at in it.
+/// Lazily computed values, for several threads: a table that costs only what is used.
 template <class T>
 class OnDemand {
  public:
-  /// So many, none of which is worked out. Not while others ask.
+  /// Resizes and clears all values. Must not be called during use by others.
   void forget(std::size_t size) {
     if (size > values_.size()) {
       values_.resize(size);

@@ -9,8 +9,7 @@
 
 namespace displayfile {
 
-/// The heedless painter: fills go over what is there, in the order they come, and so do lines that
-/// are not found beforehand.
+/// Draws in order: each fill over the earlier ones, and also lines that are not found beforehand.
 class Painter : public OutputDevice {
   auto plot() {  // first: it is used before
     return [this](int x, int y, double /*z*/, std::uint32_t colour) {

@@ -7,7 +7,7 @@ namespace displayfile {
 /// What PhongShade (interp/raster/phong_shade.h) paints a row of pixels from.
 struct PhongRow {
   Point3 normal;  ///< at column x0
-  Point3 step;    ///< what it grows by from each column to the next
+  Point3 step;    ///< increment per column
   Point3 low, high;
   Point3 toward;  ///< the light, unit
   Colour colour;

@@ -10,8 +10,8 @@
 namespace displayfile {
 
 /// The colour over pixel coordinates of a fill with Phong shading (displayfile/looks/phong.md):
-/// each pixel is lit by the normal at its centre. That is always the same expression of the centre,
-/// wherever a run begins: whoever asks gets the same colour.
+/// each pixel is lit by the normal at its centre, always by the same expression of the centre,
+/// wherever a run begins: every caller gets the same colour.
 class PhongShade {
  public:
   PhongShade(const Colour& colour, const NormalPlane& plane, const Light& light,

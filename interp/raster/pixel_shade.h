@@ -17,10 +17,9 @@
 
 namespace displayfile {
 
-/// A shaded fill's colour over pixel coordinates: the intensity changes by as much from each column
-/// to the next, and from each row to the next, as depth does (interp/scan/pixel_depth.h). A pixel's
-/// intensity is always the same expression of its centre, wherever a run begins: whoever asks gets
-/// the same colour.
+/// A shaded fill's colour over pixel coordinates: the intensity changes by a constant per column
+/// and per row, as depth does (interp/scan/pixel_depth.h). A pixel's intensity is always the same
+/// expression of its centre, wherever a run begins: every caller gets the same colour.
 class PixelShade {
  public:
   PixelShade(const Colour& colour, const IntensityPlane& plane, const PictureSize& size)
@@ -51,14 +50,14 @@ class PixelShade {
   double x0_, y0_, di_dx_, di_dy_;
 };
 
-/// The colour of a fill where it is lit and of full intensity. What changes it is added here, for
-/// fills that are painted in an order (FillColour) and for fills seen (FillPaints).
+/// The colour of a fill where it is lit and of full intensity. Modifications of it are added here,
+/// for fills painted in an order (FillColour) and for visible fills (FillPaints).
 inline Colour painted_colour(const FillStyle& fill) { return fill.colour; }
 
 /// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
 class FillColour {
  public:
-  /// Null: no shadows are seen.
+  /// Null: no shadows.
   FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
     const Colour colour = painted_colour(polygon.fill);
     if (polygon.intensities.empty()) {

@@ -34,7 +34,7 @@ struct RasterBand {
   std::uint32_t background;  ///< as in Picture::pixels
   ScanConverter::Region region;
   int held_end;
-  const Shadows* shadows;  ///< null if none are seen
+  const Shadows* shadows;  ///< null: none
   bool shows_fills;        ///< or else all are the background, by the colour rule
   bool crumbs;             ///< RasterRequest::crumbs
 

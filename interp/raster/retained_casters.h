@@ -15,25 +15,25 @@
 
 namespace displayfile {
 
-/// What is kept of the shadows of a retained scene from view to view, and how one view's items are
-/// found by it (interp/raster/shadows.md): the tree of casters for all views, and, while the lights
-/// stay where they are in the world, what can hide the light of each polygon that was seen.
+/// Shadow data of a retained scene cached between views, and how one view's items find it
+/// (interp/raster/shadows.md): the tree of casters for all views, and, while the lights are fixed
+/// in the world, the possible casters on each polygon seen so far.
 class RetainedCasters {
  public:
   using Item = ViewedScene::Item;
 
-  /// The scene must live on and stay as it is.
+  /// The scene must outlive it unchanged.
   RetainedCasters(const RetainedScene& scene, int threads);
 
-  /// Takes up what the viewer made of the scene last, which was what is wanted. False if shadows
-  /// in that view are not those of the world, or not to within the rounding that is allowed for:
-  /// where images are transformed, or the view is extreme.
+  /// Prepares for the viewer's last view, which was `wanted`. False if shadows in that view are not
+  /// those of the world within the allowed rounding: where images are transformed, or the view is
+  /// extreme.
   bool take(const SceneViewer& viewer, const SceneViewer::Wanted& wanted, const ViewedScene& seen);
 
-  /// Where to look for what hides the light from points of an item.
+  /// Where to search for casters on points of an item.
   struct Search {
     Point3 toward{0.0};  ///< the light
-    /// All that comes into question; without it, the tree is asked.
+    /// All candidates; without it, the tree is searched.
     std::optional<std::span<const CasterLists::Primitive>> few = std::nullopt;
     std::uint32_t open = 0;  ///< those of them, a bit each, that are not ruled out
     bool is_never_hidden() const { return few && open == 0; }

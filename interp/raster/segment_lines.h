@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// The lines of a display file that is painted in its order: those found beforehand are drawn where
-/// they are seen, over all that they were found with; others as they come. The painters' calls are
-/// passed on to it, with the plot of LinePainter.
+/// The lines of a display file that is painted in its order: lines found beforehand are drawn where
+/// they are visible, over everything with which they were found; others in order. The painters pass
+/// their calls to it, with the plot of LinePainter.
 class SegmentLines {
  public:
   SegmentLines(const ScanConverter::Region& region, const LinesOverFills& found, double line_scale)

@@ -15,24 +15,23 @@
 
 namespace displayfile {
 
-/// Shadows: what hides the light from the points that are seen (interp/raster/shadows.md). Every
-/// solid fill of the visible segments hides light, those that are edge-on to the viewer too; device
+/// Shadows: finds what hides the light from visible points (interp/raster/shadows.md). Every solid
+/// fill of the visible segments hides light, including those edge-on to the viewer; device
 /// coordinates after the image transformation.
 class Shadows {
  public:
   using Caster = std::uint32_t;
   static constexpr Caster kNone = ~Caster{0};
 
-  /// The scene must live on.
+  /// The scene must outlive this.
   explicit Shadows(const ViewedScene& scene);
-  /// The scene is a view of a retained scene, and shadows are found by what is kept of that; both
-  /// must live on.
+  /// For a view of a retained scene: shadows are found by its cached data; both must outlive this.
   Shadows(const ViewedScene& scene, RetainedCasters& retained) { take(scene, retained); }
-  /// The same in place of what was there, whose memory is used again.
+  /// Replaces the contents, reusing memory.
   void take(const ViewedScene& scene, RetainedCasters& retained);
-  /// To be called when the scene has other lights, and nothing else is another.
+  /// Must be called when only the scene's lights changed.
   void take_lights() { on_items_.forget(retained_ == nullptr ? 0 : scene_->items()); }
-  /// True if they are found by what is kept of a retained scene.
+  /// True if they are found by this cached data of a retained scene.
   bool is_by(const RetainedCasters* retained) const { return retained_ == retained; }
 
   /// A point of a fill, from which the light is looked at (FillShadow::light).
@@ -45,16 +44,16 @@ class Shadows {
   using Search = RetainedCasters::Search;
   struct OnFill {
     double depth_error;  ///< how far a point's depth may be off
-    Search search = {};  ///< where to look for what hides the light
+    Search search = {};  ///< where to search for casters
   };
   /// What there is to know of any fill in device coordinates; the plane is its support plane.
   static OnFill on(std::span<const Point3> fill, const Plane& plane, const PictureSize& size);
   /// The same for a fill of the scene that shows shadows, in pictures of one size: it is worked out
   /// once, and with it which of those that come into question hide no light.
   OnFill on(ViewedScene::Fill fill, const PictureSize& size) const;
-  /// True if a fill lies between the point and the light. A fill that the point lies on, but for
-  /// rounding, hides nothing. `last` is what hid the light from the point before, or kNone: it is
-  /// looked at first, and becomes what hides it from this one.
+  /// True if a fill lies between the point and the light. A fill on which the point lies, up to
+  /// rounding, hides nothing. `last` is the previous caster, or kNone: it is tested first, and set
+  /// to this point's caster.
   bool hidden(const LitPoint& point, const Search& search, Caster& last) const;
 
  private:
@@ -78,7 +77,7 @@ class Shadows {
   const ViewedScene* scene_;
   std::vector<Polygon> casters_;  // as the tree has them
   SpaceTree tree_;
-  // In place of these, what is kept of a retained scene, and casters by item.
+  // Cached data of a retained scene used instead, and casters by item.
   RetainedCasters* retained_ = nullptr;
   mutable OnDemand<Polygon> of_items_;
   mutable OnDemand<OnFill> on_items_;
@@ -97,9 +96,9 @@ class ShadowedFill {
         light_(shadow.light),
         colour_(pixel_of(shadow.colour)) {}
 
-  /// Paints the columns first, first + 1, ... of a row, where the fill is seen: those in shadow get
-  /// its colour there, as in Picture::pixels. A pixel is always judged by the same expressions of
-  /// its centre, wherever a run begins.
+  /// Paints the columns first, first + 1, ... of a row, where the fill is visible: those in shadow
+  /// get its colour there, as in Picture::pixels. A pixel is always tested by the same expressions
+  /// of its centre, wherever a run begins.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const;
 
  private:

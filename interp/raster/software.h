@@ -20,17 +20,15 @@
 
 namespace displayfile {
 
-/// Draws display files by our own scan conversion, on the background. With an image-space
-/// method the nearest fill is seen, of equally near ones the one entered later; without one,
-/// whatever is drawn last. Over the fills, unless they are drawn heedlessly, lines are drawn where
-/// they are seen (interp/scan/lines.md), or by the colour rule (interp/raster/colour_rule.md). On
-/// fills that show them shadows are
-/// drawn (interp/raster/shadows.md), whatever the method; texts lie over all (interp/text/).
-/// Coverage and, unless roundoff is asked for, nearness are decided exactly. The picture is the
-/// same for any number of threads.
+/// Draws display files by the built-in scan conversion, on the background. With an image-space
+/// method the nearest fill is visible, of equally near ones the one entered later; otherwise the
+/// one drawn last. Over the fills, except without hidden-surface removal, lines are drawn where
+/// they are visible (interp/scan/lines.md), or by the colour rule (interp/raster/colour_rule.md).
+/// Fills that show shadows get them (interp/raster/shadows.md) with every method; texts are drawn
+/// last (interp/text/). Coverage and, without roundoff, depth order are decided exactly. The
+/// picture does not depend on the number of threads.
 ///
-/// What was made ready for a picture is used again while the display file's fills, the size and
-/// the method are the same.
+/// Prepared data are reused while the display file's fills, the size and the method are the same.
 class SoftwareRenderer {
  public:
   /// The picture stays until the next call; its memory is used again. Throws Error for a size
@@ -39,17 +37,17 @@ class SoftwareRenderer {
   /// Draws the same picture, some rows at a time from the top: no more of it is in memory than a
   /// few rows for each thread.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
-  /// What is kept from one view of a retained scene to the next, besides memory.
+  /// Data cached between views of a retained scene, besides memory.
   struct KeptBetweenPictures {
     RetainedCasters* casters = nullptr;  ///< that have taken up the view; null: found anew
     /// The fills seen, 4 bytes a pixel, for the same view in other lights: those of the first
     /// picture, and from then on where a view comes again. An eye that moves pays for none.
     bool surfaces = false;
   };
-  /// The same of a scene that is no display file's, by an image-space method other than
-  /// world_ray_cast. What was made ready is used again if the scene is the one drawn last in other
-  /// lights (ViewedScene::geometry), but not from there on if the method is another; the fills seen
-  /// are, if a whole picture is held. Otherwise memory alone is.
+  /// The same for a scene without a display file, by an image-space method other than
+  /// world_ray_cast. Prepared data are reused if the scene is the last one in other lights
+  /// (ViewedScene::geometry), but not after a change of method; visible fills are reused if a whole
+  /// picture is held. Otherwise only memory is.
   const Picture& draw(const ViewedScene& scene, const RasterRequest& request,
                       const KeptBetweenPictures& kept);
   void draw(const ViewedScene& scene, const RasterRequest& request, const KeptBetweenPictures& kept,
@@ -61,7 +59,7 @@ class SoftwareRenderer {
   /// A picture whose memory the next one may use.
   void give_back(Picture picture) { picture_ = std::move(picture); }
   std::size_t bytes_of_picture() const;  ///< held for the next one
-  /// How often a method was asked which surfaces are visible, in all pictures or rows of them.
+  /// How often a method computed the visible surfaces, for all pictures or their rows.
   std::size_t surfaces_found() const { return surfaces_found_; }
   /// The scene of a display file: the one drawn last if it is that, or else a new one.
   std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) const;
@@ -76,7 +74,7 @@ class SoftwareRenderer {
     const ViewedWorld* world = nullptr;
     std::unique_ptr<ImageSpaceMethod> finder = nullptr;
   };
-  /// What is drawn: a scene, or by a method that is none of image space what its display file has.
+  /// The input of a drawing: a scene, or for a method outside of image space its display file.
   struct Drawn {
     const DisplayFile* display_file;
     std::size_t polygons;
@@ -103,14 +101,14 @@ class SoftwareRenderer {
   std::vector<double> spare_depth_;  // of the colour rule, while the picture has none
   std::shared_ptr<const ViewedScene> scene_;
   FillPaints paints_;                 // of the scene
-  std::unique_ptr<Shadows> shadows_;  // null if none are seen
+  std::unique_ptr<Shadows> shadows_;  // null: none
   std::optional<Prepared> prepared_;
   std::uint64_t geometry_ = 0;  // of the scene of a view that was made ready
   KeptSurfaces surfaces_;
   std::size_t surfaces_found_ = 0;
   bool has_drawn_views_ = false;
   LinesOverFills lines_;
-  std::vector<DeviceText> texts_;  // that are seen
+  std::vector<DeviceText> texts_;  // visible ones
 };
 
 /// One picture by a renderer of its own.

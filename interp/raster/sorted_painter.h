@@ -14,9 +14,9 @@
 
 namespace displayfile {
 
-/// Paints a display file that is in exact back-to-front order. Where cuts were rounded, and on
-/// polygons' boundaries, the order of painting does not tell what is nearest: those pixel centres
-/// are noted, and decided in the end (interp/raster/undecided_centres.md).
+/// Paints a display file in exact back-to-front order. Where cuts were rounded, and on polygons'
+/// boundaries, the painting order does not decide the nearest: these pixel centres are recorded,
+/// and decided at the end (interp/raster/undecided_centres.md).
 class SortedPainter : public OutputDevice {
   auto plot() {  // first: it is used before
     return [this](int x, int y, double /*z*/, std::uint32_t colour) {
@@ -36,22 +36,22 @@ class SortedPainter : public OutputDevice {
   void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
   void line(const DrawnLine& line) override { lines_.line(line, plot()); }
 
-  /// After all instructions: the lines of what was sorted together; what is seen where painting
-  /// does not tell, and the depths if they are asked for. Returns the number of centres so decided.
-  /// A line painted over a fill stays.
+  /// After all instructions: draws the lines of what was sorted together, and decides undecided
+  /// centres, with depths if requested. Returns the number of centres so decided. Lines painted
+  /// over fills are kept.
   std::size_t decide_centres();
 
  private:
   /// Which of the centres that a segment's fills cover may have a nearest polygon that the order of
   /// drawing does not show.
   enum class Undecided {
-    none,           ///< it was not sorted exactly: what is drawn last is meant to be seen
+    none,           ///< not sorted exactly: the last drawn is visible
     at_boundaries,  ///< of fills
     all,            ///< it was moved after it was sorted, and all its points rounded anew
   };
   Undecided undecided_of(int segment_name) const;
   class HiddenBoundaries;
-  /// True if the segment's fills are those that its map says are seen.
+  /// True if the segment's fills are those of its map.
   bool is_map(int segment_name) const;
   void note_boundary(const DrawnPolygon& polygon);
   double sort_boundary_error(int segment_name) const;
@@ -67,7 +67,7 @@ class SortedPainter : public OutputDevice {
   Undecided undecided_fills_ = Undecided::none;  // of the segment
   Point2 boundary_error_{0.0};                   // of the segment's sort, in pixels
   PixelSet undecided_;                           // centres that the order does not decide
-  PixelSet covered_;                             // whose depth is asked for
+  PixelSet covered_;                             // whose depth is requested
   PixelSet lines_on_top_;  // pixels that a line was painted on after all fills
 };
 

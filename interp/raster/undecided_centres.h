@@ -15,13 +15,13 @@
 
 namespace displayfile {
 
-// Painting polygons back to front shows what is nearest, except at pixel centres that lie on a
-// polygon's boundary, or so close to it that rounding a cut's vertices decides on which side. Those
-// centres are noted while painting, and decided afterwards from the polygons as entered
+// Painting polygons back to front shows the nearest, except at pixel centres on a polygon's
+// boundary, or so close to it that rounding a cut's vertices decides the side. These centres are
+// recorded while painting, and decided afterwards from the polygons as entered
 // (interp/raster/undecided_centres.md).
 
-/// What is seen at some pixel centres by the definition of truth, exactly: the polygons are
-/// entered whole, in the order of entry.
+/// The fill visible at some pixel centres by the definition of truth, exactly: the polygons are
+/// entered whole, in order of entry.
 class NearestAtCentres {
  public:
   struct Seen {
@@ -29,13 +29,13 @@ class NearestAtCentres {
     FillColour colour;
     std::int32_t pick;
   };
-  /// Which of the polygons that cover a centre in one layer is seen.
+  /// Which of a layer's polygons that cover a centre is visible.
   enum class Layer {
     nearest,  ///< the nearest, of equally near ones the one entered later
     painted,  ///< the one entered last
   };
 
-  /// The set and the fills must stay. Null: no shadows are seen.
+  /// The set and the fills must outlive this. Null: no shadows.
   NearestAtCentres(const PixelSet& centres, const PictureSize& size, FillsAsEntered& fills,
                    const Shadows* shadows = nullptr);
 
@@ -55,7 +55,7 @@ class NearestAtCentres {
   }
 
  private:
-  /// A polygon that is seen at some centre, by its place in owners_.
+  /// A polygon visible at some centre, by its index in owners_.
   using Owner = NotedCentres::Owner;
   static constexpr Owner kNone = NotedCentres::kNone;
   struct Owned {

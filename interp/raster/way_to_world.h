@@ -7,9 +7,9 @@
 
 namespace displayfile {
 
-/// From the device coordinates of a view back to the world, and how far rounding on the way there
-/// and back may move what lies in a box: shadows that are found in the world are those that are
-/// found in the view if that is less than what is allowed for (interp/raster/shadows.md).
+/// Maps the device coordinates of a view back to the world, and bounds the displacement by rounding
+/// there and back for points in a box: shadows found in the world are those of the view if that is
+/// below the allowed value (interp/raster/shadows.md).
 class WayToWorld {
  public:
   /// The box is that of the scene. Throws Error as ViewVolume does.
@@ -21,8 +21,8 @@ class WayToWorld {
     return Point3(p) / p.w;
   }
 
-  /// How far apart, in the world, a vertex and a ray that meet in the view may be, at most, if no
-  /// depth in the view is larger, |z|; infinite if nothing can be said.
+  /// Bound on the distance, in the world, of a vertex and a ray that meet in the view, if no depth
+  /// in the view is larger, |z|; infinite if unknown.
   double error(double largest_depth) const;
   /// A device coordinate that is off by e moves the point in the world by no more than this times
   /// e, for small e.

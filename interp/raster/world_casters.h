@@ -15,16 +15,16 @@ namespace displayfile {
 /// What may hide light in a retained scene, in any view of it: its solid polygons in a tree of
 /// boxes, made once for all eyes and all lights (interp/raster/shadows.md). World coordinates.
 ///
-/// Whoever asks hears of every polygon that comes within the margin of being met, and of others:
-/// which of them do hide the light is decided in the view.
+/// Searches return every polygon within the margin of being met, and others: the view decides which
+/// of them hide the light.
 class WorldCasters {
  public:
   using Primitive = std::uint32_t;
 
-  /// The scene must live on and stay as it is; the tree is the same for any number of threads.
+  /// The scene must outlive it unchanged; the tree does not depend on the number of threads.
   WorldCasters(const RetainedScene& scene, int threads);
 
-  /// A point, or a vertex, may be off by so much.
+  /// The allowed error of a point or a vertex.
   double margin() const { return margin_; }
   const Bounds& bounds() const { return bounds_; }  ///< of all casters
   std::size_t bytes() const { return tree_.bytes() + primitive_of_.size() * sizeof(Primitive); }
@@ -37,8 +37,8 @@ class WorldCasters {
                      [&](SpaceTree::Position at) { return visit(primitive_of_[at]); });
   }
 
-  /// The polygons, but for the receiver itself, that may hide light that comes from that unit
-  /// direction from some point of it, in `few`. Returns how many, or nothing if there are more.
+  /// Finds the polygons, except the receiver, that may hide light from this unit direction from a
+  /// point of the receiver. Returns their number, or nothing if they do not fit into `few`.
   std::optional<std::size_t> find_casters_on(Primitive receiver, const Point3& toward,
                                              std::span<Primitive> few) const;
 

@@ -22,13 +22,13 @@ Point2 boundary_error(std::span<const Point3> polygon, const PictureSize& size);
 void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
                            const PictureSize& size, PixelSet& noted);
 
-/// Some pixel centres, and for each the number of the polygon that is seen there so far.
+/// Some pixel centres, each with the number of the polygon visible there so far.
 class NotedCentres {
  public:
   using Owner = std::uint32_t;
   static constexpr Owner kNone = std::numeric_limits<Owner>::max();
 
-  /// The set must stay.
+  /// The set must outlive this.
   NotedCentres(const PixelSet& centres, const PictureSize& size);
 
   /// The rows from the first to the last in which the polygon's bounding box has a centre.

@@ -20,8 +20,8 @@ struct LineSteps {
   double first, last;
 };
 
-/// The columns of a flat line in which what lies within `reach` of it (pixels, up and down) is in
-/// the region's rows, and perhaps more. A long line costs each of many bands its own part.
+/// The columns of a flat line in which the area within `reach` of it (pixels, vertically) is in the
+/// region's rows, and possibly more. So each band processes only its part of a long line.
 inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double reach,
                                  const ScanConverter::Region& region, const LineSteps& all) {
   const double rise = high.y - low.y, run = high.x - low.x;
@@ -36,21 +36,20 @@ inline LineSteps columns_in_rows(const Point3& low, const Point3& high, double r
           std::min(all.last, std::ceil(std::max(a, b) + margin))};
 }
 
-/// Where a line is drawn that is seen from end to end, or drawn heedlessly.
+/// For a line that is entirely visible, or drawn without hidden-line removal.
 struct WholeLine {
   bool nothing() const { return false; }
   bool operator()(double /*place*/) const { return true; }
 };
 
-/// Draws a line in pixel coordinates (see scan_convert.h), where it is in the region's rows: one
-/// step for each column that a flat line passes, or each row that a steep one does, and the
-/// pixel that holds the line's point there (a point scan-converts to the floor of its
-/// coordinates; one on the picture's right or top border to the last pixel). A line wider than
-/// a pixel takes the pixels whose centres lie within its width, measured across. Calls
-/// plot(i, j, z) with z interpolated between the ends, for those of these pixels whose place along
-/// the line is_seen: from 0 at a to 1 at b, that of the step, or for a wide line that of the point
-/// nearest to the pixel's centre. So whatever is hidden moves no pixel of what is seen
-/// (interp/scan/lines.md).
+/// Draws a line in pixel coordinates (see scan_convert.h) in the region's rows: one step per column
+/// of a flat line, or per row of a steep one, at the pixel that contains the line's point there (a
+/// point scan-converts to the floor of its coordinates; one on the picture's right or top border to
+/// the last pixel). A line wider than a pixel covers the pixels whose centres are within its width,
+/// measured across. Calls plot(i, j, z), with z interpolated between the ends, for the covered
+/// pixels whose place along the line is_seen: from 0 at a to 1 at b, that of the step, or for a
+/// wide line that of the point nearest to the pixel's centre. So hidden parts move no pixel of
+/// visible ones (interp/scan/lines.md).
 template <class IsSeen, class Plot>
 void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::Region& region,
                DashPhase& phase, const IsSeen& is_seen, Plot&& plot) {

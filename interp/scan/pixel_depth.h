@@ -9,9 +9,9 @@
 
 namespace displayfile {
 
-/// A polygon's depth over pixel coordinates: the slides' plane equation, z changing by -A/C a
-/// column and -B/C a row. A pixel's depth is always the same expression of its centre, row(j)
-/// first and at(row, i) after it, wherever one begins: whoever asks gets the same double.
+/// A polygon's depth over pixel coordinates: the slides' plane equation, z changing by -A/C per
+/// column and -B/C per row. A pixel's depth is always the same expression of its centre, row(j)
+/// first and at(row, i) after it, wherever one begins: every caller gets the same double.
 struct PixelDepth {
   double x0 = 0.0, y0 = 0.0, z0 = 0.0, dz_dx = 0.0, dz_dy = 0.0;
 

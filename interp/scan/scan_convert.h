@@ -83,8 +83,8 @@ inline ScanConverter::Rows ScanConverter::begin(std::span<const Point3> polygon,
   return {edges_.front().first_row, last + 1};
 }
 
-/// Where a crossing is told from a centre only by what is watched, exact arithmetic is asked too:
-/// rows that are filled without a doubt pay nothing.
+/// Also uses exact arithmetic where the watched distance alone separates a crossing from a centre:
+/// rows without doubtful centres cost nothing extra.
 inline void ScanConverter::watch(const Point2& distance) {
   watched_ = distance;
   const auto& [width, height] = region_.size;

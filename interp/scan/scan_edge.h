@@ -18,7 +18,7 @@ namespace displayfile {
 struct ScanEdge {
   int first_row, last_row;
   double x, y, dx_dy;  ///< the lower end, and the change of x for each row
-  double error;        ///< bounds the error of a crossing; what is watched is added
+  double error;        ///< bounds the error of a crossing, including the watched distance
   Point2 low, high;    ///< the ends in device coordinates
 
   /// The side between two points of different height.

@@ -5,10 +5,9 @@
 
 namespace displayfile {
 
-/// A plane's depth at pixel centres as it is handed out, in pictures of depths and to who picks:
-/// that of PixelDepth where its error is no more than 2^-40, or that part of the depth. Elsewhere,
-/// as where the plane of a needle is nearly edge-on, doubles tell nothing, and it is the true
-/// depth, rounded.
+/// A plane's depth at pixel centres, as returned by depth pictures and picking: that of PixelDepth
+/// if its error is at most 2^-40, absolute or relative. Elsewhere, as where the plane of a needle
+/// is nearly edge-on, it is the true depth, rounded.
 class ShownDepth {
  public:
   ShownDepth() = default;

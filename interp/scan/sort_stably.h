@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// Sorts by a key. What has equal keys keeps its order: what is drawn must not depend on whose
-/// library sorts. No memory is asked for where there are few, or all is in order.
+/// Stable sort by a key: the drawing must not depend on the standard library's sort. Allocates no
+/// memory for few or sorted elements.
 template <class Array, class Key>
 void sort_stably(Array&& array, Key key) {
   constexpr std::size_t kFew = 16;

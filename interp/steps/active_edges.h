@@ -11,7 +11,7 @@
 
 namespace displayfile {
 
-/// What steps show of the active edge list of a row.
+/// The active edge list of a row as shown in steps.
 using ActiveEdgesOfRow = std::span<const ActiveEdgeList::Edge>;
 
 /// As rows of a table: polygon, x of the crossing in pixels, its change a row, last row, IN or OUT

@@ -6,8 +6,8 @@
 
 namespace displayfile {
 
-/// One line of an algorithm's listing, in words. What runs a line names it, so that the numbers
-/// that steps carry cannot drift from the text.
+/// One line of an algorithm's listing, in words. Code refers to lines by name, so that the numbers
+/// in steps cannot drift from the text.
 struct ListingLine {
   std::string_view name;  ///< for line_named; empty: no step runs the line
   int indent;
@@ -19,10 +19,10 @@ struct PanelEntry {
   enum class Kind {
     list,     ///< rows of one cell, in order
     table,    ///< rows of a cell for each column
-    tree,     ///< nodes, which stay once they are told
+    tree,     ///< nodes, which are kept once added
     profile,  ///< segments across the picture: x from 0 to 1, and z, which grows to the viewer
     graph,    ///< segments: x from 0 to 1, and a number from 0 up in place of z
-    depths,   ///< the depth of what is seen at each pixel: it follows from the picture
+    depths,   ///< the depth of the visible fill at each pixel, which follows from the picture
   };
   std::string_view name;  ///< for panel_named
   std::string_view title;

@@ -53,10 +53,11 @@ class StepBoxTree {
   /// The branches of a node that a ray meets, the nearest last; writes where all begin.
   std::vector<Branch> met_by(const PixelBox& ray, const PixelBoxes& boxes, PixelTree::Lanes& met,
                              Branches& nearest) const;
-  /// True only if what begins there is behind the polygon at the centre of a pixel that it covers.
+  /// True only if everything beginning there is behind the polygon at the centre of a pixel that it
+  /// covers.
   bool is_behind(float nearest, Polygon polygon, int column, int row) const;
 
-  /// As BoxTree::near_to_far, but for visit(target).
+  /// As BoxTree::near_to_far, except for visit(target).
   template <class Meets, class Hidden, class Visit>
   void near_to_far(const Meets& meets, Hidden&& hidden, Visit&& visit) const {
     tree_.near_to_far<Branch>(meets, hidden, [&](PixelTree::Position position) {

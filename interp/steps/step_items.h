@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// What algorithms ask of a scene while they tell steps: polygons by the number of their item,
-/// which cover what and which is nearer where, decided exactly and one at a time. Slow, and plain.
+/// Scene queries for algorithms that record steps: polygons by item index, coverage and depth order
+/// at a pixel, decided exactly and one at a time. Slow and simple.
 class StepItems {
  public:
   using Polygon = std::uint32_t;
@@ -34,7 +34,7 @@ class StepItems {
   std::vector<StepRun> coverage(Polygon polygon, const PixelBox& within) const;
   /// The sign of a's depth less b's at the centre of a pixel: 1 if a is nearer.
   int depth_order(Polygon a, Polygon b, int column, int row) const;
-  /// True if a is seen before b: it is nearer, or equally near and entered later.
+  /// True if a hides b: it is nearer, or equally near and entered later.
   bool hides(Polygon a, Polygon b, int column, int row) const {
     const int order = depth_order(a, b, column, row);
     return order != 0 ? order > 0 : a > b;

@@ -54,9 +54,9 @@ class StepLines {
   void tell_covered(std::uint32_t polygon, const Line& line, const CoveredLines& listing,
                     std::vector<StepRow>& hidden);
 
-  /// Looks at the lines one after the other, in that order of the first line of each name: the
-  /// finder tells its steps while it looks, and then it is told, in a step of that line of the
-  /// listing, what is seen, which the picture gains.
+  /// Processes the lines in this order of the first line of each name: the finder records its
+  /// steps, followed by a step, at that line of the listing, with the visible parts, which are
+  /// added to the picture.
   template <class Finder>
   void find_all(std::span<const std::uint32_t> order, Finder& finder, int listing_line) {
     for (const std::uint32_t first : order) {

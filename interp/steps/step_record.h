@@ -23,10 +23,10 @@ class StepRecord {
   static constexpr std::size_t kMostRows = 60, kMostMarks = 300, kMostSegments = 400,
                                kMostNames = 12;
 
-  /// Both must live on.
+  /// Both must outlive this.
   StepRecord(const StepItems& scene, Steps& steps, std::size_t most_steps);
 
-  /// Begins a step, of which more is said until the next. Throws Error if there are too many.
+  /// Begins a step, whose contents are added until the next. Throws Error if there are too many.
   Step& step(int line, std::string sentence);
   Step& last() { return steps_.steps.back(); }
 
@@ -76,11 +76,11 @@ class StepRecord {
     return picture_[static_cast<std::size_t>(row) * static_cast<std::size_t>(scene_.size().width) +
                     static_cast<std::size_t>(column)];
   }
-  /// Paints a run, in the last step, over what is there, as painters do. Where what is there is
-  /// exactly as near and was entered later, it stays: no order of whole polygons can say that.
-  /// Returns how many pixels it gained.
+  /// Paints a run, in the last step, over the picture. Where the present fill is equally near and
+  /// was entered later, it is kept: no order of whole polygons can express that. Returns the number
+  /// of pixels gained.
   int paint_over(const StepRun& run);
-  /// Paints only where the polygon is seen before what is there.
+  /// Paints only where the polygon hides the present fill.
   int paint_nearer(const StepRun& run);
 
  private:

@@ -21,8 +21,7 @@
 /// (interp/steps/README.md).
 namespace displayfile {
 
-/// What something that is marked, or an entry of a panel, is to the step. What is drawn for each is
-/// the reader's business.
+/// The role of a mark, or of a panel's entry, in the step. The reader decides how to draw it.
 enum class StepRole : std::uint8_t {
   none,
   root,      ///< the plane, polygon or line that all else is held against
@@ -35,7 +34,7 @@ enum class StepRole : std::uint8_t {
   seen,      ///< found to be seen
   hidden,    ///< found to be hidden
   tagged,    ///< has been moved before
-  upper,     ///< the upper perimeter of what is drawn
+  upper,     ///< the upper perimeter
   lower,     ///< and the lower one
 };
 /// The word of a role, in lower case.
@@ -133,7 +132,7 @@ struct StepPolygon {
   double z0 = 0.0, dz_dx = 0.0, dz_dy = 0.0;
 };
 
-/// All that an algorithm told of a scene.
+/// All recorded steps of an algorithm on a scene.
 struct Steps {
   HiddenMethod method;
   std::string_view title;
@@ -153,10 +152,10 @@ struct StepsOptions {
   std::size_t most_steps = 20'000;  ///< Error, which names --limit-steps, for more
 };
 
-/// Runs the algorithm, in its plain form and exactly, over what the visible segments draw, and
-/// returns what it told. The picture that the steps add up to is the item buffer of truth
-/// (interp/truth/truth.md), or of a method of lines what that method finds. Throws Error for a
-/// method that tells no steps, naming those that do, and for a size of no picture.
+/// Runs the algorithm, in its plain form and exactly, on the visible segments, and returns its
+/// steps. The resulting picture is the item buffer of truth (interp/truth/truth.md), or for a
+/// method of lines the lines that it finds. Throws Error for a method without steps, listing those
+/// with steps, and for an invalid size.
 Steps tell_steps(const DisplayFile& file, const StepsOptions& options);
 /// The same, with the system's background.
 Steps tell_steps(const GraphicsSystem& system, const StepsOptions& options);

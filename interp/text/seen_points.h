@@ -14,11 +14,11 @@ namespace displayfile {
 /// within such a tolerance (clip/planarity.h).
 inline constexpr double kOnSurface = 0x1p-20;  // about 1e-6
 
-/// For each point (the scene's coordinates) 1 where it is seen, 0 where it is hidden
-/// (interp/truth/truth.md, "Texts"): where, all around it and arbitrarily close, solid polygons
-/// cover that are nearer at it by more than kOnSurface. So a point behind the outline of a polygon
-/// is seen, and one behind the edge that two polygons share is hidden. A polygon does not hide its
-/// own vertices. Decided exactly.
+/// For each point (the scene's coordinates) 1 if it is visible, 0 if hidden (interp/truth/truth.md,
+/// "Texts"): it is hidden if, all around it and arbitrarily close, solid polygons that are nearer
+/// at it by more than kOnSurface cover. So a point behind the outline of a polygon is visible, and
+/// one behind a shared edge of two polygons is hidden. A polygon does not hide its own vertices.
+/// Decided exactly.
 std::vector<std::uint8_t> points_seen(const ViewedScene& scene, std::span<const Point3> points);
 
 }  // namespace displayfile

@@ -8,26 +8,25 @@
 
 namespace displayfile {
 
-/// What is seen at each pixel centre, judged from what the application entered: the points of its
-/// polygons as they were entered, the modelling matrices, the views, the viewports and the image
-/// transformations are taken as the doubles that they are, and nothing is rounded. Polygons that
-/// touch lie in one plane. interp/truth/entered_truth.md has the definition. Nothing is shared with
-/// the methods but the input.
+/// The fill visible at each pixel centre, from the entered data: the points of polygons as entered,
+/// the modelling matrices, the views, the viewports and the image transformations are taken as
+/// exact doubles, and nothing is rounded. Touching polygons are coplanar.
+/// interp/truth/entered_truth.md has the definition. It shares only the input with the methods.
 struct EnteredTruth {
   Picture picture;           ///< as truth() returns it
   std::size_t touching = 0;  ///< polygons that lie in the plane of another
 };
 
-/// `retained` is what was drawn into the display file, all of it; `touching` is in place of what
-/// its segments have. Errors as in truth().
+/// `retained` has all primitives of the display file; `touching` overrides that of its segments.
+/// Errors as in truth().
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
                            int width, int height, bool depth,
                            const std::optional<Touching>& touching,
                            const WorkProgress& progress = {});
 
-/// What exact methods draw of a display file: its entered truth, if all its visible segments keep
-/// what was entered, and otherwise truth(). Polygons of which clipping or back-face removal left
-/// nothing are not there. Errors as in truth().
+/// The picture that exact methods draw of a display file: its entered truth, if all its visible
+/// segments keep the entered data, and otherwise truth(). Polygons entirely removed by clipping or
+/// back-face removal are not included. Errors as in truth().
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
                          const WorkProgress& progress = {});
 

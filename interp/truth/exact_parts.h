@@ -29,11 +29,11 @@ ExactPart whole_line();  ///< from 0 to 1
 /// Adds what two have in common, if that has a length, to parts in any order.
 void add_common(const ExactPart& a, const ExactPart& b, std::vector<ExactPart>& to);
 
-/// What belongs to one at least of parts in any order.
+/// The union of parts in any order.
 ExactParts united(std::vector<ExactPart> parts);
-/// What belongs to both.
+/// The intersection.
 ExactParts common(const ExactParts& a, const ExactParts& b);
-/// What of the whole line belongs to none; the parts are within it.
+/// The complement in the whole line; the parts are within it.
 ExactParts rest(const ExactParts& parts);
 
 }  // namespace displayfile

@@ -30,8 +30,8 @@ class ExactProjection {
   Vertex viewed(const WholePoint& world) const;
   /// Clips the polygon in place against all planes of the view volume; empty if nothing is inside.
   void clip(std::vector<Vertex>& polygon);
-  /// Where the vertex is seen; one with w not positive has no such place, but a plane through it
-  /// is that plane.
+  /// The vertex in the picture; one with w not positive has no image, but a plane through it is
+  /// still that plane.
   TruePoint in_picture(const Vertex& vertex) const;
 
   /// True if the polygon, of positive w, runs counterclockwise: its area has a positive sign.

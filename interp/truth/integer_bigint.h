@@ -99,7 +99,7 @@ class Integer {
   friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
     return displayfile_bigint_compare(a.n_, b.n_) <=> 0;
   }
-  // Signs are asked for most often.
+  // Comparisons of signs are the most frequent.
   friend bool operator==(const Integer& a, std::same_as<int> auto b) {
     return b == 0 ? displayfile_bigint_sign(a.n_) == 0 : a == Integer(b);
   }
@@ -121,7 +121,7 @@ class Integer {
 inline int sgn(const Integer& n) { return displayfile_bigint_sign(n.number()); }
 inline Integer abs(const Integer& n) { return sgn(n) < 0 ? -n : n; }
 
-/// A quotient, not in its lowest terms; what is under the line is above 0.
+/// A quotient, not in lowest terms; the denominator is positive.
 class Rational {
  public:
   Rational(int n = 0) : over_(n), under_(1) {}

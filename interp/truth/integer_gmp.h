@@ -25,7 +25,7 @@ inline void add_product(Integer& to, const Integer& a, unsigned b) {
 inline void set_shifted_left(Integer& to, const Integer& n, std::size_t places) {
   mpz_mul_2exp(to.get_mpz_t(), n.get_mpz_t(), places);
 }
-/// a / b without what follows the point, and what is left over; neither result is an argument.
+/// Truncated quotient a / b and remainder; neither result is an argument.
 inline void divide(const Integer& a, const Integer& b, Integer& quotient, Integer& rest) {
   mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }

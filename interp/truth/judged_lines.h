@@ -32,13 +32,13 @@ struct JudgedLines {
 JudgedLines judged_lines(const DisplayFile& display_file, const SurfacePlan& plan,
                          std::size_t samples = 0);
 
-/// What a method says is seen, as the truth takes it.
+/// A method's visible parts, in the form of the truth.
 std::vector<LinePiece> claimed_pieces(const SeenLines& seen);
 
-/// The display file with the lines that are seen as its order, found by the truth alone: its dump
-/// is the dump of a drawing by a method of lines that is right. A side that polygons share is
-/// named, as by the methods, for the first that draws it; where that one runs the other way than
-/// the first that has it, drawn or not, the ends are turned round in doubles.
+/// The display file with the visible lines as its order, found by the truth alone: its dump is that
+/// of a drawing by a correct method of lines. A shared side is named, as by the methods, for the
+/// first that draws it; where that one runs opposite to the first that has it, drawn or not, the
+/// ends are exchanged in doubles.
 DisplayFile true_line_drawing(const DisplayFile& display_file, int threads = 1,
                               const WorkProgress& progress = {});
 

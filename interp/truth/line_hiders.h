@@ -46,7 +46,7 @@ std::optional<ExactPart> nearer_part(const Hider& hider, const ExactLine& line,
 /// What the polygons hide of a line at that one of its depths.
 ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
                         std::span<const Hider> hiders);
-/// What is seen of a line: seen for one of its sharers.
+/// The visible parts of a line: visible for one of its sharers.
 ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders);
 /// True if the line is hidden just after the place t on it; 0 <= t < 1.
 bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t);
@@ -121,8 +121,8 @@ class LineHiders {
   const LineItems& items_;
   int places_ = 0, depth_places_ = 0;  // binary ones, of x and y and of z
   std::vector<Solid> solids_;
-  // Squares over the picture, rows of them; those at its border also stand for what is beyond.
-  std::size_t cells_ = 1;               // in a row, and rows
+  // Squares over the picture, row by row; those at its border include everything beyond.
+  std::size_t cells_ = 1;               // per row, and rows
   std::vector<std::size_t> starts_;     // of the cells, in entries_
   std::vector<std::uint32_t> entries_;  // places in solids_
 };

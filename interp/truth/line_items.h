@@ -23,10 +23,10 @@ struct LineId {
   auto operator<=>(const LineId&) const = default;
 };
 
-/// The polygons and lines of a picture as the truth of lines sees them: of the visible segments in
-/// order of creation what was entered, in order, in device coordinates after the image
-/// transformation. Items of which nothing can be seen, hollow polygons and lines of line style
-/// none, are left out. Found by a walk of its own.
+/// The polygons and lines of a picture for the truth of lines: the entered primitives of the
+/// visible segments in order of creation, in device coordinates after the image transformation.
+/// Invisible items, hollow polygons and lines with line style none, are omitted. Found by separate
+/// code.
 class LineItems {
  public:
   /// Throws Error for a coordinate that is not finite.

@@ -15,9 +15,9 @@
 
 namespace displayfile {
 
-/// Enters the solid polygons of the visible segments of a retained scene, in order of entry, into a
-/// picture of that size. view_of(part, segment, picture) returns for each segment what enters its
-/// polygons, by enter(primitive). Errors as in truth().
+/// Enters the solid polygons of a retained scene's visible segments, in order of entry, into a
+/// picture of this size. view_of(part, segment, picture) returns for each segment an object that
+/// enters its polygons, by enter(primitive). Errors as in truth().
 template <class ViewOf>
 Picture retained_picture(const RetainedScene& retained, const DisplayFile& display_file, int width,
                          int height, bool depth, const WorkProgress& progress, ViewOf&& view_of) {

@@ -10,9 +10,9 @@
 
 namespace displayfile {
 
-// What is seen of the lines of a picture, by the definition of truth alone: whole numbers of any
-// length, no tolerance, and nothing shared with the methods that are judged.
-// interp/truth/true_lines.md explains. Lengths are in device coordinates, whose unit is the
+// The visible parts of a picture's lines, by the definition of truth alone: in integers of any
+// length, without tolerance, and sharing no code with the methods that are checked.
+// interp/truth/true_lines.md has the details. Lengths are in device coordinates, whose unit is the
 // picture.
 
 /// A part of a line between two parameters along its projection, 0 <= from < to <= 1: 0 is where it
@@ -26,7 +26,7 @@ struct LinePiece {
 /// A visible piece that is shorter than this may be left out, a hidden one drawn; of the picture.
 inline constexpr double kLineCrumb = 1e-9;
 
-/// One line, which polygons may share, and what is seen of it.
+/// A line, which polygons may share, and its visible parts.
 struct TrueLine {
   std::vector<LineId> sharers;  ///< in order; the first names the line, and gives its direction
   double length;                ///< of the projection
@@ -39,10 +39,10 @@ struct TrueLine {
   std::vector<Part> visible;
 };
 
-/// What is seen of the given lines: of each that has a length in the projection, together with all
-/// that share it, whether given or not, in order of the first sharer. Each is looked at once.
-/// Exact; for small scenes and, with patience, for large ones: progress is told of lines. Throws
-/// Error for a line that there is not.
+/// The visible parts of the given lines: for each with a length in the projection, together with
+/// all that share it, given or not, in order of the first sharer. Each is computed once. Exact; for
+/// small scenes and, slowly, for large ones: progress counts lines. Throws Error for an invalid
+/// line.
 std::vector<TrueLine> true_lines(const LineItems& items, std::span<const LineId> lines,
                                  int threads = 1, const WorkProgress& progress = {});
 
@@ -56,25 +56,26 @@ struct TrueIntersection {
   std::vector<TrueLine::Part> visible;  ///< as those of a TrueLine, from `from`
 };
 
-/// All there are, in order of item_b, item_a, and of places along the line; and what is seen of
-/// each: of the exact line, not of the one between the rounded ends. Every pair is looked at.
+/// All intersection lines, in order of item_b, item_a, and position along the line, with the
+/// visible parts of each: of the exact line, not of the one between the rounded ends. Every pair is
+/// examined.
 std::vector<TrueIntersection> true_intersections(const LineItems& items, int threads = 1);
 
-/// The parts that are seen, named for the lines' first sharers, in order.
+/// The visible parts, named for the lines' first sharers, in order.
 std::vector<LinePiece> visible_pieces(std::span<const TrueLine> lines);
 
-/// How wrong pieces are that claim to be what is seen of lines.
+/// Errors of pieces claimed to be the visible parts of lines.
 struct LineErrors {
   double missing = 0.0;  ///< length that should be seen, but no piece is there
   double extra = 0.0;    ///< length that should not be seen
   double length = 0.0;   ///< of all lines
 };
 
-/// What pieces say is seen against what is. A piece may be named for any sharer of its line, in
-/// that one's direction; pieces of one line count together. Wrong parts shorter than kLineCrumb, or
-/// than the rounding of ends, 2^-52 of the line, are forgiven. A piece of a line that is not among
-/// the true ones is extra. Throws Error for a piece of a line that there is not, or not of 0 <=
-/// from < to <= 1.
+/// Compares claimed pieces with the truth. A piece may be named for any sharer of its line, in that
+/// one's direction; pieces of one line are combined. Wrong parts shorter than kLineCrumb, or than
+/// the rounding of ends, 2^-52 of the line, are ignored. A piece of a line that is not among the
+/// true ones is extra. Throws Error for a piece of an invalid line, or not with 0 <= from < to <=
+/// 1.
 LineErrors compare_lines(const LineItems& items, std::span<const TrueLine> truth,
                          std::span<const LinePiece> claimed);
 
@@ -91,11 +92,11 @@ struct LineJudgement {
   LineErrors errors;               ///< the share of a line's samples that are wrong, of its length
 };
 
-/// Judges pieces as compare_lines does, by exact judgement of points of the lines: so many on each,
-/// one at a random place in each of as many equal parts, by all polygons that may cover it. Places
-/// closer than kLineCrumb to an end of a piece do not count, nor do those on a part that is
-/// shorter. For large scenes: progress is told of lines. The same seed gives the same places.
-/// Throws as both others do.
+/// Compares pieces as compare_lines does, by exact tests at points of the lines: `samples` on each,
+/// one at a random place in each of that many equal parts, against all polygons that may cover it.
+/// Places within kLineCrumb of an end of a piece, or on a part shorter than that, are ignored. For
+/// large scenes: progress counts lines. The same seed gives the same places. Throws as both others
+/// do.
 LineJudgement judge_lines(const LineItems& items, std::span<const LineId> lines,
                           std::span<const LinePiece> claimed, std::size_t samples_of_line,
                           std::uint64_t seed, int threads = 1, const WorkProgress& progress = {});

@@ -84,7 +84,7 @@ class CentreMarks {
   Division division_;
 };
 
-/// What is seen at each pixel centre, of polygons entered one after another.
+/// The polygon visible at each pixel centre, for polygons entered in order.
 class TruePicture {
  public:
   TruePicture(int width, int height);
@@ -96,7 +96,7 @@ class TruePicture {
   /// points; where these are in line in the projection it covers nothing.
   using Support = std::array<const TruePoint*, 3>;
   void enter(std::span<const TruePoint> polygon, const Support& support, std::int32_t pick);
-  /// What is left is empty.
+  /// Moves the picture out.
   Picture take(bool depth);
 
   /// Coverage, identifier, depth and owner.
@@ -110,7 +110,7 @@ class TruePicture {
   struct Entered {
     ExactDepth depth;
     std::int32_t pick;
-    Owner owner = kNone;  // until it is seen
+    Owner owner = kNone;  // until visible
   };
 
   std::size_t pixels() const {

@@ -22,7 +22,7 @@ std::optional<std::array<std::size_t, 3>> entered_support(std::span<const Point3
 /// that of a polygon that it touches. Exact, and nothing is shared with the methods.
 class TruePlanes {
  public:
-  /// The scene must live on; in place of what its segments have, `touching`. Asks the thread's
+  /// The scene must outlive this; `touching` overrides that of its segments. Checks the thread's
   /// budget.
   TruePlanes(const RetainedScene& scene, const std::optional<Touching>& touching);
 

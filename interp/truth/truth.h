@@ -6,15 +6,15 @@
 
 namespace displayfile {
 
-/// What is seen at each pixel centre, by the definition of truth alone: whole numbers of any
-/// length, no tolerance, and nothing shared with the methods that it judges. interp/truth/truth.md
-/// explains.
+/// The fill visible at each pixel centre, by the definition of truth alone: in integers of any
+/// length, without tolerance, and sharing no code with the methods that it checks.
+/// interp/truth/truth.md has the details.
 ///
-/// The item buffer holds, of the visible segments' solid polygons after the image transformation,
-/// the pick identifier of the nearest that covers the centre (of equally near ones the one entered
-/// later), -1 where none does. If depth is asked for, it is that of the polygon seen, rounded once
-/// to the nearest double, and minus infinity where none is. No colours: `pixels` stays empty.
-/// `progress` is told of polygons.
+/// The item buffer has, for the visible segments' solid polygons after the image transformation,
+/// the pick identifier of the nearest one that covers the centre (of equally near ones the one
+/// entered later), -1 for none. The depth, if requested, is that of the visible polygon, rounded
+/// once to the nearest double, and minus infinity for none. No colours: `pixels` is empty.
+/// `progress` counts polygons.
 ///
 /// Coordinates may be any finite doubles. Throws Error for a picture size outside of 1 to
 /// kLargestSide, and for a coordinate of a solid polygon that is not finite.

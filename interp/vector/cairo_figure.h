@@ -8,7 +8,7 @@ struct _cairo;
 
 namespace displayfile {
 
-/// The colour of what is drawn next, as pixel_of gives it.
+/// Sets the colour of the next drawing operations, as from pixel_of.
 void set_cairo_colour(_cairo* context, std::uint32_t pixel);
 
 /// The same with what a region is painted with.

@@ -33,8 +33,8 @@ struct FigureTrap {
 /// Disjoint fills as they are written (interp/vector/seams.md).
 struct Figure {
   double unit;  ///< of coordinates, in pixels
-  /// Disjoint, those of a segment one after another; none has more than kMostVertices. Which of
-  /// two neighbours is the earlier is said by their places here.
+  /// Disjoint regions, those of a segment consecutive; none has more than kMostVertices. Of two
+  /// neighbours the earlier is the one that comes first here.
   std::vector<FigureRegion> regions;
   /// Every side of a region once, those on the outline too; in the order in which they are drawn,
   /// from the last region to the first. Empty if the figure is butted, or one region.
@@ -55,10 +55,10 @@ class DisjointFills {
   explicit DisjointFills(const VectorOptions& options) : options_(options) {}
 
   bool empty() const { return pieces_.empty(); }
-  /// A loop in pixels, y down, finite and less than a million in magnitude; what covers nothing
-  /// once it is rounded is left out.
+  /// A loop in pixels, y down, finite and less than a million in magnitude; loops that are empty
+  /// after rounding are omitted.
   void add(std::span<const Point2> loop, const FillPaint& paint, int segment, std::int32_t pick);
-  /// What was collected, which is gone then.
+  /// Moves the collected figure out.
   Figure take_figure();
 
  private:
@@ -71,7 +71,7 @@ class DisjointFills {
     return std::span(points_).subspan(pieces_[piece].first,
                                       pieces_[piece].end - pieces_[piece].first);
   }
-  /// What was collected, merged, without traps.
+  /// The collected figure, merged, without traps.
   Figure merged();
   std::vector<std::span<const LatticePoint>> loops_of(std::span<const std::size_t> pieces) const;
 

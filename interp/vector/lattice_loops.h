@@ -73,9 +73,8 @@ void for_each_side(const LatticeLoops& loops, Visit&& visit) {
 /// O(n log n).
 LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops);
 
-/// The same for a boundary by itself, whose sides nobody shares: what lies upon other sides in part
-/// is gone too, and vertices that are straight. No two of its sides have more than a point in
-/// common where they are in line.
+/// The same for a boundary by itself, whose sides are not shared: partial overlaps of sides are
+/// removed too, and straight vertices. Collinear sides have at most one common point.
 LatticeLoops outline_of(std::span<const std::span<const LatticePoint>> loops);
 
 /// Leaves out each vertex that is straight, and so for all whose sides end there: two sides in

@@ -21,23 +21,22 @@ namespace displayfile {
 /// What Cairo writes pages as.
 enum class PageFormat { pdf, eps };
 
-/// Draws a PDF page, or an EPS picture, through Cairo, one point a pixel, on a background unless
-/// there is none. The bytes depend on what is drawn (and on Cairo's version; of texts on the fonts
-/// that it finds) alone. Cairo keeps coordinates to 1/256 point. Where lines were selected, those
-/// of each kind are a layer of its name, those of several that of the first (clip/surfaces.h);
-/// EPS has none.
+/// Draws a PDF page, or an EPS picture, through Cairo, one point per pixel, on a background if
+/// there is one. The bytes depend only on the drawing (and on Cairo's version; for texts on its
+/// fonts). Cairo rounds coordinates to 1/256 point. Where lines were selected, each kind is a layer
+/// with its name; lines of several kinds are in that of the first (clip/surfaces.h); EPS has no
+/// layers.
 class PdfDevice : public VectorDevice {
  public:
-  /// The stream must live on until finish(). Throws Error unless both sides are 1 to
-  /// kLargestSide, or if Cairo cannot make the surface. (Readers may show less: the PDF
-  /// specification advises pages of at most 14,400 points.)
-  /// On paper, if the options have one: a page of its size, the picture where it lies and cut off
-  /// at its frame.
+  /// The stream must outlive finish(). Throws Error unless both sides are 1 to kLargestSide, or if
+  /// Cairo cannot make the surface. (Readers may show less: the PDF specification advises pages of
+  /// at most 14,400 points.) With paper in the options: a page of its size, with the picture in its
+  /// place and clipped to its frame.
   PdfDevice(std::ostream& out, int width, int height, const Background& background = {},
             const VectorOptions& options = {}, PageFormat format = PageFormat::pdf);
   ~PdfDevice() override;
 
-  /// Completes the document. To be called once. Throws Error if Cairo failed.
+  /// Completes the document. Must be called once. Throws Error if Cairo failed.
   void finish();
 
  private:
@@ -48,7 +47,7 @@ class PdfDevice : public VectorDevice {
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
   void paint_text(const DeviceText& text, const Point2& anchor, double size) override;
 
-  void begin_layer(std::string_view name);  ///< of what follows; empty: it is in none
+  void begin_layer(std::string_view name);  ///< for later drawing; empty: none
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
 

@@ -6,13 +6,13 @@
 
 namespace displayfile {
 
-/// The structure element that Cairo is told to mark content of layers as.
+/// The structure element with which Cairo marks content of layers.
 inline constexpr const char* kMarkOfLayer = "Span";
 
-/// A PDF document of one page as Cairo wrote it, whose content has so many parts that were marked
-/// as kMarkOfLayer, with each of these in a layer: an optional content group, of that name, which
-/// readers show in a list and can hide (ISO 32000-1, 8.11). Cairo knows no layers. Throws Error if
-/// there is no library that changes PDF files, or if the document is not as expected.
+/// Converts a one-page PDF document written by Cairo, with this many parts marked as kMarkOfLayer,
+/// to one with each of these in a layer: an optional content group with that name, which readers
+/// list and can hide (ISO 32000-1, 8.11). Cairo has no layers. Throws Error if there is no library
+/// that edits PDF files, or if the document is not as expected.
 std::string with_layers(const std::string& document,
                         std::span<const std::string_view> layer_of_parts);
 

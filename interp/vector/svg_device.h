@@ -36,8 +36,8 @@ class SvgDevice : public VectorDevice {
             const VectorOptions& options = {})
       : VectorDevice(width, height, background, options) {}
 
-  /// Writes the document. It is kept in memory until then: the classes come first, and they and
-  /// the file's key are known last. To be called once.
+  /// Writes the document. It is kept in memory until then: the classes come first, and they and the
+  /// file's key are known last. Must be called once.
   void finish(std::ostream& out);
 
  private:

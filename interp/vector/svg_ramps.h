@@ -15,8 +15,8 @@ namespace displayfile {
 /// ..., and one for each ramp, which refers to it, has the ends and is called r1, r2, ...
 class SvgRamps {
  public:
-  /// The number of the ramp of a paint that has one, with ends in units of so many pixels, as the
-  /// coordinates are of what refers to it.
+  /// The number of the ramp of a paint that has one, with ends in units of this many pixels, as the
+  /// coordinates of the elements that refer to it.
   std::size_t number(const FillPaint& paint, double unit);
   /// Writes them as the document's definitions, unless there are none.
   void write(std::ostream& out) const;

@@ -16,14 +16,14 @@ namespace displayfile {
 
 /// The width, in pixels, of the line in its own colour that a fill gets where no edge is drawn.
 ///
-/// Without it, faces that share an edge show the background through it: a renderer that
-/// antialiases lays two partly covered pixels over each other, and (1 - t)(1 - (1 - t)) of the
-/// background is left where one face covers t of a pixel, a quarter at worst. A line of width w
-/// along the edge covers s of the pixel too, and t(1 - t)(1 - s)^2 is left: 1/16 at worst for
-/// w = 0.5, 1/35 for 0.75, 1/64 for 1. But every outline grows by w / 2. 0.75 is where the
-/// seams can no longer be seen and outlines grow by little more than a third of a pixel. Like the
-/// widths of lines it is in pixels of the picture's size: who shows a small picture enlarged sees
-/// both enlarged, and should draw it in the size in which it is shown.
+/// Without it, the background shows through between faces that share an edge: an antialiasing
+/// renderer composites two partly covered pixels, and (1 - t)(1 - (1 - t)) of the background is
+/// left where one face covers t of a pixel, a quarter at worst. A line of width w along the edge
+/// covers s of the pixel too, and t(1 - t)(1 - s)^2 is left: 1/16 at worst for w = 0.5, 1/35 for
+/// 0.75, 1/64 for 1. But every outline grows by w / 2. At 0.75 the seams are no longer visible and
+/// outlines grow by little more than a third of a pixel. Like the widths of lines it is in pixels
+/// of the picture's size: both are enlarged if a small picture is shown enlarged, so it should be
+/// drawn in the size in which it is shown.
 inline constexpr double kSeamWidth = 0.75;
 
 /// How a line ends that is drawn.
@@ -80,12 +80,12 @@ class VectorDevice : public OutputDevice {
   int height() const { return height_; }
   const Background& background() const { return background_; }
   const VectorOptions& options() const { return options_; }
-  /// To be called by the derived class when all is drawn.
+  /// Must be called by the derived class after all drawing.
   void finish_lines();
 
   virtual void open_group(int segment_name) = 0;
   virtual void close_group() = 0;
-  /// Paints by the even-odd rule; with the line that closes the seams if asked.
+  /// Paints by the even-odd rule; with the line that closes the seams if `seam`.
   virtual void paint_fill(const Path& path, const FillPaint& paint, bool seam) = 0;
   /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
   /// in one for each segment.

@@ -41,19 +41,18 @@ class PolygonList {
   std::vector<std::uint32_t> begin_;  // of each row's entries, and the end
 };
 
-/// The active edge list of one scan line after another, kept polygon by polygon: the runs of whole
-/// pixels in which each polygon is IN (interp/visibility/scan_line.md). For one thread. It is made
-/// of the same edges (ScanEdge) as that of ScanConverter, which has one polygon at a time and does
-/// not tell polygons apart. ScanLineZ keeps a list of its own (interp/visibility/scan_line_z.cpp),
-/// since it needs the polygons of a row in the order of entry and memory that does not grow with
-/// the picture's height: here they stand in no order, and the polygon list and those that rest take
-/// an entry for each row.
+/// The active edge list of successive scan lines, by polygon: the runs of whole pixels in which
+/// each polygon is IN (interp/visibility/scan_line.md). For one thread. It uses the same edges
+/// (ScanEdge) as ScanConverter, which handles one polygon at a time and does not distinguish
+/// polygons. ScanLineZ has its own list (interp/visibility/scan_line_z.cpp), since it needs a row's
+/// polygons in order of entry and memory independent of the picture's height: here they are
+/// unordered, and the list of polygons and that of resting ones have an entry per row.
 class ActivePolygons {
  public:
   using Fill = ViewedScene::Fill;
   using Index = std::uint32_t;  ///< of an active polygon, while its row is looked at
 
-  /// A polygon of the list, with what is asked of it on every row.
+  /// A polygon of the list, with its data for every row.
   struct Polygon {
     PixelDepth depth;
     double error;  ///< of the depth
@@ -86,12 +85,13 @@ class ActivePolygons {
   /// Both must be IN once in this row, the inside one within the other.
   std::optional<std::array<Width, 2>> stays_within(Index inside, Index other) const;
 
-  /// The polygon cannot rest now: it is asked again after as many rows as its sides have stood.
+  /// The polygon cannot rest now: it is checked again after as many rows as its sides have been
+  /// active.
   void may_not_rest(Index polygon) {
     Polygon& p = polygons_[polygon];
     p.may_rest_from = row_ + 1 + (row_ - p.stands_from);
   }
-  /// The polygon is not to be told again up to this row.
+  /// The polygon need not be reported again up to this row.
   void rest(Index polygon, int last_row) { polygons_[polygon].rests_until = last_row; }
 
  private:

@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// The pixel centres of a picture where viewing's rounding may decide what is seen, and what is
-/// seen there as the application entered the scene (interp/visibility/fills_as_entered.md).
+/// The pixel centres of a picture where viewing's rounding may decide visibility, and the fill
+/// visible there for the scene as entered (interp/visibility/fills_as_entered.md).
 class DecidedCentres {
  public:
   struct Decided {
@@ -21,7 +21,8 @@ class DecidedCentres {
     ViewedScene::Fill fill;
   };
 
-  /// Those of a scene, which need not stay, in place of those before. On up to so many threads.
+  /// Finds those of a scene, which need not outlive the call, replacing earlier ones. On up to
+  /// `threads` threads.
   void find(const ViewedScene& scene, const PictureSize& size, int threads);
   void forget() { all_.clear(); }
   bool empty() const { return all_.empty(); }
@@ -43,8 +44,8 @@ class DecidedCentres {
   std::vector<Band> bands_;
 };
 
-/// A method of image space whose pictures are right as the application entered the scene: it finds
-/// what is seen by the scene's coordinates, and the decided centres are shown as they were decided.
+/// An image-space method that is correct for the scene as entered: it finds visibility by the
+/// scene's coordinates, and overrides the decided centres.
 class MethodAsEntered : public ImageSpaceMethod {
  public:
   explicit MethodAsEntered(std::unique_ptr<ImageSpaceMethod> method) : method_(std::move(method)) {}

@@ -2,8 +2,8 @@
 
 namespace displayfile {
 
-/// Where, in columns of a row up to `end`, the later of two polygons is seen rather than the one
-/// entered before it: before the column of the change or from it on.
+/// The columns of a row, up to `end`, where the later of two polygons hides the one entered before
+/// it: before the column of the change or from it on.
 struct DecidedRun {
   int change, end;
   bool seen_before_change;
@@ -12,14 +12,14 @@ struct DecidedRun {
   struct Columns {
     int first, end;
   };
-  /// The columns from `first` on where the later polygon is seen.
+  /// The columns from `first` on where the later polygon is visible.
   Columns seen_from(int first) const {
     return seen_before_change ? Columns{first, change} : Columns{change, end};
   }
 };
 
 /// Decides the columns first <= i < end, at least one, all of which both polygons cover.
-/// later_is_seen(i) tells truly whether the later polygon is seen in one column.
+/// later_is_seen(i) returns exactly whether the later polygon is visible in one column.
 ///
 /// Along a row the difference of two depths is linear: if it has one sign at both ends of a run,
 /// it has that sign between them; if not, it changes once, and halving finds where.

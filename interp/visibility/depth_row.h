@@ -10,9 +10,9 @@
 
 namespace displayfile {
 
-/// All the z-buffer that a scan-line z-buffer has: the depth and the fill seen at each pixel of one
-/// row. Which of two fills is seen is decided as FillDepths does, but for many pixels together
-/// where it takes exact arithmetic (interp/visibility/scan_line_z.md).
+/// The one-row z-buffer of the scan-line z-buffer: the depth and the visible fill at each pixel of
+/// one row. Fills are compared as in FillDepths, but for many pixels together where exact
+/// arithmetic is needed (interp/visibility/scan_line_z.md).
 class DepthRow {
  public:
   using Fill = ViewedScene::Fill;
@@ -28,7 +28,7 @@ class DepthRow {
   /// Covers columns first <= i < end with the fill begun.
   void draw_span(int first, int end);
 
-  /// The fills seen. To be called once a row, when all are drawn.
+  /// The visible fills. Must be called once per row, after all are drawn.
   std::span<const Fill> seen();
 
  private:

@@ -12,8 +12,8 @@ namespace displayfile {
 /// A fill's depth over the pixels of a picture.
 struct FillDepth {
   PixelDepth depth;
-  /// Bounds the error of depth at the centres that the fill may cover; infinity if it is not
-  /// known. With a ROUNDOFF a quarter of it: depths are told apart by twice the sum of two.
+  /// Bounds the error of depth at the centres that the fill may cover; infinity if unknown. With a
+  /// ROUNDOFF a quarter of it: depths are distinguished by twice the sum of two.
   double error = 0.0;
 
   FillDepth() = default;
@@ -61,8 +61,8 @@ class FillDepths {
   std::vector<FillDepth> of_fill_;
 };
 
-/// Bounds, for a polygon (device coordinates) and the depth of its plane, the error of the depth at
-/// the centres that the polygon may cover, and the size of what is computed there.
+/// Bounds, for a polygon (device coordinates) and the depth of its plane, of the error of the depth
+/// at the centres that the polygon may cover, and of the size of intermediate values.
 struct DepthBound {
   double error;    ///< infinity if it is not known
   double largest;  ///< of the depths, in size

@@ -15,8 +15,8 @@
 
 namespace displayfile {
 
-/// How far the boundary of a scene's polygon may lie from where it is as entered, along x and along
-/// y, in pixels, with what tests for closeness lose.
+/// Largest distance of a scene polygon's boundary from that as entered, along x and y, in pixels,
+/// including the errors of tests for closeness.
 Point2 boundary_error(const ViewedScene& scene, std::span<const Point3> polygon,
                       const PictureSize& size);
 
@@ -25,17 +25,17 @@ Point2 boundary_error(const ViewedScene& scene, std::span<const Point3> polygon,
 void note_boundary(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
                    ScanConverter& converter, PixelSet& noted);
 
-/// The fills of a scene at some of the pixel centres, by what the application entered
-/// (interp/visibility/fills_as_entered.md): which centres a fill covers, and which of two is seen.
-/// Viewing rounds, so close to a boundary, or to where two planes meet, the scene's coordinates say
-/// otherwise. For one thread.
+/// The fills of a scene at some pixel centres, by the entered data
+/// (interp/visibility/fills_as_entered.md): the centres that a fill covers, and which of two is
+/// visible. Viewing rounds, so close to a boundary, or to an intersection of planes, the scene's
+/// coordinates may differ. For one thread.
 class FillsAsEntered {
  public:
   using Fill = ViewedScene::Fill;
 
   FillsAsEntered(const ViewedScene& scene, const PictureSize& size);
 
-  /// The scene's coordinates are not what was entered: viewing rounded them.
+  /// True if viewing rounded the scene's coordinates.
   bool are_rounded() const { return scene_.viewing_radius() > 0.0; }
 
   /// Calls fill_span(row, first, end) for runs of covered pixels of the region. Those of the noted
@@ -50,13 +50,13 @@ class FillsAsEntered {
     }
   }
 
-  /// True if the later of two fills is seen at a centre that both cover.
+  /// True if the later of two fills is visible at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, int column, int row) {
     return orders_.later_is_seen(earlier, later, PixelCentre(column, row, size_));
   }
 
-  /// Calls show(row, column, fill) for each of the centres, with the fill that is seen there: one
-  /// of these, which are in order of entry, or the background.
+  /// Calls show(row, column, fill) for each of the centres, with the visible fill: one of these,
+  /// which are in order of entry, or the background.
   template <class Show>
   void decide(const PixelSet& centres, std::span<const Fill> fills, Show&& show);
   /// Does so with all fills of the scene.

@@ -18,14 +18,13 @@ struct ViewedWorld;
 /// ViewedScene::kBackground where there is none. Rows count from the bottom.
 using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
 
-/// A way to find hidden surfaces in image space: which fill is seen at each pixel centre
-/// (interp/truth/truth.md). Each method is one file and one line in the list of
-/// image_space_methods().
+/// An image-space method: finds the fill visible at each pixel centre (interp/truth/truth.md). Each
+/// method is one file and one line in the list of image_space_methods().
 class ImageSpaceMethod {
  public:
   virtual ~ImageSpaceMethod() = default;
 
-  /// What pictures of the scene, which must live on, share.
+  /// Data shared by pictures of the scene, which must outlive it.
   struct Request {
     const ViewedScene& scene;
     PictureSize size;
@@ -33,7 +32,7 @@ class ImageSpaceMethod {
     std::optional<double> roundoff;
   };
 
-  /// Takes up a scene, and lets go of the one before. On up to so many threads, with the same
+  /// Prepares for a scene and releases the previous one. On up to `threads` threads, with the same
   /// result.
   virtual void prepare(const Request& request, int threads) = 0;
 
@@ -53,12 +52,12 @@ struct ImageSpaceEntry {
 /// Those that decide exactly by the viewed scene: all but world_ray_cast and the plain forms.
 std::span<const ImageSpaceEntry> image_space_methods();
 
-/// True also of `automatic`, which for a picture in pixels picks one of them, and of
-/// world_ray_cast, which tells of the viewed scene what was found before viewing.
+/// Also true for `automatic`, which for pixels chooses one of them, and for world_ray_cast, whose
+/// result before viewing is passed to the viewed scene.
 bool is_image_space(HiddenMethod by);
 
-/// Throws Error if the method does not work in image space. world_ray_cast works on `world`, which
-/// must live on: what the scene is a view of.
+/// Throws Error if the method does not work in image space. world_ray_cast uses `world`, which must
+/// outlive it: the source of the view.
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
                                                           const ViewedWorld* world = nullptr);
 

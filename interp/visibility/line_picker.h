@@ -10,10 +10,10 @@
 
 namespace displayfile {
 
-/// The lines of a scene, and the drawn sides of its polygons, to be found near a point of a picture
-/// where they are seen: by the rule of lines (interp/truth/truth.md). On which side of a line a
-/// vertex lies, and which of a line's ends lie behind a fill, is decided exactly; where along the
-/// line that changes is rounded (interp/visibility/ray_cast.md).
+/// Finds visible lines of a scene, and visible drawn sides of its polygons, near a point of a
+/// picture: by the rule of lines (interp/truth/truth.md). The side of a line on which a vertex
+/// lies, and whether a line's end is behind a fill, are decided exactly; positions of changes along
+/// the line are rounded (interp/visibility/ray_cast.md).
 class LinePicker {
  public:
   using Item = ViewedScene::Item;

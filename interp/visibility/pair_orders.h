@@ -13,12 +13,11 @@
 
 namespace displayfile {
 
-/// Which of two fills is seen where their rounded depths are too close to tell, remembered pair by
-/// pair: where one is seen all over what both can cover, as with coplanar and with parallel ones
-/// and with those that lie on one side of the other's plane, exact arithmetic is asked once and not
-/// for each centre; where it varies, what exact arithmetic found out of the pair is kept. Polygons
-/// that belong to no scene have no numbers to be remembered by: ClosePlanes compares them. For one
-/// thread.
+/// Decides which of two fills is visible where their rounded depths are too close, with a memory of
+/// pairs: where one hides the other everywhere, as for coplanar and parallel ones and those on one
+/// side of the other's plane, exact arithmetic is used once, not per centre; where it varies, the
+/// exact results for the pair are kept. Polygons outside of a scene have no numbers: ClosePlanes
+/// compares them. For one thread.
 class PairOrders {
  public:
   using Fill = ViewedScene::Fill;
@@ -34,15 +33,15 @@ class PairOrders {
     as_entered_.take(scene);
   }
 
-  /// Which of two fills is seen wherever both cover a centre: the `first`, entered first, or the
-  /// `second`; `varies` if that varies, or if it is not found out without exact arithmetic.
+  /// Which of two fills is visible wherever both cover a centre: the `first`, entered first, or the
+  /// `second`; `varies` if it varies, or is unknown without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
   /// Does what order_of does, but does not look for the order of a pair that is met for the first
   /// time.
   Order order_if_often(Fill earlier, Fill later);
 
-  /// True if the later fill is seen at a centre that both cover.
+  /// True if the later fill is visible at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
 
   /// What exact arithmetic has found out of the two.
@@ -70,7 +69,8 @@ class PairOrders {
 
     Pair forgotten() const { return {.as_entered = as_entered, .comparison = comparison}; }
   };
-  /// A pair that is asked for again: its order is looked for, and then exact arithmetic asked.
+  /// Repetitions of a pair after which its order is searched for, and after which exact arithmetic
+  /// is used for that.
   static constexpr int kOften = 2, kVeryOften = 8;
 
   bool are_in_one_plane(Pair& pair, Fill earlier, Fill later);

@@ -9,16 +9,15 @@
 
 namespace displayfile {
 
-/// What is remembered of pairs of fills, by a hash of the two. There are places for a few pairs at
-/// first, and more as they fill; when there are as many as there may be, a pair makes way for
-/// another. `Known` begins as nothing known; its forgotten() is what is left of it for the pair
-/// that comes.
+/// A cache of data about pairs of fills, by a hash of the two. It grows from a few places up to a
+/// limit; then a new pair replaces another. A default `Known` has no data; its forgotten() is what
+/// remains of it for the new pair.
 template <class Known>
 class PairTable {
  public:
   using Fill = ViewedScene::Fill;
 
-  /// What is known of two fills; the reference is valid until the next call.
+  /// The data of two fills; the reference is valid until the next call.
   Known& operator()(Fill earlier, Fill later) {
     if (places_.empty()) make_places(kFewest);
     Place* place = place_of(earlier, later);
@@ -35,12 +34,12 @@ class PairTable {
     return place->known;
   }
 
-  /// Forgets what is known of all pairs; the places stay.
+  /// Clears the data of all pairs, keeping the capacity.
   void forget() { std::ranges::fill(places_, Place{}); }
 
  private:
   static constexpr int kFewest = 5, kMost = 12;  ///< places, as powers of two
-  static constexpr std::size_t kProbed = 4;      ///< a pair's is among so many from its hash on
+  static constexpr std::size_t kProbed = 4;      ///< places probed from the pair's hash on
   struct Place {
     Fill earlier = ViewedScene::kBackground, later = ViewedScene::kBackground;
     Known known;

@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// Tells what is seen at a pixel: by one ray through its centre, so that it is what every exact
-/// method draws there, and by the rule of lines. What it has made ready serves all picks.
+/// Finds the primitive visible at a pixel: by one ray through its centre, as every exact method
+/// draws it, and by the rule of lines. Prepared data serve all picks.
 class Picker {
  public:
   Picker(std::shared_ptr<const ViewedScene> scene, const PictureSize& size, int threads);
@@ -21,10 +21,10 @@ class Picker {
   const ViewedScene& scene() const { return *scene_; }
   const PictureSize& size() const { return size_; }
 
-  /// At the pixel that holds the point: pixels from the upper left corner, y down. A line that is
-  /// seen within `reach` pixels of the pixel's centre comes before the fill there; with a reach of
-  /// 0 no line is looked for. Throws Error for a point that is not finite and for a reach that is
-  /// not 0 to kLargestSide.
+  /// At the pixel that holds the point: pixels from the upper left corner, y down. A line visible
+  /// within `reach` pixels of the pixel's centre takes precedence over the fill; with a reach of 0
+  /// lines are ignored. Throws Error for a point that is not finite and for a reach that is not 0
+  /// to kLargestSide.
   std::optional<Pick> pick(double x, double y, double reach);
 
  private:
@@ -33,7 +33,7 @@ class Picker {
   int threads_;
   RayCast fills_;
   DecidedCentres decided_;
-  std::optional<LinePicker> lines_;  // made when they are first asked for
+  std::optional<LinePicker> lines_;  // made on first use
 };
 
 }  // namespace displayfile

@@ -12,7 +12,7 @@
 
 namespace displayfile {
 
-/// Pixel centres, and how near begins what covers them.
+/// Pixel centres, and the nearest depth of what covers them.
 struct DeepPixelBox {
   PixelBox pixels;
   float nearest;  ///< no part is nearer; z grows toward the viewer
@@ -76,7 +76,7 @@ template <>
 void PixelTree::build(std::size_t items, const std::function<DeepPixelBox(Item)>& box_of,
                       int threads);
 
-/// Visits what shares a centre with the rays', as BoxTree::near_to_far.
+/// Visits items that share a centre with the rays, as BoxTree::near_to_far.
 template <class Hidden, class Visit>
 void front_to_back(const PixelTree& tree, const PixelBox& rays, Hidden&& hidden, Visit&& visit) {
   const auto meets = [&](const PixelBoxes& boxes, std::array<float, PixelBoxes::kBoxes>& nearest) {

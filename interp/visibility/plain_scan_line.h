@@ -157,8 +157,8 @@ class PlainScanLine : public ImageSpaceMethod {
       }
     }
 
-    /// From some active edges to the next: with no polygon IN the background is seen, with one that
-    /// one, with more the nearest, up to where another passes it.
+    /// From some active edges to the next: with no polygon IN the background is visible, with one
+    /// that one, with more the nearest, up to where another passes it.
     void paint(int column, int end, std::size_t first_edge, std::size_t end_edge) {
       Span span{row_, column, end, ViewedScene::kBackground, in_, first_edge, end_edge, {}, {}};
       if (in_.empty()) return observer_.paint(span);
@@ -186,10 +186,10 @@ class PlainScanLine : public ImageSpaceMethod {
       return nearest;
     }
 
-    /// The first column after `column` at which the other hides what is seen there; the end if
-    /// there is none. The lecture divides the difference of the depths by that of their slopes.
-    /// Along a row a plane passes another once at most, so that halving finds the same column, and
-    /// no rounding decides.
+    /// The first column after `column` at which the other hides the visible one; the end if there
+    /// is none. The lecture divides the difference of the depths by that of their slopes. Along a
+    /// row a plane passes another at most once, so bisection finds the same column, without
+    /// rounding.
     int passes(Fill other, Fill seen, int column, int end) {
       int hides = end - 1, hides_not = column;
       if (other == seen || hides == column || !depths_.hides(other, seen, hides, row_)) return end;

@@ -141,7 +141,7 @@ class PlainWarnock : public ImageSpaceMethod {
       return list;
     }
 
-    /// The polygon that is seen in the middle of the area, among those that surround it.
+    /// The polygon visible in the middle of the area, among those that surround it.
     std::optional<Fill> nearest_surrounding(const SampleArea& area, std::span<const Listed> list) {
       const int column = area.first_column + area.columns() / 2;
       const int row = area.first_row + area.rows() / 2;
@@ -165,8 +165,7 @@ class PlainWarnock : public ImageSpaceMethod {
       });
     }
 
-    /// The difference of two planes' depths is linear: what holds at the corners holds between
-    /// them.
+    /// The difference of two planes' depths is linear: its sign at the corners holds between them.
     bool hides_over(Fill a, Fill b, const SampleArea& area) {
       const int left = area.first_column, right = area.end_column - 1;
       const int bottom = area.first_row, top = area.end_row - 1;

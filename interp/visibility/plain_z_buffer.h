@@ -11,8 +11,8 @@
 
 namespace displayfile {
 
-/// What a depth is stored as. The integers spread the depths 0 to 1 evenly over all their
-/// values, as frame buffers do; what is nearer or farther is stored as 1 or 0.
+/// Storage formats of depths. Integers divide the depths 0 to 1 evenly, as frame buffers do; nearer
+/// and farther depths are stored as 1 or 0.
 enum class DepthFormat { float_32, float_64, integer_16, integer_24, integer_32 };
 
 /// One line a format.
@@ -22,14 +22,14 @@ struct DepthFormatEntry {
 };
 std::span<const DepthFormatEntry> depth_formats();
 
-/// The z-buffer as textbooks give it, to be read, and to measure what it gets wrong: x and z are
-/// stepped along edges and spans by adding, and depths are compared as they are stored. Of equal
-/// stored depths the polygon entered later is seen. The other methods draw what is true.
+/// The z-buffer in its textbook form, for reading, and for measuring its errors: x and z are
+/// stepped along edges and spans by adding, and depths are compared as stored. Of equal stored
+/// depths the polygon entered later is visible. The other methods draw the true picture.
 ///
-/// As a method of a picture (`--hidden plain-z-buffer=FORMAT`) it says which fill is seen where.
-/// Edge-on polygons are left out, and lines, shades, shadows and the depths of --depth are those of
-/// the fills seen, as with every method. It holds a depth and a fill for every pixel, finds them
-/// when it takes up the scene, in one thread, and knows no ROUNDOFF.
+/// As a method of a picture (`--hidden plain-z-buffer=FORMAT`) it decides which fill is visible
+/// where. Edge-on polygons are omitted, and lines, shades, shadows and the depths of --depth are
+/// those of the visible fills, as with every method. It stores a depth and a fill per pixel,
+/// computed when it prepares for the scene, in one thread, and has no ROUNDOFF.
 std::unique_ptr<ImageSpaceMethod> make_plain_z_buffer(DepthFormat format);
 
 /// Draws by the plain z-buffer alone, to be measured: the fills of the visible segments on the

@@ -11,13 +11,12 @@
 
 namespace displayfile {
 
-/// What a view makes of single polygons, as the display file views them, but without rounding:
-/// which way they turn once they are clipped, and where those are seen that are off their plane
-/// (interp/visibility/ray_cast.md).
+/// Views single polygons as for the display file, but without rounding: their orientation after
+/// clipping, and the positions of those that are off their plane (interp/visibility/ray_cast.md).
 class PolygonViewer {
  public:
-  /// The rows are those of the volume's view, and must live on, as the volume must. No coordinate
-  /// of a polygon is larger than `size`.
+  /// The rows are those of the volume's view; rows and volume must outlive this. `size` bounds the
+  /// coordinates of polygons.
   PolygonViewer(const ViewVolume& volume, const in_world::MatrixRows<Ball>& near,
                 const in_world::MatrixRows<ExactNumber>& exact, const Point3& size);
 
@@ -29,7 +28,7 @@ class PolygonViewer {
   bool is_nowhere_nearer(const std::array<Point3, 3>& plane, double nearness) const;
 
  private:
-  /// What is linear in the picture; it is nearer where `nearness`, Z or 1 / W, is larger.
+  /// Quantities linear in the picture; larger `nearness`, Z or 1 / W, is nearer.
   struct Seen {
     Ball x, y, nearness;
     Seen operator-(const Seen& o) const { return {x - o.x, y - o.y, nearness - o.nearness}; }
@@ -46,7 +45,7 @@ class PolygonViewer {
   bool perspective_;
   std::vector<in_world::OverBoxes> clip_;  // as near_.clip
   in_world::OverBoxes x_, y_, z_, w_;
-  // What is known of the polygon viewed last:
+  // Results for the polygon viewed last:
   std::vector<Seen> seen_;  // its vertices, none where balls did not decide
   in_world::WorldPoints<Ball> points_, cut_;
 };

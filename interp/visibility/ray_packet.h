@@ -14,9 +14,9 @@ namespace displayfile {
 /// of a square of pixels or a part of one, and the fill that each sees.
 ///
 /// Exact: the nearest, the later of equally near ones. With a ROUNDOFF: the one entered last of
-/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is no order, so that what is seen
-/// would depend on the order of the hits if rays were cast once: they are cast again when the
-/// nearest depths are known. A ROUNDOFF of 0 is an order, and one cast is enough.
+/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is not an order, so a single cast
+/// would depend on the order of the hits: rays are cast again when the nearest depths are known. A
+/// ROUNDOFF of 0 is an order, and one cast is enough.
 class RayPacket {
  public:
   using Fill = ViewedScene::Fill;
@@ -33,7 +33,7 @@ class RayPacket {
 
   const PixelBox& rays() const { return rays_; }
 
-  /// True if a fill no nearer than this is seen by none of the rays.
+  /// True if no ray sees a fill at this depth or farther.
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
 
   /// The fill whose spans follow.
@@ -67,7 +67,7 @@ class RayPacket {
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>((row - rays_.first_row) * kSide + column - rays_.first_column);
   }
-  /// The error by which depths are told apart: none while only the nearest is looked for.
+  /// The error used to distinguish depths: 0 while only the nearest is searched.
   double error_of(Fill fill) const { return cast_ == Cast::for_fills ? depths_.error(fill) : 0.0; }
   bool hides_closely(Fill other, int column, int row) {
     return other == ViewedScene::kBackground || close_.hides(fill_, other, column, row);

@@ -6,10 +6,10 @@ namespace displayfile::row_bounds {
 /// interp/visibility/z_buffer.md.
 inline constexpr double kEdgeUnit = 0x1p-21, kDepthUnit = 0x1p-20, kDepthError = 0x1p-17;
 inline constexpr double kLargestEdgeError = 0.25;
-/// Depths beyond it are not certain: there are floats for what is less, and for its sums.
+/// Depths beyond it are uncertain: smaller ones, and their sums, fit into floats.
 inline constexpr double kLargestDepth = 0x1p126;
-/// Bound the errors of a triangle's coordinates in pixels, near a picture, and of what is computed
-/// from them.
+/// Bounds on the errors of a triangle's coordinates in pixels, near a picture, and of values
+/// computed from them.
 inline constexpr double kOfCoordinates = 0x1p-50, kColumnError = 0x1p-50;
 
 }  // namespace displayfile::row_bounds

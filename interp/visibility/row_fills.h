@@ -20,9 +20,9 @@ struct RowEdge {
   float x, slope;
 };
 
-/// A fill made ready for the rows of a picture: the rows whose centres it may cover, its depth
-/// there and, if it is convex, its sides. Single precision, with bounds; what they leave undecided
-/// is decided exactly from the fill itself (interp/visibility/z_buffer.md).
+/// A fill prepared for the rows of a picture: the rows whose centres it may cover, its depth there
+/// and, if it is convex, its sides. Single precision, with bounds; undecided cases are decided
+/// exactly from the fill itself (interp/visibility/z_buffer.md).
 struct alignas(64) RowFill {
   std::int32_t row_begin = 0, row_end = 0;
   std::int32_t column = 0;                     ///< no centre of a column before it is covered,
@@ -55,10 +55,9 @@ class RowFills {
     std::size_t number;
     Fill begin, end;
   };
-  /// Makes them ready, in place of those before, on up to so many threads. `made` is called for
-  /// each batch when it is ready, by the thread that made it.
-  /// `as_entered`: what is drawn with them is the picture as entered, so that viewing's rounding
-  /// counts as an error.
+  /// Prepares the fills, replacing earlier ones, on up to `threads` threads. `made` is called for
+  /// each finished batch, by the thread that made it. `as_entered`: the picture is that of the
+  /// scene as entered, so that viewing's rounding counts as an error.
   void make(const ViewedScene& scene, const PictureSize& size, int threads, bool as_entered,
             const std::function<void(const Batch&)>& made);
   std::size_t batches() const { return batches_; }
@@ -90,7 +89,7 @@ class RowFills {
   class Triangles;
   void make(const ViewedScene& scene, const PictureSize& size, const Batch& batch);
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
-  /// Of depths in the rows and columns: their largest magnitude, and what bounds their errors.
+  /// Of depths in the rows and columns: their largest magnitude, and bounds of their errors.
   struct DepthRange {
     double largest, error;
   };

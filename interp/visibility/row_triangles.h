@@ -30,8 +30,9 @@ struct RowTriangles {
   std::uint32_t on_right[3];  ///< side k
 };
 
-/// How far, in pixels, viewing may have moved a boundary (interp/visibility/z_buffer.md): what is
-/// that close to a row of centres needs more, and sides and columns are that much less certain.
+/// Bound, in pixels, on the displacement of a boundary by viewing (interp/visibility/z_buffer.md):
+/// triangles that close to a row of centres need more, and sides and columns are less certain by
+/// it.
 struct RowSlack {
   double column = 0.0, row = 0.0;
 };

@@ -21,9 +21,9 @@ enum class AreaCategory { surrounding, intersecting, contained, disjoint };
 /// True if the polygon covers the centre by the definition (interp/truth/truth.md): exact.
 bool covers(std::span<const Point3> polygon, const PixelCentre& centre);
 
-/// The category of a polygon with these extents. Surrounding and disjoint are never said in error;
-/// where rounding leaves open whether a side passes by the area, the polygon is intersecting, which
-/// decides nothing. Of a pixel it is exact: surrounding or disjoint.
+/// The category of a polygon with these extents. Surrounding and disjoint are always correct; where
+/// rounding leaves open whether a side passes by the area, the polygon is intersecting, which
+/// decides nothing. For a pixel it is exact: surrounding or disjoint.
 AreaCategory category_of(std::span<const Point3> polygon, const SampleArea& extents,
                          const SampleArea& area, const PictureSize& size);
 

@@ -30,7 +30,7 @@ class ScanLine : public ImageSpaceMethod {
     std::uint64_t rests = 0;      ///< polygons left alone for some rows: hidden on all of them
     std::uint64_t rows_left = 0;  ///< of all those, together
   };
-  /// Draws the rows, and tells what it took.
+  /// Draws the rows, and returns counts of the work.
   Counts draw_rows_counting(int row_begin, int row_end, const SeenRun& seen) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// One scan line without a z-buffer: of the runs of pixels in which polygons are IN, the one that
-/// is seen in each span between two ends (interp/visibility/scan_line.md). For one thread.
+/// One scan line without a z-buffer: of the runs of pixels in which polygons are IN, the visible
+/// one in each span between two ends (interp/visibility/scan_line.md). For one thread.
 class SpanSweep {
  public:
   using Fill = ViewedScene::Fill;
@@ -44,9 +44,9 @@ class SpanSweep {
   static constexpr int kNever = std::numeric_limits<int>::max();
 
   /// A run, in a bucket of those that begin in the same column, later in a pairing heap: none of
-  /// its children is seen before it ends, or before they are due.
+  /// its children is visible before it ends, or before they are due.
   struct Span {
-    double z, dz_dx, x0, error;  ///< the depth: in this row at x0, and what it changes by
+    double z, dz_dx, x0, error;  ///< depth in this row at x0, and its slope
     Fill fill;
     int first, end;
     int due;            ///< from which column on its parent need not hide it
@@ -103,7 +103,7 @@ inline void SpanSweep::add(const ActivePolygons::Polygon& polygon, ActivePolygon
   begins_[static_cast<std::size_t>(first) / 64] |= std::uint64_t{1} << (first % 64);
 }
 
-/// Does what CloseDepths::hides does, from what is at hand.
+/// As CloseDepths::hides, from local data.
 inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   ++counts_.comparisons;
   const double nearer = a.depth(column) - b.depth(column);
@@ -113,9 +113,9 @@ inline bool SpanSweep::hides(const Span& a, const Span& b, int column) {
   return close_->hides_closely(a.fill, b.fill, column, row_);
 }
 
-/// Returns the one of two spans, neither ended at the column, that is seen there; the other becomes
-/// its child. What comes later is compared at the last column that both cover: along a row one
-/// plane passes another once at most.
+/// Returns the one of two spans, neither ended at the column, that is visible there; the other
+/// becomes its child. Later columns are compared at the last one that both cover: along a row one
+/// plane passes another at most once.
 template <class Hidden>
 SpanSweep::Index SpanSweep::meld(Index a, Index b, int column, Hidden&& hidden) {
   const bool a_seen = hides(spans_[a], spans_[b], column);
@@ -172,7 +172,7 @@ SpanSweep::Index SpanSweep::after_end(Index ended, int column, Hidden&& hidden) 
   return nearest;
 }
 
-/// Those that are due at the column, or what is left of them, compete with the span seen.
+/// Spans that are due at the column, or their rests, compete with the visible span.
 template <class Hidden>
 SpanSweep::Index SpanSweep::decide_due(Index seen, int column, Hidden&& hidden) {
   while (!due_.empty() && due_.front().column <= column) {

@@ -311,7 +311,7 @@ inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
 template <class Number>
 struct Hit {
   Number z, w;                ///< the depth in the view is z / w
-  Number nearness, of_world;  ///< what hides what is less, is their quotient
+  Number nearness, of_world;  ///< their quotient; larger ones hide smaller ones
 };
 template <class Number>
 Number cross(const Number& au, const Number& av, const Number& bu, const Number& bv) {

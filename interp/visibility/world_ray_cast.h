@@ -8,12 +8,12 @@
 
 namespace displayfile {
 
-/// Ray casting in object space as a method: which fill of the viewed scene is seen at each pixel
-/// centre is what the rays in world coordinates see (interp/visibility/ray_cast.md). What viewing
-/// leaves nothing of, rays go through.
+/// Ray casting in object space as a method: the fill of the viewed scene visible at each pixel
+/// centre is the one hit by the rays in world coordinates (interp/visibility/ray_cast.md). Rays
+/// pass through everything that viewing removes.
 class WorldRayCast : public ImageSpaceMethod {
  public:
-  /// The world must live on; null: there is none, and prepare throws Error.
+  /// The world must outlive this; null: prepare throws Error.
   explicit WorldRayCast(const ViewedWorld* world) : world_(world) {}
 
   /// Takes up a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
@@ -27,7 +27,7 @@ class WorldRayCast : public ImageSpaceMethod {
   std::optional<Request> request_;
   std::vector<Fill> fill_of_;             // of the world's primitives
   std::vector<WorldRays::CastRow> rays_;  // of each view
-  FillDepths depths_;                     // where views must be told apart by them
+  FillDepths depths_;                     // for distinguishing views
 };
 
 }  // namespace displayfile

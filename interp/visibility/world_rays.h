@@ -29,12 +29,12 @@ class WorldRays {
   /// that retained them. Throws Error if one has an image transformation: those act after viewing.
   WorldRays(const RetainedScene& scene, const DisplayFile& attributes);
 
-  /// The pick identifiers seen, row by row from the top, -1 where there is none; on up to so many
+  /// The visible pick identifiers, row by row from the top, -1 for none; on up to `threads`
   /// threads, with the same result. Throws Error as ViewVolume does.
   std::vector<std::int32_t> picks(const View& view, const PictureSize& size, int threads = 1) const;
 
-  /// Casts the rays of a row of pixel centres, which counts from the bottom: tells of each which
-  /// primitive of scene() is seen, or kNothing. May be called by several threads at a time.
+  /// Casts the rays of a row of pixel centres, counted from the bottom: sets the visible primitive
+  /// of scene() for each, or kNothing. Several threads may call it at a time.
   using CastRow = std::function<void(int row, std::span<std::uint32_t> seen)>;
   static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
   /// The rays of a picture, which must not outlive this. They see those primitives alone for which
@@ -59,7 +59,7 @@ class WorldRays {
   struct Polygon {
     static constexpr std::uint32_t kAlike = ~std::uint32_t{0};
     std::uint32_t primitive;        ///< in order of entry
-    Primitives::PlanePoints plane;  ///< that it is seen in, by points of the world
+    Primitives::PlanePoints plane;  ///< in which it is visible, by points of the world
     std::uint32_t by_view;  ///< its number among those of which each view makes something else
     std::int8_t turn;       ///< 1 if it runs as those three do, -1 if the other way round, or 0
     bool flat;              ///< no vertex is off that plane

@@ -40,7 +40,7 @@ class ZBuffer : public ImageSpaceMethod {
   }
   template <class Visit>
   static void for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& visit);
-  /// With a ROUNDOFF none is: what is equal within it is seen or not by the order of drawing.
+  /// With a ROUNDOFF none is: of fills equal within it the drawing order decides.
   bool is_drawn_late(const RowFill& fill) const { return fill.turned_away && !request_->roundoff; }
   void count_in_bands(const RowFills::Batch& batch);
   void sort_into_bands(int threads);

@@ -50,9 +50,9 @@ struct BandScratch {
   std::vector<Run> runs;            ///< of columns, which it is to be drawn in
 };
 
-/// The depth of a fill less that of one drawn before it, times some positive number: z + dz_dx i +
-/// dz_dy j at column i of row j of the picture, about 1 where it is largest. The fill is seen where
-/// it is positive.
+/// The depth of a fill minus that of one drawn before it, times a positive number: z + dz_dx i +
+/// dz_dy j at column i of row j of the picture, about 1 where it is largest. The fill is visible
+/// where it is positive.
 struct DepthDifference {
   ViewedScene::Fill from = ViewedScene::kBackground;  ///< the one drawn before
   double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
@@ -70,16 +70,16 @@ class BandDecisions {
   };
 
   virtual ~BandDecisions() = default;
-  /// Depths in single precision that are farther apart tell which of two certain fills is seen.
+  /// Single-precision depths farther apart than this decide which of two certain fills is visible.
   virtual float margin() const = 0;
-  /// True if what a pixel shows is never replaced by what is farther, so that a tile's farthest
-  /// depth stays one.
+  /// True if a pixel's fill is never replaced by a farther one, so that a tile's farthest depth is
+  /// a valid bound.
   virtual bool keep_the_nearest() const = 0;
   /// The fill that is drawn until the next call.
   virtual void begin(Fill fill) = 0;
   /// The spans in which the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
-  /// The difference between the fill begun and another, by what is known of the two now.
+  /// The difference between the current fill and another, by their present data.
   virtual DepthDifference difference_from(Fill other) = 0;
   /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
   /// begun covers them, and each shows another. True as soon as more is known of two fills than

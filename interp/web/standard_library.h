@@ -23,9 +23,9 @@
 #include <type_traits>
 #include <vector>
 
-// What this system uses of C++20's library and the library of Debian's emscripten lacks: the
-// algorithms of std::ranges, as far as they are used, std::bit_cast, numbers as text. Each file of
-// a build for WebAssembly includes it first; with a library that has all this it is empty.
+// Replacements for parts of C++20's library that Debian's emscripten lacks: the algorithms of
+// std::ranges in use, std::bit_cast, numbers as text. Each file of a build for WebAssembly includes
+// it first; with a complete library it is empty.
 
 // NOLINTBEGIN(cert-dcl58-cpp): these are the library's names, which it does not have
 namespace std {
@@ -41,7 +41,7 @@ auto make_unique_for_overwrite(size_t size) {
   return unique_ptr<Array>(new remove_extent_t<Array>[size]);
 }
 
-/// So that what has one as a member can be compared by default.
+/// So that classes with such a member can have default comparisons.
 template <typename Value>
 constexpr auto operator<=>(const optional<Value>& a, const optional<Value>& b)
     -> decltype(*a <=> *b) {
@@ -51,8 +51,8 @@ constexpr auto operator<=>(const optional<Value>& a, const optional<Value>& b)
 
 // ---- Numbers as text ----------------------------------------------------------------------------
 
-/// The C library rounds correctly, but takes more than from_chars does: blanks, plus signs,
-/// hexadecimal digits. So what it is given is what from_chars would take, and no more.
+/// The C library rounds correctly, but accepts more than from_chars does: blanks, plus signs,
+/// hexadecimal digits. So it is only given input that from_chars would accept.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const string_view text(first, static_cast<size_t>(last - first));
   const auto digits_end = [&](size_t k) {
@@ -119,7 +119,7 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
 
 namespace ranges {
 
-/// `compare` of what a projection makes of two elements, `test` of what it makes of one.
+/// `compare` of the projections of two elements, `test` of that of one.
 template <typename Compare, typename Projection>
 constexpr auto compared(Compare& compare, Projection& projection) {
   return [&](auto&& a, auto&& b) -> bool {

@@ -11,8 +11,8 @@
 
 namespace displayfile {
 
-/// `displayfile check`: inputs against golden files, by their instructions: what segments hold, in
-/// the order that is drawn. It draws nothing, but for what another check does.
+/// `displayfile check`: compares inputs with golden files, by the instructions of their segments in
+/// drawing order. It draws nothing, except for another kind of check.
 struct CheckCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;
@@ -24,8 +24,8 @@ struct CheckCommand {
   std::string golden;
   bool update = false;
   bool summary = false;
-  bool quiet = false;                  ///< only what does not pass is told, when all are checked
-  GoldenCheckOption* other = nullptr;  ///< in place of instructions, if asked for
+  bool quiet = false;                  ///< report only inputs that do not pass, at the end
+  GoldenCheckOption* other = nullptr;  ///< replaces the check of instructions, if selected
 
   CLI::App& add_to(CLI::App& app);
   int run();  ///< 2 if an input is bad, otherwise 1 if one differs

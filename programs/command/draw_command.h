@@ -28,7 +28,7 @@ namespace displayfile {
 struct DrawCommand {
   std::vector<std::string> inputs;
   std::string output;   ///< with fields (programs/inputs/output_name.h): a picture of each input
-  DrawOptions options;  ///< but for what is words
+  DrawOptions options;  ///< except options kept as words
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
   BackgroundWord background;
@@ -37,20 +37,19 @@ struct DrawCommand {
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;
-  bool quiet = false;               ///< no warnings; what is not drawn is told at the end
-  bool explain = false;             ///< what `auto` picked, and why
-  std::optional<std::string> pick;  ///< where (programs/options/pick_option.h)
-  std::optional<std::string>
-      turntable;                     ///< so many views of it (programs/command/turntable_command.h)
-  std::optional<std::string> views;  ///< which of them
-  std::optional<std::string> rows;   ///< which of the picture
+  bool quiet = false;                    ///< no warnings; inputs not drawn are listed at the end
+  bool explain = false;                  ///< what `auto` picked, and why
+  std::optional<std::string> pick;       ///< where (programs/options/pick_option.h)
+  std::optional<std::string> turntable;  ///< number of views (programs/command/turntable_command.h)
+  std::optional<std::string> views;      ///< which of them
+  std::optional<std::string> rows;       ///< which of the picture
 
   CLI::App& add_to(CLI::App& app);
   int run();
 
  private:
   struct Outputs {
-    std::filesystem::path picture, ids, depth;  ///< empty: not asked for
+    std::filesystem::path picture, ids, depth;  ///< empty: not requested
   };
 
   void add_output_options(CLI::App& command);

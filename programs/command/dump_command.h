@@ -10,7 +10,7 @@
 
 namespace displayfile {
 
-/// `displayfile dump`: what segments hold, in the order that is drawn. It draws nothing.
+/// `displayfile dump`: prints the instructions of segments in drawing order. It draws nothing.
 struct DumpCommand {
   std::vector<std::string> inputs;
   HiddenSurfaceWords hidden_surfaces;

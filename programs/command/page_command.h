@@ -14,8 +14,8 @@
 
 namespace displayfile {
 
-/// `displayfile page`: a scene, or the product's page with the gallery, in one file that a browser
-/// opens, from disk too, with what draws it (programs/page/README.md). As DrawCommand is.
+/// `displayfile page`: writes a scene, or the project's page with the gallery, as one file for a
+/// browser, also from disk, with its renderer (programs/page/README.md). Structured as DrawCommand.
 struct PageCommand {
   std::vector<std::string> inputs;  ///< none: the product's page
   std::string output, title, package;

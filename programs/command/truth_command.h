@@ -15,9 +15,9 @@
 
 namespace displayfile {
 
-/// `displayfile truth`: the exact item buffer, from the display file's coordinates, from world
-/// coordinates or from what was entered; and of the display file's lines, what is seen, and how
-/// wrong what a method finds is.
+/// `displayfile truth`: computes the exact item buffer, from display-file, world or entered
+/// coordinates; and the visible parts of the display file's lines, and the errors of a method of
+/// lines.
 struct TruthCommand {
   std::vector<std::string> inputs;
   PictureSizeWord size;

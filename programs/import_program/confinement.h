@@ -7,11 +7,12 @@
 
 namespace displayfile {
 
-/// What the kernel was got to enforce (import_process.md, "What is enforced").
+/// The restrictions that the kernel enforces (import_process.md, "What is enforced").
 struct Enforced {
-  bool memory = false;  ///< by the address space; else whoever waits watches what is resident
-  bool files = false;   ///< Landlock: no file is opened but neighbours
-  bool calls = false;   ///< seccomp: no system call but those that reading needs
+  bool memory =
+      false;  ///< by the address space; otherwise the waiting process monitors resident memory
+  bool files = false;  ///< Landlock: no file is opened but neighbours
+  bool calls = false;  ///< seccomp: no system call but those that reading needs
 };
 
 /// What a process gives up at its start, before anything is loaded: it ends when the one that
@@ -20,9 +21,9 @@ struct Enforced {
 /// process that waits has ended already.
 bool begin_confinement(long waiting_process, int descriptors, std::size_t seconds);
 
-/// What it gives up before a mesh is read: memory beyond `bytes` more than it has, files but the
-/// mesh's neighbours, and all system calls but those that reading needs: no socket, no process, no
-/// program. It cannot be taken back. Throws Error, naming the mesh, where the kernel offers a
+/// Restricts the process before a mesh is read: no more than `bytes` of additional memory, no files
+/// except the mesh's neighbours, and no system calls except those needed for reading: no socket, no
+/// process, no program. Irreversible. Throws Error, naming the mesh, if the kernel offers a
 /// protection and then refuses it.
 Enforced confine(const NeighbourFiles& neighbours, const std::string& mesh, std::size_t bytes);
 

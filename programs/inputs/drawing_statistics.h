@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// `displayfile draw --stats`: what was drawn, and what finding hidden surfaces cost. `drawn` is
-/// the system's display file in the order that was drawn.
+/// `displayfile draw --stats`: counts of the drawing, and the cost of hidden-surface removal.
+/// `drawn` is the system's display file in drawing order.
 std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& drawn,
                                const DrawOptions& options, PictureKind kind);
 

@@ -17,9 +17,9 @@ namespace displayfile {
 /// Inputs entered into a system of their own, as the command draws them.
 class DrawnInputs {
  public:
-  /// What is done with them but a picture of pixels.
+  /// How they are used, besides raster pictures.
   enum class Use { picture, display_file };
-  /// Throws Error as enter_inputs does. The inputs must live on.
+  /// Throws Error as enter_inputs does. The inputs must outlive it.
   DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
               const MeshWords& meshes, Shading shading, Use use = Use::display_file);
   DrawnInputs(const DrawnInputs&) = delete;
@@ -28,13 +28,13 @@ class DrawnInputs {
   /// Bare meshes of which no more than a picture of pixels is wanted, found in image space, are
   /// retained alone: its display file is then empty.
   const GraphicsSystem& system() const { return system_; }
-  /// As given, but for bare meshes with the method that is picked for them.
+  /// As passed, with the chosen method for meshes alone.
   const DrawOptions& options() const { return options_; }
 
   std::size_t polygons() const;  ///< of the display file, or retained
 
-  /// Draws them; `kept` is the display file as it was sorted, if one was. Progress is told as
-  /// DrawOptions says. Returns what drawing warned of.
+  /// Draws them; `kept` is the sorted display file, if any. Reports progress as set in DrawOptions.
+  /// Returns the warnings of the drawing.
   std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
                                 const WorkProgress& progress) const;
 

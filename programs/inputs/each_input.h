@@ -15,10 +15,10 @@ struct InputResult {
   std::string warnings;  ///< lines for standard error, to stand before the error
 };
 
-/// Calls work(k) once for each of the inputs, some at a time on several threads: its string is what
-/// it has to say. What one throws, its message with the input's name before it unless it starts
-/// with it, keeps no other from being done. `take` is called in the order of the inputs, one at a
-/// time, as early as that allows. `what` is shown on a terminal meanwhile.
+/// Calls work(k) once for each input, on several threads: it returns a report. An exception of one,
+/// whose message gets the input's name as prefix unless it starts with it, does not stop the
+/// others. `take` is called in the order of the inputs, one at a time, as early as possible. `what`
+/// is shown on a terminal meanwhile.
 void for_each_input(std::span<const std::string> inputs, int threads, const std::string& what,
                     const std::function<std::string(std::size_t k)>& work,
                     const std::function<void(std::size_t k, const InputResult&)>& take);

@@ -11,13 +11,13 @@
 
 namespace displayfile {
 
-/// What of inputs `displayfile check` compares with golden files.
+/// The property of inputs that `displayfile check` compares with golden files.
 class GoldenCheck {
  public:
   virtual ~GoldenCheck() = default;
 
   virtual std::string_view extension() const = 0;  ///< of golden files, with the dot
-  /// What the inputs that follow are compared with: a golden file, or what is made of a drawing
+  /// Sets the reference for the inputs that follow: a golden file, or the result of a drawing
   /// program. Throws Error.
   virtual void read_golden(const std::string& file) = 0;
   /// How the input differs from it, in a line; nothing if it passes. Throws Error for a bad input.
@@ -37,7 +37,7 @@ struct CheckedInputs {
 class GoldenCheckOption : public GoldenCheck {
  public:
   virtual void add_to(CLI::App& command) = 0;
-  /// True if it is asked for. Its options are then read; throws Error if one is wrong.
+  /// True if it is selected. Its options are then read; throws Error for an invalid one.
   virtual bool asked_for(const CheckedInputs& inputs) = 0;
 };
 

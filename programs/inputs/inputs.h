@@ -17,12 +17,12 @@ namespace displayfile {
 /// standard input. Anything else is a mesh.
 bool is_drawing_program(const std::string& input);
 
-/// Replays drawing programs and enters meshes, in order, into one system. Where no program before
-/// the first mesh sets the window, a view is fitted to all meshes before which none does, and to
-/// what programs draw in the same view: it is in force from the start, so that programs before a
-/// mesh and after it share it. What programs say of the view before the first mesh stays (fit_view
-/// in displayfile/mesh/fitted_view.h). Returns the axis that is up in a camera that was fitted;
-/// nothing if none was. Throws Error, naming the file and the place.
+/// Replays drawing programs and enters meshes, in order, into one system. If no program before the
+/// first mesh sets the window, a view is fitted to all meshes without a preceding program that sets
+/// it, and to what programs draw in the same view: it is in force from the start, so that programs
+/// before and after a mesh share it. View settings of programs before the first mesh are kept
+/// (fit_view in displayfile/mesh/fitted_view.h). Returns the up axis of a fitted camera; nothing if
+/// none was fitted. Throws Error, naming the file and the position.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options = {});
 /// The same with the command's options, for pictures of an aspect ratio.
@@ -40,8 +40,8 @@ struct DrawnFile {
 DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,
                    const MeshWords& meshes, double aspect);
 
-/// Calls enter(), which enters a mesh. One that is read well may still be refused, by what else was
-/// set: then its name is told too.
+/// Calls enter(), which enters a mesh. A valid mesh may still be refused because of other settings:
+/// then the message gets its name.
 template <class Enter>
 void naming_mesh(const std::string& mesh, Enter&& enter) {
   try {
@@ -51,8 +51,7 @@ void naming_mesh(const std::string& mesh, Enter&& enter) {
   }
 }
 
-/// Warns of what of each mesh was left out, if anything was, with the file's name
-/// (programs/process/warnings.h).
+/// Warns of skipped contents of each mesh, with the file's name (programs/process/warnings.h).
 void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::Skipped> skipped);
 
 }  // namespace displayfile

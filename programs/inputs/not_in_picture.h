@@ -8,7 +8,8 @@
 
 namespace displayfile {
 
-/// What vectors leave out, or pixels, told once for all pictures of a call of the command.
+/// Warnings about contents that vectors, or pixels, omit, given once for all pictures of a call of
+/// the command.
 class NotInPicture {
  public:
   /// Notes what a picture of that kind leaves out of what the application drew, and of the options.

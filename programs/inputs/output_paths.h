@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// The file that an output's name leads to, by which two names of one file are the same: that of
-/// standard output, too, or "-" if it is none. None for another device or pipe, which may be
-/// several outputs, for no name, and where it cannot be told.
+/// The file to which an output's name resolves, for detecting two names of one file; also for
+/// standard output, or "-" if it is not a file. None for another device or pipe, which several
+/// outputs may share, for no name, and if unknown.
 std::optional<std::filesystem::path> output_at(const std::filesystem::path& name);
 /// The same of an input's name, where "-" is standard input.
 std::optional<std::filesystem::path> input_at(const std::filesystem::path& name);

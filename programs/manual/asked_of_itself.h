@@ -8,8 +8,8 @@
 
 namespace displayfile {
 
-/// What a command line asks of the command itself, in place of work: a shell what may come next
-/// (completion.h), the build for a manual page (manual_page.h).
+/// Requests about the command itself on a command line: a shell's completion (completion.h), or a
+/// manual page (manual_page.h).
 class AskedOfItself {
  public:
   AskedOfItself(int argc, char** argv);
@@ -17,13 +17,13 @@ class AskedOfItself {
   bool anything() const { return completion_ || manual_; }
   /// A page of the manual holds for any machine.
   bool for_any_machine() const { return manual_; }
-  /// The subcommand of the command line, whatever it asks for; empty if there is none.
+  /// The subcommand of the command line, for any request; empty if there is none.
   std::string_view subcommand() const;
   /// True if it is about what that subcommand takes.
   bool of_subcommand(const CLI::App& subcommand) const;
 
-  /// Prints it on standard output; nothing for a subcommand that is none. Only if it asks for
-  /// anything.
+  /// Prints the requested text on standard output; nothing for an unknown subcommand. Requires a
+  /// request.
   void tell(const CLI::App& app, std::span<const NamedValues> named) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace displayfile {
 
-/// The first word of a command line that a shell's completion asks with; those typed so far follow,
-/// the last of which is being typed and may be empty.
+/// The first word of a shell's completion request; the words typed so far follow, the last of which
+/// is being typed and may be empty.
 inline constexpr const char* kComplete = "--complete";
 
 /// What may stand for the last word, one a line, with what it is after a tab; and in lines that

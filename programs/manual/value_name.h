@@ -20,7 +20,7 @@ namespace displayfile {
 //   WIDTHxHEIGHT     anything else in capitals, for the reader alone
 // "KIND,..." are several with commas between them.
 
-/// What a name in capitals stands for: words, or files with these extensions. Null: none.
+/// The values of a name in capitals: words, or files with these extensions. Null: none.
 struct NamedValues {
   std::string_view name;
   std::vector<std::string> (*words)();
@@ -35,7 +35,7 @@ struct OfferedValues {
   std::vector<std::string> extensions;  ///< of the files, without the dot; none: any file
 };
 
-/// The name of an option's value without what is checked of it, and that: "N" and "INT in [1 - 9]".
+/// The name of an option's value, and its check: "N" and "INT in [1 - 9]".
 struct ValueName {
   std::string name, checked;
 };

@@ -9,21 +9,21 @@
 
 namespace displayfile {
 
-/// What is looked at, and what is usual where the options are not given.
+/// The object viewed, and the defaults of the options.
 struct UsualCamera {
   const char* what = "a bare mesh";
   const char* eye = "30,20";
   const char* up = "as the file says, or y";
 };
 
-/// The options that say how a bare mesh is looked at, and in what windows, as words.
+/// The camera options for meshes alone, and the window options, as words.
 struct CameraWords {
   std::string eye, look_at, up, fov;
   bool parallel = false, fit = true, widen = false;
   bool turning = false;  ///< no option: the camera is one of a turntable
 
   void add_to(CLI::App& command, const UsualCamera& usual = {});
-  /// Throws Error, naming the option, for a word that is not what it expects.
+  /// Throws Error, naming the option, for an invalid word.
   Camera camera() const;
   /// Throws Error, naming the options, if some change a fitted view and there is none.
   void require_fitted(bool fitted) const;
@@ -37,8 +37,7 @@ struct CameraWords {
 /// What --up says where it must be an axis. Throws Error, naming the option, for any other word.
 Upright upright_of_option(const std::string& word);
 
-/// On standard error, a line if a window of a picture was stretched by a pixel or more and nobody
-/// said that it should be.
+/// Warns on standard error if a window of a picture was stretched by a pixel or more by default.
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
                               int height);
 

@@ -4,8 +4,8 @@
 
 namespace displayfile {
 
-/// Whoever parses the command line is told of any option or input of the command whose value is
-/// empty, as of a variable of a shell that is not set; texts that are drawn may be.
+/// Makes the parser refuse empty values of options and inputs, as from unset shell variables; texts
+/// that are drawn may be empty.
 void refuse_empty_values(CLI::App& command);
 
 }  // namespace displayfile

@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-/// What names in capitals stand for among the values of the command's options and inputs.
+/// The meanings of names in capitals among the values of the command's options and inputs.
 std::span<const NamedValues> named_values();
 
 }  // namespace displayfile

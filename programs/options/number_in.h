@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-/// What checks the value of an option: a number from `least` to `most`, decimal whatever it begins
-/// with, and no other text, as nan is one.
+/// Checks the value of an option: a decimal number from `least` to `most`, whatever it begins with,
+/// and no other text, such as nan.
 template <class Number>
 CLI::Validator number_in(Number least, Number most) {
   constexpr bool kWhole = std::integral<Number>;

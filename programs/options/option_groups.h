@@ -2,7 +2,7 @@
 
 namespace displayfile {
 
-// What options are for: --help lists them so.
+// Groups of options in --help.
 inline constexpr const char* kOutputOptions = "Output";
 inline constexpr const char* kPictureOptions = "Picture";
 inline constexpr const char* kPaperOptions = "Paper and pens";

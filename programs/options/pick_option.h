@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-/// Where `displayfile draw --pick` asks what is seen, in pixels from the upper left corner.
+/// The point of `displayfile draw --pick`, in pixels from the upper left corner.
 struct PickOption {
   double x = 0.0, y = 0.0;
   double reach = 0.0;  ///< of lines
@@ -16,7 +16,7 @@ struct PickOption {
 /// Throws Error for a text that is not X,Y or X,Y,REACH.
 PickOption pick_option(std::string_view text);
 
-/// One line that says what is seen there.
+/// One line about the primitive visible there.
 std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options);
 
 }  // namespace displayfile

@@ -11,7 +11,7 @@ namespace displayfile {
 /// The options that say how far pictures may be from each other.
 struct PictureTolerance {
   int channel = 0;           ///< a pixel is wrong if one of its channels, 0 to 255, differs by more
-  std::string wrong_pixels;  ///< so many may be wrong, or per cent of all; none if empty
+  std::string wrong_pixels;  ///< number allowed, or per cent of all; empty: none
 
   void add_to(CLI::App& command);
   bool is_set() const { return channel != 0 || !wrong_pixels.empty(); }

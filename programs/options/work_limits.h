@@ -16,8 +16,8 @@ struct WorkLimitWords {
   std::optional<double> seconds;
   std::size_t pieces = kMostPieces;
 
-  /// Adds --limit-seconds, --limit-memory and --limit-pieces; what is said of them names figures of
-  /// this machine, or holds for any.
+  /// Adds --limit-seconds, --limit-memory and --limit-pieces; their help has figures of this
+  /// machine, or holds for any.
   void add_to(CLI::App& command, bool for_this_machine = true);
 };
 
@@ -25,10 +25,10 @@ struct WorkLimitWords {
 /// Throws Error, naming the option, for another word.
 std::size_t bytes_of_word(const std::string& option, const std::string& word);
 
-/// The limits of a command, in force while it lives, on the thread that made it and those that help
-/// it: by a budget, and from the system, so that they hold whatever library is at work. The process
-/// has no more memory for data than that; and if the work goes on a fiftieth of its time after it
-/// should have stopped, the process ends, with exit status 2, the message and nothing unfinished.
+/// Puts the limits of a command in force during its lifetime, on its thread and those that help it:
+/// by a budget, and by the system, so that they hold in any library. The process gets no more
+/// memory for data; and if the work continues for a fiftieth of its time after it should have
+/// stopped, the process ends, with exit status 2, the message and nothing unfinished.
 class WorkLimitsInForce {
  public:
   /// Throws Error for a word that is none.

@@ -10,7 +10,7 @@ namespace displayfile {
 struct PageContents {
   std::string title;       ///< plain text; empty: the template's
   std::string data;        ///< JSON
-  std::string still = {};  ///< SVG, for who has no WebAssembly or no JavaScript
+  std::string still = {};  ///< SVG, for browsers without WebAssembly or JavaScript
 };
 
 /// A page that is one file and asks nothing of the network: a template of programs/page, in which
@@ -21,7 +21,7 @@ struct PageContents {
 ///  4. the line `<!-- still -->` is the SVG, without its XML declaration,
 ///  5. the content of `<script type="application/json" id="data">` is the data.
 ///
-/// Throws Error if a file is not there, or the template has no place for what is given.
+/// Throws Error if a file is missing, or the template has no place for a part.
 std::string one_file_page(const PageFiles& files, const std::string& page,
                           const PageContents& contents);
 

@@ -9,8 +9,8 @@
 
 namespace displayfile {
 
-/// What main returns: what `run` does, or, if it throws or what it printed could not be written, 2
-/// after one line on standard error.
+/// The result of main: that of `run`, or, if it throws or its output could not be written, 2 after
+/// one line on standard error.
 inline int exit_status(int (*run)(int, char**), int argc, char** argv) {
   try {
     const int status = run(argc, argv);

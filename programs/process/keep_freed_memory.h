@@ -4,20 +4,19 @@
 
 namespace displayfile {
 
-/// Has the C library keep what is freed for what is asked for next, up to arrays of 32 MiB, where
-/// it can be told so: otherwise a large array is a piece of memory that the kernel hands out and
-/// clears anew. What a step of a picture has freed then serves the next.
+/// Makes the C library keep freed memory for later allocations, up to arrays of 32 MiB, where
+/// supported: otherwise the kernel maps and clears each large array anew. Memory freed by one step
+/// of a picture is then reused by the next.
 void keep_freed_memory();
 
-/// After keep_freed_memory: has so much memory handed out at once, for what is asked for next. That
-/// takes a kernel that can less time than to hand it out page by page when it is first written.
-/// Does nothing for little, and no more than 256 MiB.
+/// After keep_freed_memory: allocates this much memory at once for later use, where the kernel does
+/// that faster than page by page on first write. No effect for small amounts; at most 256 MiB.
 void ask_for_memory(std::size_t bytes);
 
-/// After this about so many bytes are handed out in pages as large as the system has
-/// (clip/base/large_pages.h), however small the pieces asked for: to be given thirty thousand small
-/// pages takes a third of the time in which a surface of 500 x 500 points is drawn. From then on
-/// the program gives no memory back.
+/// From now on about this many bytes are allocated in the system's largest pages
+/// (clip/base/large_pages.h), however small the allocations: mapping thirty thousand small pages
+/// takes a third of the time of drawing a surface of 500 x 500 points. The program then returns no
+/// memory.
 void hand_out_large_pages(std::size_t bytes);
 
 }  // namespace displayfile

@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// Says on standard error what long work is being done, if that is a terminal and no other is being
-/// said to be done; nothing otherwise. The line is wiped when the work is done.
+/// Shows the current long work on standard error, if that is a terminal and no other work is shown.
+/// The line is cleared when the work is done.
 class Progress {
  public:
   static void show_none();  ///< from now on
@@ -20,7 +20,7 @@ class Progress {
 
   /// How much of the work is done, of all: shown in per cent.
   void update(std::size_t done, std::size_t all);
-  /// That, for who does the work; this object must live on.
+  /// A callback for the work; this object must outlive it.
   WorkProgress told() {
     return [this](std::size_t done, std::size_t all) { update(done, all); };
   }

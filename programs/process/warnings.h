@@ -7,11 +7,11 @@
 
 namespace displayfile {
 
-/// Where the command writes warnings: standard error, or, in a thread that has one, what collects
-/// them, so that those of several inputs that are drawn at a time do not mix.
+/// The stream for the command's warnings: standard error, or the thread's collector, if it has one,
+/// so that warnings of inputs drawn concurrently do not mix.
 std::ostream& warnings();
 
-/// Collects the warnings of its thread, and what libraries write to std::cerr there.
+/// Collects the warnings of its thread, and the output of libraries on std::cerr there.
 class CollectedWarnings {
  public:
   explicit CollectedWarnings(std::ostream& into);

@@ -21,7 +21,7 @@ std::vector<HardCase> degenerate_families();  ///< polygons whose vertices or ed
 std::vector<HardCase> shape_families();       ///< no simple convex shapes
 std::vector<HardCase> scale_families();       ///< coordinates of unlike sizes
 std::vector<HardCase> view_families();        ///< perspective and oblique views
-std::vector<HardCase> contact_families();     ///< what touches as people draw it, however seen
+std::vector<HardCase> contact_families();     ///< touching parts as people draw them, in any view
 
 /// The gaps of the table; the sweep has its own.
 inline constexpr std::initializer_list<double> kGaps{3, 6, 9, 12, 15};

@@ -24,7 +24,7 @@ struct HardCase {
   std::vector<double> severities;  ///< those of the table
   /// The same scene, bit for bit, for the same arguments on every machine.
   Scene (*make)(std::size_t n, double severity, std::uint64_t seed);
-  std::string_view hard;  ///< what is hard about it, for the document
+  std::string_view hard;  ///< the difficulty, for the document
   JudgedFrom judged_from = JudgedFrom::display_file;
 
   /// True for those with a gap that shrinks in powers of ten: the sweep shows where each method

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// From where a mesh is seen: the rows of the rotation that turns it before a parallel view along
+/// The direction from which a mesh is viewed: the rows of the rotation before a parallel view along
 /// z.
 struct MeshDirection {
   std::string_view name;

@@ -60,8 +60,8 @@ Sheet any_sheet(Random& random);
 /// of z, so that the sides show.
 std::vector<Polygon> box(const Point3& low, const Point3& high, const Point2& shear = {0.0, 0.0});
 
-/// Bars around a circle, each over the next one's start and under the end of the one before.
-/// `rise` is half of what z changes by along a bar, `roll` what it changes by across it.
+/// Bars around a circle, each above the next one's start and below the end of the one before.
+/// `rise` is half of the change of z along a bar, `roll` the change across it.
 std::vector<Polygon> ring_of_bars(std::size_t n, const Point2& centre, double radius, double rise,
                                   double roll, double z, double turn);
 

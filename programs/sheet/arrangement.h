@@ -24,7 +24,7 @@ struct SheetWords {
 /// The views of a sheet, in order: front, top, side, isometric.
 std::array<ViewKind, 4> views_of_sheet(SheetProjection projection);
 
-/// The largest standard scale in which the views fit, or the one asked for (null: none is). Throws
+/// The largest standard scale in which the views fit, or the requested one (null: none). Throws
 /// Error if they do not fit.
 DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked);

@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// What lines of a sheet are for: a layer each. Widths and dashes are millimetres.
+/// The purposes of a sheet's lines, one layer each. Widths and dashes are in millimetres.
 enum class SheetLayer { visible, hidden, hatch, cutting, cutting_ends, frame, text };
 struct SheetPen {
   std::string_view name;

@@ -34,10 +34,10 @@ struct PartDrawing {
   bool closed = true;                    ///< false: the part is not, where it is cut
 };
 
-/// Finds a view's lines, the hidden ones too, exactly (hidden/lines/franklin.md); in the isometric
-/// view depths that rounding may have parted are the same. With a position the part is cut there,
-/// and what is nearer to the viewer taken away; if the part is not closed there, the cut face is
-/// open.
+/// Finds a view's lines, including hidden ones, exactly (hidden/lines/franklin.md); in the
+/// isometric view depths that rounding may have separated are equal. With a position the part is
+/// cut there, and the part nearer to the viewer removed; if the part is not closed there, the cut
+/// face is open.
 PartDrawing view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
                          std::optional<double> position, int threads);
 

@@ -17,8 +17,8 @@ struct LinesWanted {
   LineSelection selection;
   int threads;
 };
-/// The lines of a part in a view's coordinates, which the part is in already; `caps` are polygons
-/// that hide what lies behind them, and have no lines.
+/// The lines of a part already in a view's coordinates; `caps` are polygons that hide what lies
+/// behind them, and have no lines.
 std::vector<PartDrawing::Line> lines_of_part(const Part& part,
                                              std::span<const std::vector<Point3>> caps,
                                              const LinesWanted& wanted);

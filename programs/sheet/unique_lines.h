@@ -6,8 +6,8 @@
 
 namespace displayfile {
 
-/// The lines, in millimetres, with none drawn twice: those along one line that touch or overlap
-/// become one, and what of a hidden one is under a visible one is left out. Ends stay as they are.
+/// The lines, in millimetres, without duplicates: touching or overlapping collinear lines are
+/// merged, and hidden parts under visible lines removed. Ends are unchanged.
 std::vector<PartDrawing::Line> unique_lines(const std::vector<PartDrawing::Line>& lines);
 
 }  // namespace displayfile

@@ -12,7 +12,7 @@ namespace displayfile {
 bool reads_expressions();
 
 /// The heights of an expression in x and y over a grid; NaN where it has no value. Throws Error for
-/// one that cannot be read, with the place in it and what was expected.
+/// an invalid expression, with the position in it and what was expected.
 std::vector<double> heights_of(const std::string& expression, const GridRange& grid,
                                const WorkProgress& progress);
 

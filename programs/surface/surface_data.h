@@ -43,10 +43,10 @@ void read_grid_size(const std::string& text, GridRange& range);
 /// True if that is a file of heights, and no expression: it ends in .npy, .txt or .csv.
 bool is_grid_file(const std::string& expression_or_file);
 
-/// The surface of an expression, or of a file that ends so: an array of heights whose
-/// first row is that of y-min, which stands for the size of the grid; blanks or commas between the
-/// numbers of a row of text, `nan` for a hole, `#` before a comment. Throws Error for what is
-/// neither, for infinite heights, rows of different lengths, and a grid that is larger than memory.
+/// The surface of an expression, or of a file with such an extension: an array of heights, whose
+/// first row is at y-min and which sets the size of the grid; in text, blanks or commas between the
+/// numbers of a row, `nan` for a hole, `#` before a comment. Throws Error for anything else, for
+/// infinite heights, rows of different lengths, and a grid larger than memory.
 SurfaceData read_surface(const std::string& expression_or_file, const GridRange& range);
 
 }  // namespace displayfile

@@ -25,8 +25,8 @@ struct SurfaceLook {
   double curve_width = 0.0;  ///< in pixels; 0: by how many there are
 };
 
-/// Enters surfaces, their axes and what else is asked for, as a scene: segment 1 the surfaces with
-/// what may be hidden by them, segment 2 the legend. Throws Error for a view that cannot be.
+/// Enters surfaces, their axes and other requested parts as a scene: segment 1 has the surfaces and
+/// what they may hide, segment 2 the legend. Throws Error for an invalid view.
 void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surfaces,
                     const SurfaceLook& look);
 

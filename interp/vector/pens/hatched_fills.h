@@ -21,7 +21,7 @@ class HatchedFills {
       : hatching_(hatching), frame_(frame) {}
 
   /// A polygon by the even-odd rule, with its darkness (Darkness) at each vertex, linear between
-  /// them. It covers what was added before, unless it is known to overlap nothing.
+  /// them. It covers earlier ones, unless it is known to overlap none.
   void add(std::span<const Point2> polygon, std::span<const double> darkness,
            bool overlaps_nothing);
 

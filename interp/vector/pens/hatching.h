@@ -24,16 +24,16 @@ class Darkness {
   double paper_, scale_;
 };
 
-/// Lines across fills, in one direction. All lines of the sheet are on one grid; a fill gets the
-/// share of them that its darkness asks for, and of two fills the darker all that the lighter gets
-/// (interp/vector/pens/hatching.md): so a line goes on through one piece after another.
+/// Hatching lines in one direction. All lines of the sheet are on one grid; a fill gets the share
+/// of them that corresponds to its darkness, and of two fills the darker gets all lines of the
+/// lighter (interp/vector/pens/hatching.md): so lines continue across pieces.
 class HatchLines {
  public:
   /// Millimetres on the sheet, y down; only inside of the frame.
   HatchLines(double spacing, double degrees, const Rectangle& frame);
 
   /// A polygon by the even-odd rule, with its darkness at each vertex, linear between them. It
-  /// covers what was added before.
+  /// covers earlier ones.
   void add(std::span<const Point2> polygon, std::span<const double> darkness);
   /// The lines, each as long as it can be; none shorter than `shortest` millimetres.
   std::vector<Stroke> strokes(double shortest);

@@ -20,13 +20,12 @@ struct PenStrokes {
   std::vector<Stroke> strokes;
 };
 
-/// Takes what the interpreter meets as strokes on a sheet: lines and edges as they come, many of
-/// them twice, by pens in the order in which these are first needed; and fills as hatching, where
-/// one is asked for, of a pen that comes last. Only what is inside of the picture.
+/// Converts the interpreter's output to strokes on a sheet: lines and edges in order, many of them
+/// twice, by pens in the order of first use; and fills as hatching, if requested, by a pen that
+/// comes last. Only inside of the picture.
 class PenDevice : public OutputDevice {
  public:
-  /// `picture`: of so many pixels, and how it lies on the sheet. `background` is the paper's
-  /// colour.
+  /// `picture`: its size in pixels, and its place on the sheet. `background` is the paper's colour.
   struct Picture {
     int width, height;
     PaperFit fit;
@@ -43,7 +42,7 @@ class PenDevice : public OutputDevice {
   void edges(const DrawnPolygon& polygon) override;
   void line(const DrawnLine& line) override;
 
-  /// All strokes, dashed lines cut into their dashes. To be called once.
+  /// All strokes, with dashed lines cut into dashes. Must be called once.
   std::vector<PenStrokes> strokes();
 
  private:
@@ -65,7 +64,7 @@ class PenDevice : public OutputDevice {
   bool fills_are_disjoint_ = false;
   std::vector<Collected> collected_;
   std::map<std::tuple<Pen, double, double>, std::size_t> places_;  // in it, of pen, dash and gap
-  std::size_t last_ = 0;                                           // that was asked for
+  std::size_t last_ = 0;                                           // requested last
   std::vector<Point2> points_;
   std::vector<double> dark_;
 };

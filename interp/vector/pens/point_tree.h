@@ -9,8 +9,7 @@
 
 namespace displayfile {
 
-/// Points from which the nearest is asked, and which are taken out one by one: a k-d tree whose
-/// nodes know how many points are left below them.
+/// Nearest-point queries with removal: a k-d tree whose nodes count the points left below them.
 class PointTree {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;

@@ -6,12 +6,11 @@
 
 namespace displayfile {
 
-/// The strokes of one pen without what it would draw twice: what lies on a longer stroke, all of it
-/// or a part, is left out, and the rest of a stroke that is cut begins at the other's end. Strokes
-/// lie on each other where they run beside each other within kOnStroke. So all that was drawn is
-/// within kOnStroke of what is left, and where strokes lie on a line of which every point is whole
-/// units (an upright one, a level one, any whose points were not rounded), what is left is exactly
-/// their union. The order is a function of the strokes alone.
+/// The strokes of one pen without duplicates: parts that lie on a longer stroke are removed, and
+/// the rest of a cut stroke begins at the other's end. Strokes lie on each other where they run
+/// within kOnStroke of each other. So the original drawing is within kOnStroke of the result, and
+/// for strokes on a line with only whole-unit points (vertical, horizontal, or with unrounded
+/// points) the result is exactly their union. The order is a function of the strokes alone.
 std::vector<Stroke> unique_strokes(std::vector<Stroke> strokes);
 
 }  // namespace displayfile

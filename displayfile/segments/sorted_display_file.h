@@ -18,6 +18,10 @@ namespace displayfile {
 /// over surfaces that are in no order: it finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
 
+/// True if SortedDisplayFile::update, by a method that sorts, sorts all visible segments together.
+bool sorts_together(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
+                    const SurfacePlan& plan, HiddenMethod by);
+
 /// A display file with its hidden surfaces sorted as the next drawing needs it. Kept from one
 /// drawing to the next, it sorts only what has changed since.
 class SortedDisplayFile {

@@ -81,16 +81,19 @@ class Renderer {
   /// pixel in column i of row j from the top holds i <= x < i + 1, j <= y < j + 1. Nothing beyond
   /// the picture, and where there is only the background.
   ///
-  /// It is what is seen at the pixel's centre by the definition of truth (interp/truth/truth.md):
-  /// what the item buffer holds that the exact methods draw, decided as exactly, whatever the
-  /// method in force. A line, or a drawn side of a polygon, that is seen within `reach` pixels of
-  /// the centre, or within half its width, comes before the fill there; with a reach of 0 only
-  /// fills are picked, as they are in an item buffer. Of lines the one that is seen nearest to the
-  /// centre.
+  /// It is what the picture with these options shows at the pixel's centre: what its item buffer
+  /// holds (Picture::ids), by whichever method and on whichever device. By the exact methods that
+  /// is the definition of truth (interp/truth/truth.md). By `none` and `back-face` it is what was
+  /// entered last, and where each segment is sorted by itself, what is seen of the last segment. By
+  /// a method that finds lines, which draws no fills, it is the fill that hides. A line, or a drawn
+  /// side of a polygon, that is seen within `reach` pixels of the centre, or within half its width,
+  /// comes before the fill there; with a reach of 0 only fills are picked, as they are in an item
+  /// buffer. Of lines the one that is seen nearest to the centre.
   ///
   /// The first pick of a display file makes a tree of boxes, and costs about as much as a picture;
-  /// those that follow, while it stays the same, look only at what lies around the pixel. Errors: x
-  /// or y is not finite, a reach outside of 0 to kLargestSide.
+  /// those that follow, while it stays the same, look only at what lies around the pixel, or where
+  /// the picture does not show the truth draw its row of pixels. Errors: x or y is not finite, a
+  /// reach outside of 0 to kLargestSide, and those of draw.
   std::optional<Pick> pick(const GraphicsSystem& system, double x, double y,
                            const DrawOptions& options = {}, double reach = 0.0);
 

@@ -77,6 +77,13 @@ bool is_image_space(HiddenMethod by) {
          entry_of(method) != nullptr;
 }
 
+bool decides_exactly(HiddenMethod by) {
+  const HiddenMethod method = surfaces_of(by);
+  const bool is_plain_z_buffer =
+      method >= HiddenMethod::plain_z_buffer && method <= HiddenMethod::plain_z_buffer_double;
+  return is_image_space(method) && method != HiddenMethod::world_ray_cast && !is_plain_z_buffer;
+}
+
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
                                                           const ViewedWorld* world) {
   if (method == HiddenMethod::world_ray_cast) return std::make_unique<WorldRayCast>(world);

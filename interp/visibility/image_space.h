@@ -56,6 +56,9 @@ std::span<const ImageSpaceEntry> image_space_methods();
 /// True also of `automatic`, which for a picture in pixels picks one of them, and of
 /// world_ray_cast, which tells of the viewed scene what was found before viewing.
 bool is_image_space(HiddenMethod by);
+/// True for those of image space that decide by the viewed scene without rounding: all but
+/// world_ray_cast and the plain z-buffers.
+bool decides_exactly(HiddenMethod by);
 
 /// Throws Error if the method does not work in image space. world_ray_cast works on `world`, which
 /// must live on: what the scene is a view of.

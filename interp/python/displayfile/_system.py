@@ -518,21 +518,48 @@ class System(_displayfile.System):
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
-        self, x: float, y: float, size: _Size = 512, *, reach: float = 0.0, threads: int = 1
+        self,
+        x: float,
+        y: float,
+        size: _Size = 512,
+        *,
+        reach: float = 0.0,
+        hidden: str | None = None,
+        scope: str | None = None,
+        precision: str | None = None,
+        threads: int = 1,
+        device: str | None = None,
     ) -> Pick | None:
-        """Tell what is seen at a pixel, exactly.
+        """Tell what a picture shows at a pixel.
+
+        By "none" and "back-face" that is what was entered last, by the other methods what is
+        nearest, exactly unless the method rounds.
 
         Args:
             x: Pixels from the left of the picture.
             y: Pixels from its top.
             size: The picture's, as draw has it.
             reach: Within so many pixels lines and edges are picked, before polygons.
+            hidden: As draw has it, as the following are.
+            scope: Likewise.
+            precision: Likewise.
             threads: How many may work.
+            device: As draw has it.
 
         Returns:
             What is seen there; None if nothing is.
         """
-        picked = self._pick(x, y, reach, size, threads=threads)
+        picked = self._pick(
+            x,
+            y,
+            reach,
+            size,
+            hidden=hidden,
+            scope=scope,
+            precision=precision,
+            threads=threads,
+            device=device,
+        )
         return None if picked is None else Pick(*picked)
 
     # ---- For notebooks -------------------------------------------------------------------

@@ -131,8 +131,8 @@ std::string scene_key(const BenchScene& scene) {
 
 /// What figures can be taken over from an interrupted run.
 std::string identity_of(const BenchCommand& command) {
-  return fmt::format("{}, full {}, rounds {}, seconds {}", build_identity(), command.scenes.full,
-                     command.rounds, command.most_seconds);
+  return fmt::format("{}, full {}, rounds {}, seconds {}, pieces {}", build_identity(),
+                     command.scenes.full, command.rounds, command.most_seconds, pieces_allowed());
 }
 
 /// All but hard cases and the walk, in pictures of one size unless the command says otherwise.
@@ -392,7 +392,8 @@ class Run {
   void compare(const BenchScene& scene, int threads, const std::string& other, Json& report) {
     BesideTask task{scene, threads, other, {}, {}, effort_of(command_, scene), 0};
     for (const Contender& contender : contenders_) {
-      if (other == "rounded" && contender.exact) task.methods.push_back(contender.method);
+      const bool is_beside_ours = other == "rounded" || other == "gl2ps";
+      if (is_beside_ours && contender.exact) task.methods.push_back(contender.method);
     }
     for (const Json& cell : report["cells"]) {
       const bool is_left_out = cell["scene"] == scene.id() && cell["exact"] == true &&

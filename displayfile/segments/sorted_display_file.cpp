@@ -16,7 +16,8 @@ namespace {
 
 bool is_of(const SortedScene& sorted, const SurfacePlan& plan) {
   return sorted.plan.finds_as(plan) &&
-         (sorted.plan.shadows == plan.shadows || !sorted.has_shadows());
+         (sorted.plan.shadows == plan.shadows || !sorted.has_shadows()) &&
+         is_within_limit(sorted, plan);
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -34,6 +35,7 @@ std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, const SurfacePlan& plan) {
   auto all = std::make_shared<SortedScene>();
   all->plan = plan.kept();
+  all->plan.most_pieces = most_pieces_of_sort(plan, 0);
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;

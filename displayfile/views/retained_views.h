@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -42,8 +43,9 @@ class RetainedViews {
   /// scene that was edited.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// The trees are those that this plan would make.
-  bool are_of(const SurfacePlan& plan) const;
+  /// True if the trees are those that this plan would make, within its limit of pieces and that of
+  /// the budget in force; then these hold from now on.
+  bool take_up(const SurfacePlan& plan);
 
   /// Here as below of the scene as it was taken last.
   std::size_t trees() const { return parts_.size(); }
@@ -59,6 +61,7 @@ class RetainedViews {
   TakenScene taken_;
   std::vector<std::unique_ptr<Part>> parts_;
   SurfacePlan plan_;
+  std::size_t limit_ = 0;  // of pieces, that was in force as the trees were made
   SortCounts counts_;
 };
 

@@ -171,7 +171,7 @@ class KeptTrees {
     return *world_;
   }
   RetainedViews& trees(const SurfacePlan& plan) {
-    if (!trees_ || !trees_->are_of(plan)) {
+    if (!trees_ || !trees_->take_up(plan)) {
       trees_.reset();
       trees_.emplace(taken_->scene(), taken_->attributes(), plan);
     }

@@ -23,7 +23,7 @@ struct DrawWarning {
   enum class Kind {
     nothing_seen,  ///< there is nothing but the background, and why
     hidden_lines,  ///< those that the application set to be drawn dashed: nothing finds them
-    stretched,     ///< a system's picture has another shape than its pictures have; not of InView
+    stretched,     ///< the picture has another shape than what was viewed for it
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -63,8 +63,7 @@ struct DrawOptions {
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
   /// Called, if not empty, once the picture is drawn, or where it is stretched before anything is
-  /// drawn, in the thread that draws. Nothing is written
-  /// or looked for otherwise. The reason why nothing is seen is closer where the scene is retained.
+  /// drawn, in the thread that draws. Nothing is written or looked for otherwise. The reason why nothing is seen is closer where the scene is retained.
   Warn warn = {};
 
   /// How many rows of the picture are drawn: all, or those that are asked for.

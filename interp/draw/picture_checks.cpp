@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
+#include "clip/window_fit.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/text/output.h"
@@ -121,6 +124,13 @@ std::string words_of(const Precision& precision) {
       what, asked, what, made, made, what));
 }
 
+/// Whether a picture that is so many times as wide as what was viewed for it is stretched, and not
+/// only in whole pixels.
+bool is_stretched(double wider, const DrawOptions& options) {
+  constexpr double kRounded = 0.01;
+  return std::abs(wider - 1.0) > kRounded + 1.0 / std::min(options.width, options.height);
+}
+
 }  // namespace
 
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options) {
@@ -132,12 +142,68 @@ void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options)
   const auto& stretched = system.stretched_window();
   const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
   const double wider = shape / (system.aspect_ratio() * meant);
-  constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
-  if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
+  if (!is_stretched(wider, options)) return;
   options.warn({DrawWarning::Kind::stretched,
                 fmt::format("a picture of {} x {} shows this system {:.3g} times as wide as it was "
                             "viewed: expected set_aspect_ratio({:.4g}) before the first segment",
                             options.width, options.height, wider, shape)});
+}
+
+void warn_if_stretched(const View& view, const GraphicsSystem* settings,
+                       const DrawOptions& options) {
+  const bool is_meant =
+      settings != nullptr && settings->explicit_settings().contains(Setting::window_fit);
+  if (!options.warn || is_meant) return;
+  const double shape = static_cast<double>(options.width) / options.height;
+  const double meant = shape * shape_of(view.viewport);
+  const double wider = meant / shape_of(view.window);
+  if (!is_stretched(wider, options)) return;
+  options.warn({DrawWarning::Kind::stretched,
+                fmt::format("a picture of {} x {} shows this view {:.3g} times as wide as it is: "
+                            "expected a window that is {:.4g} times as wide as high",
+                            options.width, options.height, wider, meant)});
+}
+
+namespace {
+
+/// Whether a picture with several samples a pixel takes hardly more memory than one without: the
+/// device draws some rows at a time, and the method holds no more.
+bool holds_few_rows(const PicturePlan& plan) {
+  return plan.device->draw_rows != nullptr && !is_plain_z_buffer(plan.surfaces.method);
+}
+
+}  // namespace
+
+std::size_t bytes_of_samples(const PicturePlan& plan, int samples) {
+  constexpr std::size_t kBytesOfSample = 8;  // a colour or a fill, and a depth
+  if (plan.kind() == PictureKind::vector || holds_few_rows(plan)) return 0;
+  const auto along = static_cast<std::size_t>(samples);
+  return kBytesOfSample * along * along * static_cast<std::size_t>(plan.options.width) *
+         static_cast<std::size_t>(plan.options.height);
+}
+
+void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what) {
+  const std::uint64_t needed = bytes + bytes_of_samples(plan, plan.samples);
+  const std::uint64_t allowed = bytes_allowed();
+  if (needed <= allowed || bytes + bytes_of_samples(plan, 1) > allowed) return;
+  throw LimitReached(
+      fmt::format("out of memory: {} needs at least {} bytes with {} x {} samples a pixel, and the "
+                  "limit is {}: expected fewer, such as --samples 1",
+                  what, needed, plan.samples, plan.samples, allowed));
+}
+
+WorkDone drawing_work(const PicturePlan& plan) {
+  if (plan.kind() == PictureKind::vector) {
+    return {"the drawing",
+            "pixels by hidden-surface method z-buffer, or by scan-line-z in little memory"};
+  }
+  if (plan.samples > 1) {
+    return {"the drawing",
+            "fewer samples a pixel, such as --samples 1, a smaller picture or hidden-surface "
+            "method z-buffer, scan-line-z in little memory"};
+  }
+  return {"the drawing",
+          "a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
 }
 
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options) {

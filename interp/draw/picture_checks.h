@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
 
+#include "clip/base/budgeted_work.h"
 #include "clip/base/memory.h"
+#include "clip/view.h"
 #include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"
@@ -43,8 +46,21 @@ void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& 
 /// Calls the options' `warn` if what the system viewed is stretched in a picture of their shape,
 /// and the application did not set that it should be.
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options);
+/// The same of a view; `settings` may be null.
+void warn_if_stretched(const View& view, const GraphicsSystem* settings,
+                       const DrawOptions& options);
+
 /// Throws Error for a method that a retained scene's rays do not draw.
 void require_drawn_by_rays(const PicturePlan& plan);
+
+/// What the colours of a picture take with so many samples along a pixel's side, on a device or by
+/// a method that holds all of them; 0 where a few rows are held.
+std::size_t bytes_of_samples(const PicturePlan& plan, int samples);
+/// Throws LimitReached if a picture of so many bytes beside its samples does not fit, and would
+/// with one sample a pixel.
+void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what);
+/// What the drawing is called in messages, and what may be done instead.
+WorkDone drawing_work(const PicturePlan& plan);
 
 /// What `draw` returns: a picture in memory, for which there must be room before any work is done.
 template <class Draw>
@@ -55,27 +71,31 @@ Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& 
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
                                (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
                                (options.with_depth ? sizeof(Picture::depth[0]) : 0);
+  const auto what = [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); };
+  require_samples_fit(pixels * of_pixel, plan, what());
   return with_memory(
-      pixels * of_pixel,
-      [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); }, draw,
+      pixels * of_pixel + bytes_of_samples(plan, plan.samples), what,
+      [&] {
+        const NamedWork named(drawing_work(plan));
+        return draw();
+      },
       kept.bytes_of_picture());
 }
 
-/// Draws into a file or a stream: by rows, but for a device that has the whole picture in memory,
-/// with a depth for each of its pixels. What a method makes of a scene of so many bytes is no
-/// smaller than it is.
+/// Draws into a file or a stream: by rows, but for a device or a method that has all samples in
+/// memory. What a method makes of a scene of so many bytes is no smaller than it is.
 template <class Draw>
 void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
                             const PicturePlan& plan, Draw&& draw) {
-  constexpr std::size_t kBytesOfPixel = 8;
   const DrawOptions& options = plan.options;
-  const bool by_rows = plan.device->draw_rows != nullptr;
-  const auto pixels =
-      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  const auto samples = static_cast<std::size_t>(plan.samples * plan.samples);
-  with_memory(
-      bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
-      [&] { return fmt::format("{} of {} x {}", to.name(), options.width, options.height); }, draw);
+  const auto what = [&] {
+    return fmt::format("{} of {} x {}", to.name(), options.width, options.height);
+  };
+  require_samples_fit(bytes_of_scene, plan, what());
+  with_memory(bytes_of_scene + bytes_of_samples(plan, plan.samples), what, [&] {
+    const NamedWork named(drawing_work(plan));
+    draw();
+  });
 }
 
 }  // namespace displayfile

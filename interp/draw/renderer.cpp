@@ -316,6 +316,7 @@ template <class Draw>
 auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareRenderer& software,
                   const Draw& draw) {
   kept.take(in.scene, in.attributes);
+  warn_if_stretched(in.view, in.settings, plan.options);
   plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
     const ViewedWorld world = kept.world().view(in.view, lights_of(in));

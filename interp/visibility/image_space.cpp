@@ -77,11 +77,14 @@ bool is_image_space(HiddenMethod by) {
          entry_of(method) != nullptr;
 }
 
-bool decides_exactly(HiddenMethod by) {
+bool is_plain_z_buffer(HiddenMethod by) {
   const HiddenMethod method = surfaces_of(by);
-  const bool is_plain_z_buffer =
-      method >= HiddenMethod::plain_z_buffer && method <= HiddenMethod::plain_z_buffer_double;
-  return is_image_space(method) && method != HiddenMethod::world_ray_cast && !is_plain_z_buffer;
+  return method >= HiddenMethod::plain_z_buffer && method <= HiddenMethod::plain_z_buffer_double;
+}
+
+bool decides_exactly(HiddenMethod by) {
+  return is_image_space(by) && surfaces_of(by) != HiddenMethod::world_ray_cast &&
+         !is_plain_z_buffer(by);
 }
 
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,

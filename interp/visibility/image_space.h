@@ -56,6 +56,8 @@ std::span<const ImageSpaceEntry> image_space_methods();
 /// True also of `automatic`, which for a picture in pixels picks one of them, and of
 /// world_ray_cast, which tells of the viewed scene what was found before viewing.
 bool is_image_space(HiddenMethod by);
+/// True for the plain z-buffers, whatever they store depths as.
+bool is_plain_z_buffer(HiddenMethod by);
 /// True for those of image space that decide by the viewed scene without rounding: all but
 /// world_ray_cast and the plain z-buffers.
 bool decides_exactly(HiddenMethod by);

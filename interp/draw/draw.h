@@ -24,6 +24,7 @@ struct DrawWarning {
     nothing_seen,  ///< there is nothing but the background, and why
     hidden_lines,  ///< those that the application set to be drawn dashed: nothing finds them
     stretched,     ///< the picture has another shape than what was viewed for it
+    no_effect,     ///< an option of the call that has no effect on this picture
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -62,8 +63,9 @@ struct DrawOptions {
   std::string depth = {};  ///< depth of the fills seen as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< a picture in memory has them: Picture's members
   VectorOptions vectors = {};                 ///< of vectors
-  /// Called, if not empty, once the picture is drawn, or where it is stretched before anything is
-  /// drawn, in the thread that draws. Nothing is written or looked for otherwise. The reason why nothing is seen is closer where the scene is retained.
+  /// Called, if not empty, once the picture is drawn, or where it is stretched or an option has no
+  /// effect before anything is drawn, in the thread that draws. Nothing is written or looked for
+  /// otherwise. The reason why nothing is seen is closer where the scene is retained.
   Warn warn = {};
 
   /// How many rows of the picture are drawn: all, or those that are asked for.

@@ -15,6 +15,7 @@
 #include "clip/window_fit.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/sorted_scene.h"
 #include "displayfile/text/output.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
@@ -43,7 +44,22 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {
                           expected));
 }
 
+namespace {
+
+/// The plain z-buffer decides by depths as they are stored, and in vectors is the map.
+void require_precision_of_plain_z_buffer(HiddenMethod method, const PicturePlan& plan) {
+  const bool decides = plan.kind() == PictureKind::raster && plan.is_on_first_device();
+  if (!decides || !is_plain_z_buffer(method) || plan.surfaces.precision.exact) return;
+  throw Error(
+      fmt::format("hidden-surface method '{}' rounds depths as it stores them, without a ROUNDOFF: "
+                  "expected precision exact",
+                  name_of(method)));
+}
+
+}  // namespace
+
 void require_drawable_by(HiddenMethod method, const PicturePlan& plan) {
+  require_precision_of_plain_z_buffer(method, plan);
   if (!shows_lines_only(method)) return;
   if (finds_lines(method) && plan.wants_fills()) {
     throw Error(fmt::format(
@@ -162,6 +178,83 @@ void warn_if_stretched(const View& view, const GraphicsSystem* settings,
                 fmt::format("a picture of {} x {} shows this view {:.3g} times as wide as it is: "
                             "expected a window that is {:.4g} times as wide as high",
                             options.width, options.height, wider, meant)});
+}
+
+namespace {
+
+/// True if nothing that is drawn was put in order.
+bool is_in_order_of_entry(const DisplayFile& drawn) {
+  return drawn.sorted() == nullptr &&
+         std::ranges::none_of(drawn.segments(), [](const Segment& segment) {
+           return segment.visible && segment.sorted() != nullptr;
+         });
+}
+
+/// Lines that are drawn over the map's pieces are found by a ROUNDOFF, its pieces are not.
+bool is_map_without_lines(const DisplayFile& drawn) {
+  const auto& sorted = drawn.sorted();
+  return sorted != nullptr && sorted->plan.method == HiddenMethod::map &&
+         std::ranges::none_of(sorted->parts,
+                              [](const auto& part) { return part->scene->has_lines(); });
+}
+
+/// Why a ROUNDOFF decides nothing; empty if it does.
+std::string why_nothing_rounds(HiddenMethod method, const DisplayFile& drawn, FoundBy by) {
+  const std::string_view name = name_of(method);
+  if (is_image_space(method)) {
+    if (by == FoundBy::method) return "";
+    return by == FoundBy::device
+               ? "the device finds surfaces by a z-buffer of its own"
+               : fmt::format("hidden-surface method '{}' puts nothing in order", name);
+  }
+  if (is_map_without_lines(drawn)) return "the map is exact, and there are no lines";
+  if (is_object_space(method) || !is_in_order_of_entry(drawn)) return "";
+  return fmt::format("hidden-surface method '{}' draws in order of entry", name);
+}
+
+/// Why no scope is obeyed; empty if it is.
+std::string why_nothing_has_a_scope(HiddenScope scope, const SurfacePlan& plan, HiddenMethod method,
+                                    const DisplayFile& drawn, FoundBy by) {
+  const std::string_view name = name_of(plan.method);
+  if (is_image_space(method) || surfaces_of(plan.method) == HiddenMethod::automatic) {
+    if (by == FoundBy::nobody && surfaces_of(method) != HiddenMethod::automatic)
+      return fmt::format("hidden-surface method '{}' puts nothing in order", name);
+    if (scope == HiddenScope::all) return "";
+    return fmt::format("hidden-surface method '{}' takes all segments together", name);
+  }
+  if (is_object_space(method) || !is_in_order_of_entry(drawn)) return "";
+  return fmt::format("hidden-surface method '{}' draws in order of entry", name);
+}
+
+}  // namespace
+
+std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
+                                                const SurfacePlan& plan, HiddenMethod method,
+                                                const DisplayFile& drawn, FoundBy by) {
+  std::vector<std::string> all;
+  if (set.precision && !set.precision->exact) {
+    const std::string why = why_nothing_rounds(method, drawn, by);
+    if (!why.empty()) {
+      all.push_back(fmt::format("precision {} has no effect: {}", words_of(*set.precision), why));
+    }
+  }
+  if (set.scope && drawn.visible_segments().size() > 1) {
+    const std::string why = why_nothing_has_a_scope(*set.scope, plan, method, drawn, by);
+    if (!why.empty()) {
+      all.push_back(fmt::format("scope {} has no effect: {}", name_of(*set.scope), why));
+    }
+  }
+  return all;
+}
+
+void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn) {
+  if (!plan.options.warn) return;
+  const bool by_device = plan.kind() == PictureKind::raster && !plan.is_on_first_device();
+  for (const std::string& text :
+       options_without_effect(plan.options.surfaces, plan.surfaces, plan.method, drawn,
+                              by_device ? FoundBy::device : FoundBy::method)) {
+    plan.options.warn({DrawWarning::Kind::no_effect, text});
+  }
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/memory.h"
@@ -50,6 +51,20 @@ void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options)
 void warn_if_stretched(const View& view, const GraphicsSystem* settings,
                        const DrawOptions& options);
 
+/// Where a display file goes to: how its surfaces are found by a method of image space.
+enum class FoundBy {
+  method,  ///< by that method, or in vectors by the map
+  device,  ///< by a device's own z-buffer
+  nobody,  ///< not at all: a dump
+};
+/// The options for hidden surfaces that were set and have no effect, a sentence each: a ROUNDOFF
+/// where nothing is decided by it, and a scope where no segments are sorted. `drawn` has the orders
+/// that are drawn.
+std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
+                                                const SurfacePlan& plan, HiddenMethod method,
+                                                const DisplayFile& drawn, FoundBy by);
+/// Calls the plan's `warn` with them.
+void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn);
 /// Throws Error for a method that a retained scene's rays do not draw.
 void require_drawn_by_rays(const PicturePlan& plan);
 

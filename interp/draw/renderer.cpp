@@ -256,6 +256,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
   const DisplayFile& sorted = kept.sorted.update(system, plan.options.surfaces, plan.surfaces,
                                                  unsorted_if_automatic(plan.method));
   look_for_hidden_lines_left(sorted, plan);
+  warn_of_options_without_effect(plan, sorted);
   if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
     const PicturePlan cast = by_rays(*world, plan);
     return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);
@@ -317,6 +318,7 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareR
                   const Draw& draw) {
   kept.take(in.scene, in.attributes);
   warn_if_stretched(in.view, in.settings, plan.options);
+  warn_of_options_without_effect(plan, in.attributes);
   plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
     const ViewedWorld world = kept.world().view(in.view, lights_of(in));

@@ -128,7 +128,7 @@ struct TurntableRenderer::Kept {
     one.warn = [this, warn = one.warn](const DrawWarning& warning) {
       const bool is_stretched = warning.kind == DrawWarning::Kind::stretched;
       if (is_stretched && is_stretch_set) return;
-      if (is_stretched) {
+      if (is_stretched || warning.kind == DrawWarning::Kind::no_effect) {
         if (std::ranges::find(told, warning.text) != told.end()) return;
         told.push_back(warning.text);
       }

@@ -95,7 +95,9 @@ TEST_F(Bench, Refuses) {
   expect_error("bench soup --polygons 0", "displayfile: --polygons: ");
   expect_error("bench soup --polygon 5", "displayfile: ");
   expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
-  expect_error("bench soup --methods robert", "robert: not in this build: expected some of none");
+  expect_error("bench soup --methods robert", "robert: no method or peer: expected some of none");
+  expect_error("bench soup --methods plain-scan-line",
+               "plain-scan-line: a method that is not measured: expected some of none");
   expect_error("bench soup --roundoff 2", "roundoff");
   write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
   expect_error("bench bad.draw", "bad.draw:2:");

@@ -81,7 +81,7 @@ def sort(
         whole: Let the pieces of a polygon follow one another, or be one piece again, where nothing
             that overlaps them comes between: where the order of others asked for a cut, and where a
             polygon that is not flat was sorted as triangles.
-        method: "depth-sort", or "bsp", which cuts more.
+        method: "depth-sort", "bsp", which cuts more, or "plain-bsp", the textbook's form of it.
         threads: How many may work, 1 to 1024.
         touching: Within which distance polygons touch, as set_touching of System: what touches a
             plane lies in it, and of polygons in one plane the later one is nearer. "auto" is by the
@@ -95,7 +95,7 @@ def sort(
         Error: Another shape or type, a polygon of fewer than 3 corners, a number that is not finite.
     """
     if method == "map":
-        raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
+        raise _displayfile.Error("method 'map': expected depth-sort, bsp or plain-bsp, or visible_pieces")
     points, first, item, own, _, cuts = _displayfile._pieces_of(
         polygons, sides, method, threads, segments, whole, touching
     )
@@ -148,7 +148,8 @@ def visible_lines(
         segments: An array (L, 2, 3) of lines, which are looked at in place of the polygons' sides.
         lines: Kinds of sides, as System has them, such as "outline,crease"; all if none is said.
         hidden: Return the parts that are hidden, too.
-        method: "franklin", "appel" or "roberts", which find the same.
+        method: "franklin", "appel", "roberts" or "plain-appel", the textbook's form, which find the
+            same.
         threads: As in sort.
         touching: As in sort: a line whose ends touch a plane lies in it, and is seen there.
 

@@ -69,11 +69,23 @@ std::vector<LineContender> chosen_line_contenders(const BenchCommand& command) {
                 [](const LineContender& contender) { return contender.method_name(); });
 }
 
+/// Why a name is none of those that are measured.
+std::string_view why_not_measured(const std::string& name) {
+  constexpr std::array<std::string_view, 3> kPeers{"osmesa", "embree", "gl2ps"};
+  if (std::ranges::find(kPeers, name) != kPeers.end()) return "not in this build";
+  try {
+    hidden_method(name);
+    return "a method that is not measured";
+  } catch (const Error&) {
+    return "no method or peer";
+  }
+}
+
 void require_methods(const BenchCommand& command) {
   const std::vector<std::string> known = method_names();
   for (const std::string& name : command.methods) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    throw Error(fmt::format("--methods {}: not in this build: expected some of {}", name,
+    throw Error(fmt::format("--methods {}: {}: expected some of {}", name, why_not_measured(name),
                             fmt::join(known, " ")));
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "tests/bench_fixture.h"
@@ -94,7 +95,9 @@ TEST_F(Bench, Refuses) {
   expect_error("bench soup --polygons 0", "displayfile: --polygons: ");
   expect_error("bench soup --polygon 5", "displayfile: ");
   expect_error("bench soup --json nowhere/r.json", "nowhere/r.json");
-  expect_error("bench soup --methods robert", "robert: not in this build: expected some of none");
+  expect_error("bench soup --methods robert", "robert: no method or peer: expected some of none");
+  expect_error("bench soup --methods plain-scan-line",
+               "plain-scan-line: a method that is not measured: expected some of none");
   expect_error("bench soup --roundoff 2", "roundoff");
   write("bad.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0\nclose-segment\n");
   expect_error("bench bad.draw", "bad.draw:2:");
@@ -105,6 +108,69 @@ TEST_F(Bench, Refuses) {
   EXPECT_NE(err_.find("--json: is empty: expected FIGURES.json"), err_.npos) << err_;
   EXPECT_EQ(run("bench soup --sizes 0"), 2);
   EXPECT_EQ(run("bench soup --threads none"), 2);
+}
+
+/// Of our sorts those alone that are chosen stand beside gl2ps's.
+TEST_F(Bench, ComparesWithGl2psTheChosenSorts) {
+  const std::string planes =
+      "bench planes --polygons 12 --sizes 16 --rounds 1 --threads 1 --roundoff none "
+      "--json b.json --methods ";
+  ASSERT_EQ(run(planes + "z-buffer,gl2ps"), 0) << err_;
+  const Json report = json("b.json");
+  if (report["environment"]["gl2ps"] == "not in this build") return;
+  bool has_gl2ps = false;
+  for (const Json& row : report["beside"]) {
+    has_gl2ps = has_gl2ps || row["other"] == "gl2ps";
+    for (const char* sort : {"bsp", "depth-sort", "map"}) {
+      EXPECT_NE(row["other"], sort) << row;
+      EXPECT_NE(row["what"], sort) << row;
+    }
+  }
+  EXPECT_TRUE(has_gl2ps);
+  ASSERT_EQ(run(planes + "map,gl2ps -o two.html"), 0) << err_;
+  std::set<std::string> beside;
+  for (const Json& row : json("b.json")["beside"]) {
+    if (row["other"] == "gl2ps") beside.insert(row["what"]);
+  }
+  EXPECT_EQ(beside, (std::set<std::string>{"triangles", "pieces a triangle", "map"}));
+  EXPECT_FALSE(shown("two.html", "b.json").empty());
+}
+
+/// A method that makes more pieces than are allowed is skipped, and the rest is measured.
+TEST_F(Bench, SkipsWhatExceedsALimitOfPieces) {
+  ASSERT_EQ(run("bench planes --polygons 40 --sizes 16 --rounds 1 --threads 1 --roundoff 1e-9 "
+                "--methods z-buffer,bsp,scan-line,gl2ps --limit-pieces 100 --json b.json "
+                "-o limited.html"),
+            0)
+      << err_;
+  const Json report = json("b.json");
+  const std::string too_many = "cuts polygons into more than 100 pieces";
+  int skipped = 0, measured = 0;
+  for (const Json& cell : report["cells"]) {
+    if (cell["method"] == "bsp") {
+      ASSERT_TRUE(cell.contains("skipped")) << cell;
+      EXPECT_NE(cell["skipped"].get<std::string>().find(too_many), std::string::npos) << cell;
+      ++skipped;
+    } else if (cell["method"] != "gl2ps") {
+      EXPECT_TRUE(cell.contains("time")) << cell;
+      ++measured;
+    }
+  }
+  EXPECT_EQ(skipped, 2);
+  EXPECT_EQ(measured, 4);
+  EXPECT_NE(out_.find(too_many), std::string::npos) << out_;
+  for (const Json& row : report["beside"]) {
+    if (row["what"] != "bsp" && row["other"] != "bsp") continue;
+    ASSERT_TRUE(row.contains("left_out")) << row;
+    EXPECT_NE(row["left_out"].get<std::string>().find(too_many), std::string::npos) << row;
+  }
+  EXPECT_FALSE(shown("limited.html", "b.json").empty());
+}
+
+/// The time of the whole command is no limit of one method.
+TEST_F(Bench, EndsWhereItsTimeIsOver) {
+  EXPECT_EQ(run("bench planes --polygons 400 --sizes 256 --methods bsp --limit-seconds 0.05"), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "report.html"));
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST_F(Bench, ReportsMethodsOfLines) {
     if (!cell["exact"]) wrong += cell["extra_length"].get<double>();
   }
   EXPECT_GT(wrong, 0.0);
-  expect_error("bench soup --methods frnklin -o x.html", "--methods frnklin: not in this build");
+  expect_error("bench soup --methods frnklin -o x.html", "--methods frnklin: no method or peer");
 }
 
 /// A line of Markdown as the page has it.

@@ -219,6 +219,33 @@ TEST_F(Check, PicturesWithinATolerance) {
 }
 
 /// A share is what it says in decimals, whatever its product with the pixels is in binary.
+/// A figure that draw wrote is checked with the options that it was drawn with.
+TEST_F(Check, PicturesWithTheOptionsOfDraw) {
+  fs::create_directory(folder_ / "gold");
+  write("slanted.draw", "set-background 0.9 0.9 1\n" + square("1 0 0", "0.37"));
+  for (const std::string options :
+       {"--samples 1", "--samples 4", "--samples 3 --background 0,0,1", "--samples 1 --crumbs",
+        "--samples 2 --shading gouraud --threads 1 --hidden scan-line"}) {
+    SCOPED_TRACE(options);
+    ASSERT_EQ(run("draw slanted.draw -o gold/slanted.png --size 31x21 --widen " + options), 0)
+        << err_;
+    EXPECT_EQ(run("check slanted.draw --golden gold --picture --widen " + options), 0)
+        << out_ << err_;
+  }
+  ASSERT_EQ(run("draw slanted.draw -o gold/slanted.png --size 31x21 --widen --samples 4"), 0);
+  EXPECT_EQ(run("check slanted.draw --golden gold --picture --widen"), 1) << "one sample";
+  for (const char* option :
+       {"--samples 1", "--shading flat", "--background 1,1,1", "--device software", "--crumbs"}) {
+    const std::string words(option);
+    expect_error("check slanted.draw --golden gold " + words,
+                 words.substr(0, words.find(' ')) + " is of pictures: expected --picture too");
+  }
+  expect_error("check slanted.draw --golden gold --picture --background none",
+               "--background none: golden pictures have no alpha: expected a colour");
+  expect_error("check slanted.draw --golden gold --picture --device x", "x");
+  EXPECT_EQ(run("check slanted.draw --golden text --update --threads 2"), 0) << err_;
+}
+
 TEST_F(Check, ASharePassesAsManyPixelsAsItSays) {
   const auto write_picture = [&](const std::string& name, int pixels, int wrong) {
     std::string text = "P6\n" + std::to_string(pixels) + " 1\n255\n";

@@ -103,7 +103,7 @@ std::vector<std::int32_t> picked_ids(const GraphicsSystem& g, int size) {
   std::vector<std::int32_t> ids;
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
-      const auto pick = picker.pick(column + 0.5, row + 0.5, 0.0);
+      const auto pick = picker.pick(*picker.pixel_at(column + 0.5, row + 0.5, 0.0), 0.0);
       ids.push_back(pick ? pick->id : -1);
     }
   }

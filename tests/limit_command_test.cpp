@@ -71,6 +71,30 @@ TEST_F(Limits, MemoryIsKnownBeforeOrRunsOut) {
   EXPECT_EQ(run("draw t.draw -o p.png --limit-memory 0.5G"), 0) << err_;
 }
 
+/// Where fewer samples a pixel would fit, the message says so.
+TEST_F(Limits, MemoryOfSamples) {
+  const auto draws = [](const std::string& method, int samples, const char* limit) {
+    return fmt::format(
+        "draw t.draw -o p.png --size 4000x4000 --hidden {} --samples {} "
+        "--limit-memory {}",
+        method, samples, limit);
+  };
+  expect_error(draws("plain-z-buffer", 4, "1G"), "p.png of 4000 x 4000 needs at least 2048");
+  EXPECT_NE(err_.find(" bytes with 4 x 4 samples a pixel, and the limit is 1073741824: expected "
+                      "fewer, such as --samples 1"),
+            err_.npos)
+      << err_;
+  EXPECT_EQ(run(draws("plain-z-buffer", 1, "1G")), 0) << err_;
+  // Where it runs out in the middle of the work, by rows.
+  const std::string by_rows =
+      "draw t.draw -o p.png --size 16000x400 --widen --hidden z-buffer "
+      "--threads 1 --limit-memory 40M --samples ";
+  if (run(by_rows + "1") != 0) GTEST_SKIP() << "this build takes more memory: " << err_;
+  expect_error(by_rows + "8",
+               "bytes are not enough: expected a higher limit of memory, or fewer "
+               "samples a pixel, such as --samples 1");
+}
+
 /// What is collected in memory before it is written is whole, or nothing is written.
 TEST_F(Limits, NoMemoryCutsAPictureShort) {
   std::string texts = "open-segment 1\nmove-abs-3 0 0 0\n";

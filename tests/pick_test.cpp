@@ -15,6 +15,7 @@
 #include "interp/draw/renderer.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
+#include "interp/visibility/image_space.h"
 #include "interp/visibility/line_picker.h"
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
@@ -402,6 +403,134 @@ TEST(PickingLines, FollowTheRuleOnRandomScenes) {
   }
   EXPECT_GT(seen, 1000 / test::kSlower);
   EXPECT_GT(hidden, 300 / test::kSlower);
+}
+
+// ---- As the picture is drawn ---------------------------------------------------------------
+
+/// Every pixel picked, against the picture's own item buffer and depths.
+void expect_picks_of_the_picture(const GraphicsSystem& system, const DrawOptions& options) {
+  DrawOptions with_fills = options;
+  with_fills.with_ids = with_fills.with_depth = true;
+  const Picture picture = draw(system, with_fills);
+  Renderer renderer;
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      const auto k = static_cast<std::size_t>(y * options.width + x);
+      const auto pick = renderer.pick(system, x + 0.5, y + 0.5, options);
+      ASSERT_EQ(pick ? pick->id : -1, picture.ids[k]) << x << ", " << y;
+      if (!pick) continue;
+      ASSERT_EQ(pick->kind, Pick::Kind::polygon);
+      ASSERT_NEAR(pick->depth, picture.depth[k], 1e-12 * (1.0 + std::abs(picture.depth[k])));
+    }
+  }
+}
+
+DrawOptions by_method(HiddenMethod method) {
+  return {.width = 24, .height = 20, .surfaces = {.method = method}, .samples = 1};
+}
+
+TEST(PickingAsDrawn, IsTheItemBufferByEveryMethod) {
+  for (std::uint64_t seed = 0; seed < 20 / test::kSlower + 1; ++seed) {
+    const GraphicsSystem system = entered(random_degenerate_scene(seed));
+    for (const HiddenMethodEntry& entry : hidden_methods()) {
+      if (finds_lines(entry.method)) continue;                     // which draw no fills
+      if (entry.method == HiddenMethod::world_ray_cast) continue;  // the scene is not retained
+      SCOPED_TRACE(std::string(entry.name) + " " + std::to_string(seed));
+      ASSERT_NO_FATAL_FAILURE(expect_picks_of_the_picture(system, by_method(entry.method)));
+    }
+    for (const HiddenMethod surfaces : {HiddenMethod::none, HiddenMethod::z_buffer}) {
+      ASSERT_NO_FATAL_FAILURE(
+          expect_picks_of_the_picture(system, by_method(colour_rule_by(surfaces))));
+    }
+  }
+}
+
+TEST(PickingAsDrawn, IsTheItemBufferOfARoundoffAndOfAScope) {
+  for (std::uint64_t seed = 0; seed < 10 / test::kSlower + 1; ++seed) {
+    const GraphicsSystem system = entered(random_degenerate_scene(seed));
+    for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::map, HiddenMethod::z_buffer,
+                                      HiddenMethod::scan_line, HiddenMethod::depth_sort}) {
+      SCOPED_TRACE(std::string(name_of(method)) + " " + std::to_string(seed));
+      DrawOptions options = by_method(method);
+      options.surfaces.precision = Precision{false, 0.1};
+      ASSERT_NO_FATAL_FAILURE(expect_picks_of_the_picture(system, options));
+      if (is_image_space(method)) continue;
+      options.surfaces.scope = HiddenScope::segment;
+      ASSERT_NO_FATAL_FAILURE(expect_picks_of_the_picture(system, options));
+      options.surfaces.precision.reset();
+      ASSERT_NO_FATAL_FAILURE(expect_picks_of_the_picture(system, options));
+    }
+  }
+}
+
+/// A near square in segment 1 and a farther one in segment 2, and lines over and under them. All
+/// have one pick identifier.
+GraphicsSystem near_before_far() {
+  GraphicsSystem g = unit_square_without_lines();
+  g.set_pick_id(3);
+  g.open_segment(1);
+  g.polygon_abs_3({{0.2, 0.2, -0.2}, {0.8, 0.2, -0.2}, {0.8, 0.8, -0.2}, {0.2, 0.8, -0.2}});
+  g.set_line_style({});
+  g.move_abs_3(0.1, 0.505, -0.1);
+  g.line_abs_3(0.9, 0.505, -0.1);
+  g.close_segment();
+  g.open_segment(2);
+  g.set_line_style({LineStyle::Kind::none});
+  g.polygon_abs_3({{0.4, 0.4, -0.8}, {0.9, 0.4, -0.8}, {0.9, 0.9, -0.8}, {0.4, 0.9, -0.8}});
+  g.set_line_style({});
+  g.move_abs_3(0.605, 0.1, -0.9);
+  g.line_abs_3(0.605, 0.9, -0.9);
+  g.close_segment();
+  return g;
+}
+
+TEST(PickingAsDrawn, InOrderOfEntryTheLastIsSeen) {
+  const GraphicsSystem g = near_before_far();
+  Renderer renderer;
+  const auto at = [&](HiddenMethod method, double x, double y, double reach) {
+    DrawOptions options = by_method(method);
+    options.width = options.height = 100;
+    return renderer.pick(g, x, y, options, reach);
+  };
+  for (const HiddenMethod method :
+       {HiddenMethod::none, HiddenMethod::back_face, colour_rule_by(HiddenMethod::none)}) {
+    SCOPED_TRACE(name_of(method));
+    EXPECT_EQ(at(method, 50, 30, 0)->segment, 2);
+    EXPECT_NEAR(at(method, 50, 30, 0)->depth, -0.8, 1e-12);
+    EXPECT_EQ(at(method, 30, 30, 0)->segment, 1);
+    EXPECT_EQ(at(method, 30, 49, 1)->kind, Pick::Kind::line);
+    EXPECT_EQ(at(method, 50, 49, 1)->kind, Pick::Kind::polygon);  // drawn over the line
+    EXPECT_EQ(at(method, 50, 49, 1)->segment, 2);
+    EXPECT_EQ(at(method, 60, 70, 1)->kind, Pick::Kind::line);  // drawn over the nearer square
+    EXPECT_EQ(at(method, 60, 49, 1)->segment, 2);              // of two lines
+  }
+  EXPECT_EQ(at(HiddenMethod::z_buffer, 50, 30, 0)->segment, 1);
+  EXPECT_EQ(at(HiddenMethod::z_buffer, 50, 49, 1)->kind, Pick::Kind::line);
+  EXPECT_EQ(at(HiddenMethod::z_buffer, 60, 70, 1)->kind, Pick::Kind::polygon);
+}
+
+/// Segments that are sorted each by itself are drawn one over the other, and by a method that finds
+/// lines hide nothing of each other.
+TEST(PickingAsDrawn, SegmentsSortedByThemselves) {
+  const GraphicsSystem g = near_before_far();
+  Renderer renderer;
+  const auto at = [&](HiddenMethod method, HiddenScope scope, double x, double y) {
+    DrawOptions options = by_method(method);
+    options.width = options.height = 100;
+    options.surfaces.scope = scope;
+    return renderer.pick(g, x, y, options, 1);
+  };
+  const auto all = HiddenScope::all, segment = HiddenScope::segment;
+  EXPECT_EQ(at(HiddenMethod::bsp, all, 50, 30)->segment, 1);
+  EXPECT_EQ(at(HiddenMethod::bsp, segment, 50, 30)->segment, 2);
+  EXPECT_EQ(at(HiddenMethod::bsp, all, 50, 49)->kind, Pick::Kind::line);
+  EXPECT_EQ(at(HiddenMethod::bsp, segment, 50, 49)->kind, Pick::Kind::polygon);
+  EXPECT_EQ(at(HiddenMethod::bsp, segment, 60, 30)->kind, Pick::Kind::polygon);  // by its own
+  EXPECT_EQ(at(HiddenMethod::bsp, segment, 60, 70)->kind, Pick::Kind::line);
+  EXPECT_EQ(at(HiddenMethod::bsp, all, 60, 70)->kind, Pick::Kind::polygon);
+  EXPECT_EQ(at(HiddenMethod::appel, segment, 50, 49)->kind, Pick::Kind::line);
+  EXPECT_EQ(at(HiddenMethod::appel, segment, 60, 70)->kind, Pick::Kind::line);
+  EXPECT_EQ(at(HiddenMethod::appel, all, 60, 70)->kind, Pick::Kind::polygon);
 }
 
 // ---- Pictures one after another --------------------------------------------------------------

@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/views/retained_views.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/turntable_renderer.h"
 #include "interp/draw/world_views.h"
 #include "interp/opengl/osmesa.h"
+#include "interp/visibility/image_space.h"
 #include "tests/error_of.h"
 #include "tests/from_eyes.h"
 #include "tests/replayed.h"
@@ -245,6 +247,111 @@ TEST_F(RefusedOptions, WhatDrawingRefusesIsRefusedBefore) {
     }
   }
   EXPECT_GT(refused, 5);
+}
+
+/// What drawing warns of that has no effect, into a file of that format or in memory.
+std::vector<std::string> without_effect(const GraphicsSystem& system, DrawOptions options,
+                                        const std::string& format) {
+  std::vector<std::string> texts;
+  options.warn = [&](const DrawWarning& warning) {
+    if (warning.kind == DrawWarning::Kind::no_effect) texts.push_back(warning.text);
+  };
+  if (format.empty()) {
+    draw(system, options);
+  } else {
+    draw_as(system, format, options);
+  }
+  return texts;
+}
+
+/// A ROUNDOFF and a scope have an effect, or are refused, or warned of, by every method.
+TEST_F(RefusedOptions, WhatHasNoEffectIsRefusedOrWarnedOf) {
+  GraphicsSystem system;
+  test::enter_two_segments(system);
+  const auto warned = [&](HiddenMethod method, std::optional<Precision> precision,
+                          std::optional<HiddenScope> scope, const std::string& format) {
+    DrawOptions with = options(method);
+    with.surfaces.precision = precision;
+    with.surfaces.scope = scope;
+    return without_effect(system, with, format);
+  };
+  using Texts = std::vector<std::string>;
+  const Precision rounded{false, 0.25};
+  for (const std::string format : kFormats) {
+    SCOPED_TRACE(format);
+    for (const HiddenMethodEntry& entry : hidden_methods()) {
+      const HiddenMethod method = entry.method;
+      if (needs_surface(method) || method == HiddenMethod::world_ray_cast) continue;
+      SCOPED_TRACE(name_of(method));
+      const std::string name(name_of(method));
+      const bool enters = method == HiddenMethod::none || method == HiddenMethod::back_face;
+      const std::string why = "hidden-surface method '" + name + "' draws in order of entry";
+      EXPECT_EQ(warned(method, Precision{}, std::nullopt, format), Texts{});
+      if (is_plain_z_buffer(method) && format != "svg") {
+        DrawOptions with = options(method);
+        with.surfaces.precision = rounded;
+        EXPECT_EQ(refusal(system, with, format), "hidden-surface method '" + name +
+                                                     "' rounds depths as it stores them, without "
+                                                     "a ROUNDOFF: expected precision exact");
+      } else {
+        EXPECT_EQ(warned(method, rounded, std::nullopt, format),
+                  enters ? Texts{"precision roundoff=0.25 has no effect: " + why} : Texts{});
+      }
+      EXPECT_EQ(warned(method, std::nullopt, HiddenScope::all, format),
+                enters ? Texts{"scope all has no effect: " + why} : Texts{});
+      const Texts by_segment = enters ? Texts{"scope segment has no effect: " + why}
+                               : is_object_space(method)
+                                   ? Texts{}
+                                   : Texts{"scope segment has no effect: hidden-surface method '" +
+                                           name + "' takes all segments together"};
+      EXPECT_EQ(warned(method, std::nullopt, HiddenScope::segment, format), by_segment);
+    }
+  }
+  system.set_visibility(2, false);  // with one segment, all is what the segment is
+  EXPECT_EQ(warned(HiddenMethod::z_buffer, std::nullopt, HiddenScope::segment, ""), Texts{});
+}
+
+/// A ROUNDOFF is for the lines over a map alone.
+TEST_F(RefusedOptions, AMapWithoutLinesHasNoRoundoff) {
+  for (const bool has_lines : {true, false}) {
+    GraphicsSystem system;
+    if (!has_lines) system.set_line_style({LineStyle::Kind::none});
+    system.open_segment(1);
+    system.polygon_abs_3({{-0.5, -0.5, 0.2}, {0.6, -0.4, -0.3}, {0.1, 0.7, 0.1}});
+    system.close_segment();
+    DrawOptions with = options(HiddenMethod::map);
+    with.surfaces.precision = Precision{false, 0.25};
+    const std::vector<std::string> none;
+    EXPECT_EQ(without_effect(system, with, "svg"),
+              has_lines ? none
+                        : std::vector<std::string>{"precision roundoff=0.25 has no effect: the map "
+                                                   "is exact, and there are no lines"});
+  }
+}
+
+/// Segments that close-segment sorted are sorted again by a ROUNDOFF, whatever is set since.
+TEST_F(RefusedOptions, AnOrderThatIsThereRounds) {
+  GraphicsSystem system;
+  system.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
+  test::enter_two_segments(system);
+  system.set_hidden_surfaces({.removal = false});
+  DrawOptions with = options();
+  with.surfaces.precision = Precision{false, 0.25};
+  EXPECT_EQ(without_effect(system, with, "svg"), std::vector<std::string>{});
+}
+
+TEST_F(RefusedOptions, ADevicesOwnZBufferHasNoRoundoff) {
+  if (!osmesa_available()) GTEST_SKIP() << "OSMesa is not in this build";
+  GraphicsSystem system;
+  test::enter_two_segments(system);
+  DrawOptions with = options();
+  with.device = "osmesa";
+  with.surfaces.precision = Precision{false, 0.25};
+  EXPECT_EQ(without_effect(system, with, ""),
+            std::vector<std::string>{"precision roundoff=0.25 has no effect: the device finds "
+                                     "surfaces by a z-buffer of its own"});
+  with.surfaces.method = HiddenMethod::bsp;
+  EXPECT_EQ(without_effect(system, with, ""), std::vector<std::string>{});
 }
 
 /// A turntable obeys its options in each view: of a tree, of rays, in image space.

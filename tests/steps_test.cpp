@@ -16,6 +16,7 @@
 
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/truth.h"
+#include "tests/error_of.h"
 #include "tests/gallery.h"
 #include "tests/truth_scenes.h"
 
@@ -246,6 +247,27 @@ TEST(Steps, TooManyAreAnErrorThatNamesTheLimit) {
 TEST(Steps, AMethodThatTellsNoneIsAnError) {
   EXPECT_THROW(tell_steps(GraphicsSystem(), {HiddenMethod::map}), Error);
   EXPECT_THROW(tell_steps(GraphicsSystem(), {HiddenMethod::bsp, 0, 10}), Error);
+}
+
+/// The plain form of a method is what its steps show, and another name of them.
+TEST(Steps, OfAPlainFormAreThoseThatShowIt) {
+  const DisplayFile file = test::file_of(
+      {{{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}}, {{0, 0, 0.5}, {1, 0, 0}, {0.5, 1, 0.25}}});
+  const std::vector<HiddenMethod> methods = methods_with_steps();
+  ASSERT_EQ(plain_forms_with_steps().size(), 4u);
+  for (const HiddenMethod form : plain_forms_with_steps()) {
+    const std::string name(name_of(form));
+    ASSERT_TRUE(name.starts_with("plain-"));
+    const HiddenMethod shown = hidden_method(name.substr(6));
+    EXPECT_NE(std::ranges::find(methods, shown), methods.end());
+    EXPECT_EQ(as_json(tell_steps(file, {.method = form, .width = 8, .height = 8})),
+              as_json(tell_steps(file, {.method = shown, .width = 8, .height = 8})));
+  }
+  const std::string words = test::error_of([&] {
+    tell_steps(file, {.method = HiddenMethod::plain_z_buffer});  // which errs, as no steps do
+  });
+  EXPECT_TRUE(words.starts_with("hidden-surface method plain-z-buffer tells no steps: ")) << words;
+  EXPECT_TRUE(words.ends_with(" plain-bsp plain-scan-line plain-warnock plain-appel")) << words;
 }
 
 }  // namespace

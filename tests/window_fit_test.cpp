@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +14,10 @@
 #include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/segments/retained_scene.h"
 #include "interp/draw/draw.h"
+#include "interp/draw/renderer.h"
+#include "interp/draw/turntable_renderer.h"
 
 namespace displayfile {
 namespace {
@@ -163,6 +167,75 @@ TEST(WindowFit, APictureOfAnotherShapeThanItsSystemsIsWarnedOf) {
   EXPECT_EQ(warnings_of("set-window 0 2 0 1\n", 1.0, 80, 40), 0) << "it is as wide as its window";
   EXPECT_EQ(warnings_of("set-window-fit stretch\n", 1.0, 80, 40), 0) << "it is meant";
   EXPECT_EQ(warnings_of("", 1.0, 101, 100), 0) << "whole pixels have no other shape";
+}
+
+/// The warnings of a view of a retained square, drawn in memory and as vectors.
+int warnings_in_view(const View& view, const GraphicsSystem& g, bool has_settings, int width,
+                     int height) {
+  InView seen = in_view(g, view);
+  if (!has_settings) seen.settings = nullptr;
+  std::vector<std::string> warned;
+  DrawOptions options{.width = width, .height = height, .samples = 1};
+  options.warn = [&](const DrawWarning& warning) {
+    EXPECT_EQ(warning.kind, DrawWarning::Kind::stretched);
+    warned.push_back(warning.text);
+  };
+  Renderer renderer;
+  renderer.draw(seen, options);
+  options.format = "svg";
+  std::ostringstream vectors;
+  renderer.draw(seen, vectors, options);
+  EXPECT_TRUE(warned.empty() || (warned.size() == 2 && warned[0] == warned[1]));
+  return static_cast<int>(warned.size());
+}
+
+GraphicsSystem retained_square(const std::string& settings, double aspect) {
+  GraphicsSystem g;
+  g.retain();
+  g.set_aspect_ratio(aspect);
+  replay(settings +
+             "open-segment 1\npolygon-abs-2 0.2 0.2  0.8 0.2  0.8 0.8  0.2 0.8\nclose-segment\n",
+         "program", g);
+  return g;
+}
+
+TEST(WindowFit, AViewOfAnotherShapeThanThePictureIsWarnedOf) {
+  const GraphicsSystem g = retained_square("", 1.0), wide = retained_square("", 2.0);
+  const GraphicsSystem meant = retained_square("set-window-fit stretch\n", 1.0);
+  const View widened = wide.retained()->segments().front().view;  // as it was viewed
+  View view;
+  for (const bool has_settings : {false, true}) {
+    EXPECT_EQ(warnings_in_view(view, g, has_settings, 40, 40), 0);
+    EXPECT_EQ(warnings_in_view(view, g, has_settings, 80, 40), 2);
+    EXPECT_EQ(warnings_in_view(view, g, has_settings, 101, 100), 0);
+    EXPECT_EQ(warnings_in_view(widened, wide, has_settings, 80, 40), 0);
+    EXPECT_EQ(warnings_in_view(widened, wide, has_settings, 40, 40), 2);
+    EXPECT_EQ(warnings_in_view(view, meant, has_settings, 80, 40), has_settings ? 0 : 2);
+  }
+  view.set_window({-2, 2, -1, 1});
+  EXPECT_EQ(warnings_in_view(view, g, false, 80, 40), 0);
+  view.set_viewport({0, 0.5, 0, 1});
+  EXPECT_EQ(warnings_in_view(view, g, false, 80, 40), 2);
+  EXPECT_EQ(warnings_in_view(view, g, false, 80, 20), 0);
+}
+
+/// All views of a turntable are stretched alike: the first says so.
+TEST(WindowFit, ATurntableWarnsOnce) {
+  for (const std::string settings : {"", "set-window-fit stretch\n"}) {
+    const GraphicsSystem g = retained_square(settings, 1.0);
+    for (const int width : {40, 80}) {
+      int warned = 0;
+      DrawOptions options{.width = width, .height = 40, .samples = 1};
+      options.warn = [&](const DrawWarning& warning) {
+        EXPECT_EQ(warning.kind, DrawWarning::Kind::stretched) << warning.text;
+        ++warned;
+      };
+      TurntableRenderer views(g, *g.retained(), g.display_file(), {4}, options);
+      views.draw(0);
+      views.draw(1);
+      EXPECT_EQ(warned, width == 80 && settings.empty() ? 1 : 0) << settings;
+    }
+  }
 }
 
 }  // namespace

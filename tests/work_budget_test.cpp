@@ -185,6 +185,99 @@ TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
 
 /// The textbook's routine: the segment is open still, and closes when there is a method that
 /// serves.
+/// Draws by that method with no more pieces, by a renderer that keeps things and by a new one: the
+/// same pixels, or the same limit reached. True if it was not reached.
+bool draws_as_a_new_renderer(Renderer& kept, const GraphicsSystem& g, const DrawOptions& options) {
+  std::string of_kept, of_new;
+  Renderer anew;
+  const auto pixels = [&](Renderer& renderer) { return renderer.draw(g, options).pixels; };
+  std::vector<std::uint32_t> drawn, right;
+  of_kept = reached([&] { drawn = pixels(kept); });
+  of_new = reached([&] { right = pixels(anew); });
+  EXPECT_EQ(of_kept, of_new);
+  EXPECT_EQ(drawn, right);
+  return of_new == "done";
+}
+
+/// A sort that is kept does not hide from a limit of pieces that comes later.
+TEST_F(Budgets, AKeptSortReachesALowerLimitOfPieces) {
+  const GraphicsSystem g = crossing(12);
+  for (const HiddenMethod method :
+       {HiddenMethod::bsp, HiddenMethod::plain_bsp, HiddenMethod::depth_sort}) {
+    SCOPED_TRACE(name_of(method));
+    DrawOptions options{.width = 16, .height = 16, .surfaces = {.method = method}, .samples = 1};
+    for (const HiddenScope scope : {HiddenScope::all, HiddenScope::segment}) {
+      options.surfaces.scope = scope;
+      Renderer kept;
+      bool is_drawn = false, is_refused = false;
+      for (const std::size_t most : {kMostPieces, std::size_t{5000}, std::size_t{60},
+                                     std::size_t{30}, std::size_t{13}, std::size_t{1000}}) {
+        SCOPED_TRACE(most);
+        options.surfaces.most_pieces = most;
+        (draws_as_a_new_renderer(kept, g, options) ? is_drawn : is_refused) = true;
+      }
+      EXPECT_TRUE(is_drawn);
+      EXPECT_TRUE(is_refused);
+    }
+  }
+}
+
+/// Nor do a kept map, kept lines, and lines that are drawn over fills.
+TEST_F(Budgets, KeptMapsAndLinesReachALowerLimitOfPieces) {
+  const GraphicsSystem g = crossing(12);
+  for (const HiddenMethod method : {HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::appel,
+                                    HiddenMethod::z_buffer, HiddenMethod::bsp}) {
+    SCOPED_TRACE(name_of(method));
+    DrawOptions options{.width = 16, .height = 16, .surfaces = {.method = method}, .samples = 1};
+    Renderer kept;
+    EXPECT_TRUE(draws_as_a_new_renderer(kept, g, options));
+    bool is_refused = false;
+    for (const std::uint64_t most :
+         {std::uint64_t{100'000}, std::uint64_t{40}, std::uint64_t{1000}, std::uint64_t{100'000}}) {
+      SCOPED_TRACE(most);
+      WorkBudget budget({.pieces = most});
+      options.surfaces.budget = &budget;
+      is_refused = !draws_as_a_new_renderer(kept, g, options) || is_refused;
+    }
+    EXPECT_TRUE(is_refused);
+  }
+}
+
+/// Trees for all views of a retained scene are used again within the limit, and reach a lower one.
+TEST_F(Budgets, KeptTreesOfViewsReachALowerLimitOfPieces) {
+  GraphicsSystem g;
+  g.retain();
+  enter_crossing(g, 12);
+  g.close_segment();
+  View view;
+  DrawOptions options{
+      .width = 16, .height = 16, .surfaces = {.method = HiddenMethod::bsp}, .samples = 1};
+  Renderer kept;
+  kept.draw(in_view(g, view), options);
+  const std::uint64_t pieces = 12 + kept.trees().cuts;
+  ASSERT_GT(kept.trees().cuts, 2u);
+  const std::uint64_t walks = kept.trees().walks;
+  options.surfaces.most_pieces = pieces;
+  EXPECT_EQ(reached([&] { kept.draw(in_view(g, view), options); }), "done");
+  EXPECT_EQ(kept.trees().walks, walks);  // the order that is there
+  options.surfaces.most_pieces = pieces - 1;
+  const std::string words = reached([&] { kept.draw(in_view(g, view), options); });
+  EXPECT_EQ(words, reached([&] { Renderer().draw(in_view(g, view), options); }));
+  EXPECT_NE(words, "done");
+  options.surfaces.most_pieces = pieces;
+  EXPECT_EQ(reached([&] { kept.draw(in_view(g, view), options); }), "done");
+  // Trees that are made anew later keep to the last limit.
+  options.surfaces.most_pieces = kMostPieces;
+  kept.draw(in_view(g, view), options);
+  options.surfaces.most_pieces = pieces;
+  kept.draw(in_view(g, view), options);
+  g.delete_segment(1);
+  enter_crossing(g, 14);
+  g.close_segment();
+  EXPECT_EQ(reached([&] { kept.draw(in_view(g, view), options); }),
+            reached([&] { Renderer().draw(in_view(g, view), options); }));
+}
+
 TEST_F(Budgets, CloseSegmentAtItsLimitLeavesTheSegmentOpen) {
   GraphicsSystem g, same;
   for (GraphicsSystem* system : {&g, &same}) {

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
+#include "clip/base/budgeted_work.h"
 #include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/segments/cuts_at_vertices.h"
 #include "displayfile/segments/scene_lines.h"
 #include "hidden/sort/touching_vertices.h"
@@ -31,6 +35,22 @@ SortedPieces pieces_of(const ViewedScene& scene, const SurfacePlan& plan) {
   return sorted;
 }
 
+bool sorts(HiddenMethod method) {
+  return is_object_space(method) && method != HiddenMethod::map && !finds_lines(method);
+}
+
+/// That the plan and the budget in force set.
+std::size_t limit_of_pieces(const SurfacePlan& plan) {
+  return sorts(plan.method) ? most_pieces_of_sort(plan, 0) : most_pieces_in_force();
+}
+
+/// With the limit that was in force.
+SurfacePlan kept(const SurfacePlan& plan) {
+  SurfacePlan kept = plan.kept();
+  kept.most_pieces = limit_of_pieces(plan);
+  return kept;
+}
+
 std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
                                                 const ImageTransformation& image,
                                                 const SurfacePlan& plan) {
@@ -43,7 +63,7 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   auto ordered = std::make_shared<OrderedScene>(
       OrderedScene{std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces)});
   return std::make_shared<SortedScene>(
-      SortedScene{{std::move(ordered)}, image, plan.kept(), counts, moved});
+      SortedScene{{std::move(ordered)}, image, kept(plan), counts, moved});
 }
 
 /// What `sort` returns, which has every point in its tables at least.
@@ -61,6 +81,28 @@ bool is_object_space(HiddenMethod by) {
   const HiddenMethod method = surfaces_of(by);
   return method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
          method == HiddenMethod::plain_bsp || method == HiddenMethod::map || finds_lines(method);
+}
+
+std::size_t most_pieces_in_force() {
+  const WorkBudget* const budget = work_in_force().budget;
+  const std::uint64_t most = budget == nullptr ? WorkLimits::kNone : budget->limits().pieces;
+  return static_cast<std::size_t>(
+      std::min<std::uint64_t>(most, std::numeric_limits<std::size_t>::max()));
+}
+
+/// A sort may have one piece more for a while than in the end, where it tries a cut. How many a map
+/// or lines had is not kept.
+bool is_within_limit(const SortedScene& sorted, const SurfacePlan& plan) {
+  const SurfacePlan now = plan.by(sorted.plan.method);
+  const std::size_t limit = limit_of_pieces(now);
+  if (limit >= sorted.plan.most_pieces) return true;
+  const bool limits_lines = most_pieces_in_force() != std::numeric_limits<std::size_t>::max();
+  std::uint64_t pieces = sorted.counts.cuts + 1;
+  for (const auto& part : sorted.parts) {
+    if (limits_lines && part->scene->has_lines()) return false;
+    pieces += part->scene->items();
+  }
+  return sorts(now.method) && pieces <= limit;
 }
 
 std::shared_ptr<const SortedScene> hidden_surface_check(

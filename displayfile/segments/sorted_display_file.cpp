@@ -16,7 +16,8 @@ namespace {
 
 bool is_of(const SortedScene& sorted, const SurfacePlan& plan) {
   return sorted.plan.finds_as(plan) &&
-         (sorted.plan.shadows == plan.shadows || !sorted.has_shadows());
+         (sorted.plan.shadows == plan.shadows || !sorted.has_shadows()) &&
+         is_within_limit(sorted, plan);
 }
 
 /// Instructions of closed segments do not change: the same pointer, the same instructions.
@@ -34,6 +35,7 @@ std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, const SurfacePlan& plan) {
   auto all = std::make_shared<SortedScene>();
   all->plan = plan.kept();
+  all->plan.most_pieces = most_pieces_of_sort(plan, 0);
   for (const auto& group : groups) {
     all->parts.insert(all->parts.end(), group->parts.begin(), group->parts.end());
     all->counts += group->counts;
@@ -54,10 +56,25 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
       "lines, or hidden lines none");
 }
 
-const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system,
-                                             const HiddenSurfaceOptions& options,
-                                             const SurfacePlan& plan, HiddenMethod by) {
-  const BudgetInForce in_force(plan.budget);
+namespace {
+
+/// By which method an update sorts, and how.
+struct SortWanted {
+  HiddenMethod method;
+  bool is_applications;  ///< the application set the method
+  HiddenScope set;       ///< the scope but for that of the options
+  HiddenScope scope;     ///< in force
+
+  bool together() const { return is_object_space(method) && scope == HiddenScope::all; }
+  /// Each segment by itself, in place of the order that close-segment made.
+  bool each_anew() const {
+    return is_object_space(method) && !together() &&
+           !(is_applications && set == HiddenScope::segment);
+  }
+};
+
+SortWanted sort_wanted(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
+                       const SurfacePlan& plan, HiddenMethod by) {
   const HiddenMethod named = surfaces_of(by), set_method = surfaces_of(plan.method);
   const HiddenMethod method = named == HiddenMethod::automatic ? HiddenMethod::map : named;
   const bool applications = !options.method && set_method == method;
@@ -66,12 +83,27 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system,
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_surfaces().scope.value_or(usual);
   const bool picked = set_method == HiddenMethod::automatic;
-  const HiddenScope scope = picked ? HiddenScope::all : options.scope.value_or(set);
+  return {method, applications, set, picked ? HiddenScope::all : options.scope.value_or(set)};
+}
+
+}  // namespace
+
+bool sorts_together(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
+                    const SurfacePlan& plan, HiddenMethod by) {
+  return sort_wanted(system, options, plan, by).together();
+}
+
+const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system,
+                                             const HiddenSurfaceOptions& options,
+                                             const SurfacePlan& plan, HiddenMethod by) {
+  const BudgetInForce in_force(plan.budget);
+  const SortWanted wanted = sort_wanted(system, options, plan, by);
+  const HiddenMethod method = wanted.method;
   const SurfacePlan sort = plan.by(method);
   return sort_anew(system.display_file(), [&] {
-    if (is_object_space(method) && scope == HiddenScope::all) {
+    if (wanted.together()) {
       sort_together(sort);
-    } else if (is_object_space(method) && !(applications && set == HiddenScope::segment)) {
+    } else if (wanted.each_anew()) {
       sort_segments(sort);
     } else if (options.method && !is_object_space(method)) {
       unsort();

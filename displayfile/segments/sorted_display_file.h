@@ -18,6 +18,10 @@ namespace displayfile {
 /// surfaces, which finds no lines.
 void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method);
 
+/// True if SortedDisplayFile::update, by a method that sorts, sorts all visible segments together.
+bool sorts_together(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
+                    const SurfacePlan& plan, HiddenMethod by);
+
 /// A display file with its hidden surfaces sorted for the next drawing. Kept between drawings, it
 /// sorts only what has changed.
 class SortedDisplayFile {

@@ -53,6 +53,8 @@ class RetainedViews::Part {
     const SortedPieces& pieces = tree_.pieces();
     return {pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
   }
+  /// The most that the tree had while it was made.
+  std::uint64_t pieces() const { return items_.size() + tree_.pieces().cuts; }
   const MovingEye& moving_eye() const { return moving_eye_; }
 
   /// Enters the segments, whole polygons in order of entry; returns them sorted.
@@ -220,10 +222,14 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
   take();
 }
 
-bool RetainedViews::are_of(const SurfacePlan& plan) const {
-  return plan.scope == plan_.scope && plan.precision == plan_.precision &&
-         plan.hidden_lines == plan_.hidden_lines && plan.root == plan_.root &&
-         plan.most_pieces == plan_.most_pieces;
+bool RetainedViews::take_up(const SurfacePlan& plan) {
+  const bool are_of = plan.scope == plan_.scope && plan.precision == plan_.precision &&
+                      plan.hidden_lines == plan_.hidden_lines && plan.root == plan_.root;
+  const std::size_t limit = most_pieces_of_sort(plan, 0);
+  const auto is_within = [&](const auto& part) { return part->pieces() <= limit; };
+  if (!are_of || (limit < limit_ && !std::ranges::all_of(parts_, is_within))) return false;
+  plan_.most_pieces = plan.most_pieces;
+  return true;
 }
 
 /// Sorts what is visible now. If it throws, what was taken before stays.
@@ -255,6 +261,7 @@ void RetainedViews::take() {
     add(std::move(visible));
   }
   taken_.take();
+  limit_ = most_pieces_of_sort(plan_, 0);
   parts_ = std::move(parts);
   counts_ = {};
   for (const auto& part : parts_) counts_ += part->counts();

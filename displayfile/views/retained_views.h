@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -41,8 +42,9 @@ class RetainedViews {
   /// the constructor for an edited scene.
   DisplayFile view(const View& view, const glm::dmat3& lights_turned = glm::dmat3(1.0));
 
-  /// True if the trees are those of this plan.
-  bool are_of(const SurfacePlan& plan) const;
+  /// True if the trees are those that this plan would make, within its limit of pieces and that of
+  /// the budget in force. These limits then apply to them.
+  bool take_up(const SurfacePlan& plan);
 
   /// Here and below: for the last state prepared.
   std::size_t trees() const { return parts_.size(); }
@@ -58,6 +60,7 @@ class RetainedViews {
   TakenScene taken_;
   std::vector<std::unique_ptr<Part>> parts_;
   SurfacePlan plan_;
+  std::size_t limit_ = 0;  // of pieces, that was in force as the trees were made
   SortCounts counts_;
 };
 

@@ -23,7 +23,8 @@ struct DrawWarning {
   enum class Kind {
     nothing_seen,  ///< only the background is visible; the text says why
     hidden_lines,  ///< set to be drawn dashed, but the method does not find them
-    stretched,     ///< the picture's aspect ratio is not the system's; not for InView
+    stretched,     ///< the picture's aspect ratio is not that of the view
+    no_effect,     ///< an option of the call has no effect on this picture
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -62,8 +63,8 @@ struct DrawOptions {
   std::string depth = {};  ///< path of the visible fills' depth as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< fill these members of a Picture in memory
   VectorOptions vectors = {};
-  /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched`.
-  /// Warnings are not computed otherwise. The reason why nothing is visible is more precise where
+  /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched` and
+  /// `no_effect`. Warnings are not computed otherwise. The reason why nothing is visible is more precise where
   /// the scene is retained.
   Warn warn = {};
 

@@ -10,8 +10,12 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "clip/base/memory.h"
+#include "clip/base/work_budget.h"
+#include "clip/window_fit.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/segments/sorted_scene.h"
 #include "displayfile/text/output.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
@@ -40,7 +44,22 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {
                           expected));
 }
 
+namespace {
+
+/// The plain z-buffer decides by depths as they are stored, and in vectors is the map.
+void require_precision_of_plain_z_buffer(HiddenMethod method, const PicturePlan& plan) {
+  const bool decides = plan.kind() == PictureKind::raster && plan.is_on_first_device();
+  if (!decides || !is_plain_z_buffer(method) || plan.surfaces.precision.exact) return;
+  throw Error(
+      fmt::format("hidden-surface method '{}' rounds depths as it stores them, without a ROUNDOFF: "
+                  "expected precision exact",
+                  name_of(method)));
+}
+
+}  // namespace
+
 void require_drawable_by(HiddenMethod method, const PicturePlan& plan) {
+  require_precision_of_plain_z_buffer(method, plan);
   if (!shows_lines_only(method)) return;
   if (finds_lines(method) && plan.wants_fills()) {
     throw Error(fmt::format(
@@ -121,6 +140,13 @@ std::string words_of(const Precision& precision) {
       what, asked, what, made, made, what));
 }
 
+/// Whether a picture that is so many times as wide as what was viewed for it is stretched, and not
+/// only in whole pixels.
+bool is_stretched(double wider, const DrawOptions& options) {
+  constexpr double kRounded = 0.01;
+  return std::abs(wider - 1.0) > kRounded + 1.0 / std::min(options.width, options.height);
+}
+
 }  // namespace
 
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options) {
@@ -132,12 +158,145 @@ void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options)
   const auto& stretched = system.stretched_window();
   const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
   const double wider = shape / (system.aspect_ratio() * meant);
-  constexpr double kRounded = 0.01;  // the shape of a picture in whole pixels
-  if (std::abs(wider - 1.0) <= kRounded + 1.0 / std::min(options.width, options.height)) return;
+  if (!is_stretched(wider, options)) return;
   options.warn({DrawWarning::Kind::stretched,
                 fmt::format("a picture of {} x {} shows this system {:.3g} times as wide as it was "
                             "viewed: expected set_aspect_ratio({:.4g}) before the first segment",
                             options.width, options.height, wider, shape)});
+}
+
+void warn_if_stretched(const View& view, const GraphicsSystem* settings,
+                       const DrawOptions& options) {
+  const bool is_meant =
+      settings != nullptr && settings->explicit_settings().contains(Setting::window_fit);
+  if (!options.warn || is_meant) return;
+  const double shape = static_cast<double>(options.width) / options.height;
+  const double meant = shape * shape_of(view.viewport);
+  const double wider = meant / shape_of(view.window);
+  if (!is_stretched(wider, options)) return;
+  options.warn({DrawWarning::Kind::stretched,
+                fmt::format("a picture of {} x {} shows this view {:.3g} times as wide as it is: "
+                            "expected a window that is {:.4g} times as wide as high",
+                            options.width, options.height, wider, meant)});
+}
+
+namespace {
+
+/// True if nothing that is drawn was put in order.
+bool is_in_order_of_entry(const DisplayFile& drawn) {
+  return drawn.sorted() == nullptr &&
+         std::ranges::none_of(drawn.segments(), [](const Segment& segment) {
+           return segment.visible && segment.sorted() != nullptr;
+         });
+}
+
+/// Lines that are drawn over the map's pieces are found by a ROUNDOFF, its pieces are not.
+bool is_map_without_lines(const DisplayFile& drawn) {
+  const auto& sorted = drawn.sorted();
+  return sorted != nullptr && sorted->plan.method == HiddenMethod::map &&
+         std::ranges::none_of(sorted->parts,
+                              [](const auto& part) { return part->scene->has_lines(); });
+}
+
+/// Why a ROUNDOFF decides nothing; empty if it does.
+std::string why_nothing_rounds(HiddenMethod method, const DisplayFile& drawn, FoundBy by) {
+  const std::string_view name = name_of(method);
+  if (is_image_space(method)) {
+    if (by == FoundBy::method) return "";
+    return by == FoundBy::device
+               ? "the device finds surfaces by a z-buffer of its own"
+               : fmt::format("hidden-surface method '{}' puts nothing in order", name);
+  }
+  if (is_map_without_lines(drawn)) return "the map is exact, and there are no lines";
+  if (is_object_space(method) || !is_in_order_of_entry(drawn)) return "";
+  return fmt::format("hidden-surface method '{}' draws in order of entry", name);
+}
+
+/// Why no scope is obeyed; empty if it is.
+std::string why_nothing_has_a_scope(HiddenScope scope, const SurfacePlan& plan, HiddenMethod method,
+                                    const DisplayFile& drawn, FoundBy by) {
+  const std::string_view name = name_of(plan.method);
+  if (is_image_space(method) || surfaces_of(plan.method) == HiddenMethod::automatic) {
+    if (by == FoundBy::nobody && surfaces_of(method) != HiddenMethod::automatic)
+      return fmt::format("hidden-surface method '{}' puts nothing in order", name);
+    if (scope == HiddenScope::all) return "";
+    return fmt::format("hidden-surface method '{}' takes all segments together", name);
+  }
+  if (is_object_space(method) || !is_in_order_of_entry(drawn)) return "";
+  return fmt::format("hidden-surface method '{}' draws in order of entry", name);
+}
+
+}  // namespace
+
+std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
+                                                const SurfacePlan& plan, HiddenMethod method,
+                                                const DisplayFile& drawn, FoundBy by) {
+  std::vector<std::string> all;
+  if (set.precision && !set.precision->exact) {
+    const std::string why = why_nothing_rounds(method, drawn, by);
+    if (!why.empty()) {
+      all.push_back(fmt::format("precision {} has no effect: {}", words_of(*set.precision), why));
+    }
+  }
+  if (set.scope && drawn.visible_segments().size() > 1) {
+    const std::string why = why_nothing_has_a_scope(*set.scope, plan, method, drawn, by);
+    if (!why.empty()) {
+      all.push_back(fmt::format("scope {} has no effect: {}", name_of(*set.scope), why));
+    }
+  }
+  return all;
+}
+
+void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn) {
+  if (!plan.options.warn) return;
+  const bool by_device = plan.kind() == PictureKind::raster && !plan.is_on_first_device();
+  for (const std::string& text :
+       options_without_effect(plan.options.surfaces, plan.surfaces, plan.method, drawn,
+                              by_device ? FoundBy::device : FoundBy::method)) {
+    plan.options.warn({DrawWarning::Kind::no_effect, text});
+  }
+}
+
+namespace {
+
+/// Whether a picture with several samples a pixel takes hardly more memory than one without: the
+/// device draws some rows at a time, and the method holds no more.
+bool holds_few_rows(const PicturePlan& plan) {
+  return plan.device->draw_rows != nullptr && !is_plain_z_buffer(plan.surfaces.method);
+}
+
+}  // namespace
+
+std::size_t bytes_of_samples(const PicturePlan& plan, int samples) {
+  constexpr std::size_t kBytesOfSample = 8;  // a colour or a fill, and a depth
+  if (plan.kind() == PictureKind::vector || holds_few_rows(plan)) return 0;
+  const auto along = static_cast<std::size_t>(samples);
+  return kBytesOfSample * along * along * static_cast<std::size_t>(plan.options.width) *
+         static_cast<std::size_t>(plan.options.height);
+}
+
+void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what) {
+  const std::uint64_t needed = bytes + bytes_of_samples(plan, plan.samples);
+  const std::uint64_t allowed = bytes_allowed();
+  if (needed <= allowed || bytes + bytes_of_samples(plan, 1) > allowed) return;
+  throw LimitReached(
+      fmt::format("out of memory: {} needs at least {} bytes with {} x {} samples a pixel, and the "
+                  "limit is {}: expected fewer, such as --samples 1",
+                  what, needed, plan.samples, plan.samples, allowed));
+}
+
+WorkDone drawing_work(const PicturePlan& plan) {
+  if (plan.kind() == PictureKind::vector) {
+    return {"the drawing",
+            "pixels by hidden-surface method z-buffer, or by scan-line-z in little memory"};
+  }
+  if (plan.samples > 1) {
+    return {"the drawing",
+            "fewer samples a pixel, such as --samples 1, a smaller picture or hidden-surface "
+            "method z-buffer, scan-line-z in little memory"};
+  }
+  return {"the drawing",
+          "a smaller picture or hidden-surface method z-buffer, scan-line-z in little memory"};
 }
 
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options) {

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
+#include "clip/base/budgeted_work.h"
 #include "clip/base/memory.h"
+#include "clip/view.h"
 #include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"
@@ -43,8 +47,34 @@ void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& 
 /// Calls the options' `warn` if a system's windows are stretched by default in a picture of this
 /// aspect ratio.
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options);
+/// The same for a view; `settings` may be null.
+void warn_if_stretched(const View& view, const GraphicsSystem* settings,
+                       const DrawOptions& options);
+
+/// How a picture's surfaces are found by a method of image space.
+enum class FoundBy {
+  method,  ///< by that method, or in vectors by the map
+  device,  ///< by a device's own z-buffer
+  nobody,  ///< not at all: a dump
+};
+/// The options for hidden surfaces that are set and have no effect, a sentence each: a ROUNDOFF
+/// that decides nothing, and a scope where no segments are sorted. `drawn` has the sorts drawn.
+std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
+                                                const SurfacePlan& plan, HiddenMethod method,
+                                                const DisplayFile& drawn, FoundBy by);
+/// Calls the plan's `warn` with them.
+void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn);
 /// Throws Error for a method that does not draw by rays in a retained scene.
 void require_drawn_by_rays(const PicturePlan& plan);
+
+/// The bytes of the colours of a picture with `samples` x `samples` samples a pixel, on a device or
+/// by a method that holds all of them; 0 if only a few rows are held.
+std::size_t bytes_of_samples(const PicturePlan& plan, int samples);
+/// Throws LimitReached if a picture of `bytes` bytes without its samples does not fit, but would
+/// with one sample a pixel.
+void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what);
+/// The drawing's name in messages, and what to do instead.
+WorkDone drawing_work(const PicturePlan& plan);
 
 /// Returns the result of `draw`, a picture in memory, after checking that there is memory for it.
 template <class Draw>
@@ -55,26 +85,31 @@ Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& 
   const std::size_t of_pixel = sizeof(Picture::pixels[0]) +
                                (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
                                (options.with_depth ? sizeof(Picture::depth[0]) : 0);
+  const auto what = [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); };
+  require_samples_fit(pixels * of_pixel, plan, what());
   return with_memory(
-      pixels * of_pixel,
-      [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); }, draw,
+      pixels * of_pixel + bytes_of_samples(plan, plan.samples), what,
+      [&] {
+        const NamedWork named(drawing_work(plan));
+        return draw();
+      },
       kept.bytes_of_picture());
 }
 
-/// Draws into a file or a stream: by rows, except for a device with the whole picture in memory,
-/// including a depth per pixel. A method's data for a scene take at least `bytes`.
+/// Draws into a file or a stream: by rows, except for a device or a method that holds all samples
+/// in memory. A method's data for a scene take at least `bytes_of_scene`.
 template <class Draw>
 void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
                             const PicturePlan& plan, Draw&& draw) {
-  constexpr std::size_t kBytesOfPixel = 8;
   const DrawOptions& options = plan.options;
-  const bool by_rows = plan.device->draw_rows != nullptr;
-  const auto pixels =
-      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  const auto samples = static_cast<std::size_t>(plan.samples * plan.samples);
-  with_memory(
-      bytes_of_scene + (by_rows ? 0 : kBytesOfPixel * pixels * samples),
-      [&] { return fmt::format("{} of {} x {}", to.name(), options.width, options.height); }, draw);
+  const auto what = [&] {
+    return fmt::format("{} of {} x {}", to.name(), options.width, options.height);
+  };
+  require_samples_fit(bytes_of_scene, plan, what());
+  with_memory(bytes_of_scene + bytes_of_samples(plan, plan.samples), what, [&] {
+    const NamedWork named(drawing_work(plan));
+    draw();
+  });
 }
 
 }  // namespace displayfile

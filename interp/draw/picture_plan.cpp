@@ -94,24 +94,12 @@ void require_root(const PicturePlan& plan) {
                   name_of(method)));
 }
 
-bool is_plain_z_buffer(HiddenMethod method) {
-  const HiddenMethod surfaces = surfaces_of(method);
-  return surfaces >= HiddenMethod::plain_z_buffer &&
-         surfaces <= HiddenMethod::plain_z_buffer_double;
-}
-
-/// Whether a picture with several samples a pixel takes hardly more memory than one without: the
-/// device draws some rows at a time, and the method holds no more.
-bool holds_few_rows(const PicturePlan& plan) {
-  return plan.device->draw_rows != nullptr && !is_plain_z_buffer(plan.surfaces.method);
-}
-
 /// Those in force, once the method is known. Only samples that were set can be refused.
 int samples_in_force(const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
   if (plan.kind() == PictureKind::vector) return 1;
   if (options.samples) return *options.samples;
-  if (!holds_few_rows(plan)) return 1;
+  if (bytes_of_samples(plan, 1) > 0) return 1;
   return std::min(kUsualSamples, kLargestSide / std::max(options.width, options.height));
 }
 

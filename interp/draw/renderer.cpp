@@ -22,6 +22,7 @@
 #include "displayfile/views/taken_scene.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/drawing_choice.h"
+#include "interp/draw/item_buffer.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
 #include "interp/draw/world_views.h"
@@ -170,7 +171,7 @@ class KeptTrees {
     return *world_;
   }
   RetainedViews& trees(const SurfacePlan& plan) {
-    if (!trees_ || !trees_->are_of(plan)) {
+    if (!trees_ || !trees_->take_up(plan)) {
       trees_.reset();
       trees_.emplace(taken_->scene(), taken_->attributes(), plan);
     }
@@ -255,6 +256,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
   const DisplayFile& sorted = kept.sorted.update(system, plan.options.surfaces, plan.surfaces,
                                                  unsorted_if_automatic(plan.method));
   look_for_hidden_lines_left(sorted, plan);
+  warn_of_options_without_effect(plan, sorted);
   if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
     const PicturePlan cast = by_rays(*world, plan);
     return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);
@@ -315,6 +317,8 @@ template <class Draw>
 auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareRenderer& software,
                   const Draw& draw) {
   kept.take(in.scene, in.attributes);
+  warn_if_stretched(in.view, in.settings, plan.options);
+  warn_of_options_without_effect(plan, in.attributes);
   plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
     const ViewedWorld world = kept.world().view(in.view, lights_of(in));
@@ -483,9 +487,23 @@ void Renderer::give_back(Picture picture) { kept_->picture = std::move(picture);
 
 const DisplayFile& Renderer::drawn_by_pens() const { return kept_->of_scene.drawn_by_pens(); }
 
+namespace {
+
+DrawnPixel pixel_drawn(const GraphicsSystem& system, const DrawOptions& options,
+                       const Picker::Pixel& at, const KeptForPictures& kept) {
+  const DrawOptions row = row_of_pixel(options, at);
+  Picture picture = draw_in_memory(system, resolve(system, row), kept);
+  const auto column = static_cast<std::size_t>(at.column);
+  const DrawnPixel drawn{picture.ids[column], picture.depth[column]};
+  kept.software.give_back(std::move(picture));
+  return drawn;
+}
+
+}  // namespace
+
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
                                    const DrawOptions& options, double reach) {
-  resolve(system, options);  // refuses
+  const PicturePlan plan = resolve(system, options);
   const BudgetInForce in_force(options.surfaces.budget);
   const PictureSize size{options.width, options.height};
   Kept& kept = *kept_;
@@ -502,7 +520,20 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
                          options.surfaces.threads);
         });
   }
-  return picker->pick(x, y, reach);
+  const auto at = picker->pixel_at(x, y, reach);
+  if (!at) return std::nullopt;
+  const ItemBufferIs item_buffer = item_buffer_of(system, plan);
+  if (item_buffer == ItemBufferIs::truth) return picker->pick(*at, reach);
+  if (finds_lines(plan.method)) {
+    const DisplayFile& sorted =
+        kept.sorted.update(system, options.surfaces, plan.surfaces, plan.method);
+    return picker->pick(*at, reach, layers_of(sorted, picker->scene(), plan.method));
+  }
+  const DrawnPixel drawn =
+      pixel_drawn(system, options, *at, {kept.sorted, kept.software, kept.of_scene});
+  if (item_buffer == ItemBufferIs::drawn) return picker->pick(*at, reach, {}, drawn);
+  const DisplayFile& sorted = kept.sorted.display_file();
+  return picker->pick(*at, reach, layers_of(sorted, picker->scene(), plan.method), drawn);
 }
 
 std::optional<Pick> Renderer::seen_at(const InView& scene, double x, double y) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "clip/base/work_budget.h"
@@ -115,8 +116,26 @@ struct TurntableRenderer::Kept {
   TurntableViews turned;
   Turntable turntable;
   DrawOptions options;
+  bool is_stretch_set;  // by the application
   Renderer renderer = {};
-  Turntable::Turn turn = {};  // of the view drawn last
+  Turntable::Turn turn = {};           // of the view drawn last
+  std::vector<std::string> told = {};  // that holds of all views
+
+  /// For one view: what holds of all of them is warned of once.
+  DrawOptions of_one(const DrawOptions& all) {
+    DrawOptions one = by_tree(all);
+    if (!one.warn) return one;
+    one.warn = [this, warn = one.warn](const DrawWarning& warning) {
+      const bool is_stretched = warning.kind == DrawWarning::Kind::stretched;
+      if (is_stretched && is_stretch_set) return;
+      if (is_stretched || warning.kind == DrawWarning::Kind::no_effect) {
+        if (std::ranges::find(told, warning.text) != told.end()) return;
+        told.push_back(warning.text);
+      }
+      warn(warning);
+    };
+    return one;
+  }
 
   void bring_up_to_date() {
     if (taken.is_same()) return;
@@ -145,8 +164,9 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
   TakenScene taken(scene, display_file);
   Turntable turntable = turntable_of(taken, system.view(), views);
   taken.take();
-  kept_ = std::make_unique<Kept>(
-      Kept{std::move(taken), system.view(), views, std::move(turntable), settled});
+  kept_ = std::make_unique<Kept>(Kept{std::move(taken), system.view(), views, std::move(turntable),
+                                      settled,
+                                      system.explicit_settings().contains(Setting::window_fit)});
 }
 TurntableRenderer::TurntableRenderer(TurntableRenderer&& other) noexcept = default;
 TurntableRenderer& TurntableRenderer::operator=(TurntableRenderer&& other) noexcept = default;
@@ -157,18 +177,19 @@ const DrawOptions& TurntableRenderer::options() const { return kept_->options; }
 const Renderer& TurntableRenderer::renderer() const { return kept_->renderer; }
 
 Picture TurntableRenderer::draw(int view) {
-  kept_->renderer.draw(kept_->in_view(view), by_tree(kept_->options));
+  kept_->renderer.draw(kept_->in_view(view), kept_->of_one(kept_->options));
   return kept_->renderer.take_picture();
 }
 
 void TurntableRenderer::draw(int view, const Destination& to) {
-  kept_->renderer.draw(kept_->in_view(view), to, by_tree(kept_->options));
+  kept_->renderer.draw(kept_->in_view(view), to, kept_->of_one(kept_->options));
 }
 
 std::filesystem::path TurntableRenderer::draw_numbered(int view,
                                                        const std::filesystem::path& file) {
   std::filesystem::path name = numbered(file, view, views());
-  kept_->renderer.draw(kept_->in_view(view), name, by_tree(of_view(kept_->options, view, views())));
+  kept_->renderer.draw(kept_->in_view(view), name,
+                       kept_->of_one(of_view(kept_->options, view, views())));
   return name;
 }
 

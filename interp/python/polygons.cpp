@@ -199,10 +199,11 @@ struct PiecesRequest {
 HiddenMethod method_in(py::handle value, bool lines_alone) {
   const HiddenMethod method = hidden_method(word_in(value, "method"));
   const bool finds_pieces = method == HiddenMethod::bsp || method == HiddenMethod::depth_sort ||
-                            method == HiddenMethod::map;
+                            method == HiddenMethod::plain_bsp || method == HiddenMethod::map;
   if (lines_alone ? finds_lines(method) && !needs_surface(method) : finds_pieces) return method;
-  throw Error(fmt::format("method '{}': expected {}", name_of(method),
-                          lines_alone ? "franklin, appel or roberts" : "depth-sort, bsp or map"));
+  throw Error(fmt::format(
+      "method '{}': expected {}", name_of(method),
+      lines_alone ? "franklin, appel, roberts or plain-appel" : "depth-sort, bsp or plain-bsp"));
 }
 
 /// A length in the coordinates given, "auto" or "off".

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "displayfile/segments/drawn_strokes.h"
+#include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/scene_lines.h"
 
 namespace displayfile {
@@ -51,7 +52,8 @@ LinesOverFills::Wanted LinesOverFills::Wanted::beside(const SurfacePlan& fills,
            .precision = fills.precision,
            .hidden_lines = fills.hidden_lines,
            .intersections = fills.intersections,
-           .threads = fills.threads},
+           .threads = fills.threads,
+           .most_pieces = most_pieces_in_force()},
           pixels};
 }
 
@@ -62,7 +64,7 @@ void LinesOverFills::clear() {
 
 void LinesOverFills::take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted) {
   of_segments_.clear();
-  if (all_ && all_->wanted == wanted) {
+  if (all_ && wanted.are_as(all_->wanted)) {
     all_->scene = scene;
     return;
   }
@@ -81,7 +83,7 @@ void LinesOverFills::take_sorted_segments(const DisplayFile& display_file, const
     wanted.plan.threads = threads;
     const auto will_do = [&](const OfSegment& old) {
       return old.entered == segment.entered() && old.image == segment.image &&
-             old.group.wanted == wanted;
+             wanted.are_as(old.group.wanted);
     };
     of_segments_.emplace(segment.name(), kept != before.end() && will_do(kept->second)
                                              ? std::move(kept->second)

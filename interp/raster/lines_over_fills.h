@@ -22,7 +22,10 @@ class LinesOverFills {
     SurfacePlan plan = {};  ///< by Franklin's method, whatever finds the fills
     Point2 pixels{0.0};     ///< OutputDevice::pixels, in the unit of widths as they are set
 
-    bool operator==(const Wanted& o) const { return plan.finds_as(o.plan) && pixels == o.pixels; }
+    /// True if what was found for `o`, within the limit of pieces that was in force, will do.
+    bool are_as(const Wanted& o) const {
+      return plan.finds_as(o.plan) && pixels == o.pixels && plan.most_pieces >= o.plan.most_pieces;
+    }
     /// Those that go with fills which are found by that plan.
     static Wanted beside(const SurfacePlan& fills, const Point2& pixels);
   };

@@ -30,14 +30,28 @@ std::vector<HiddenMethod> methods_with_steps() {
 
 namespace {
 
+/// The methods whose plain form is a file of its own, which the steps observe.
+struct PlainForm {
+  HiddenMethod plain, method;
+};
+constexpr std::array kPlainForms{
+    PlainForm{HiddenMethod::plain_bsp, HiddenMethod::bsp},
+    PlainForm{HiddenMethod::plain_scan_line, HiddenMethod::scan_line},
+    PlainForm{HiddenMethod::plain_warnock, HiddenMethod::warnock},
+    PlainForm{HiddenMethod::plain_appel, HiddenMethod::appel},
+};
+
 const SteppedAlgorithm& algorithm_of(HiddenMethod method) {
   const auto all = stepped_algorithms();
+  const auto form = std::ranges::find(kPlainForms, method, &PlainForm::plain);
+  const HiddenMethod told = form == kPlainForms.end() ? method : form->method;
   const auto found =
-      std::ranges::find_if(all, [&](const SteppedAlgorithm* a) { return a->method == method; });
+      std::ranges::find_if(all, [&](const SteppedAlgorithm* a) { return a->method == told; });
   if (found != all.end()) return **found;
   std::string names;
   for (const SteppedAlgorithm* algorithm : all)
     names.append(" ").append(name_of(algorithm->method));
+  for (const PlainForm& plain : kPlainForms) names.append(" ").append(name_of(plain.plain));
   throw Error("hidden-surface method " + std::string(name_of(method)) +
               " has no steps: expected one of" + names);
 }
@@ -66,6 +80,12 @@ void describe(const StepItems& scene, Steps& steps) {
 }
 
 }  // namespace
+
+std::vector<HiddenMethod> plain_forms_with_steps() {
+  std::vector<HiddenMethod> forms;
+  for (const PlainForm& form : kPlainForms) forms.push_back(form.plain);
+  return forms;
+}
 
 Steps tell_steps(const DisplayFile& file, const StepsOptions& options) {
   const SteppedAlgorithm& algorithm = algorithm_of(options.method);

@@ -147,7 +147,7 @@ struct Steps {
 };
 
 struct StepsOptions {
-  HiddenMethod method = HiddenMethod::bsp;
+  HiddenMethod method = HiddenMethod::bsp;  ///< or its plain form, whose steps these are
   int width = 64, height = 64;      ///< pixels of the picture
   std::size_t most_steps = 20'000;  ///< Error, which names --limit-steps, for more
 };
@@ -166,5 +166,7 @@ std::string as_json(const Steps& steps);
 
 /// The methods that tell steps.
 std::vector<HiddenMethod> methods_with_steps();
+/// Plain forms that are told as the steps of those: other names of them.
+std::vector<HiddenMethod> plain_forms_with_steps();
 
 }  // namespace displayfile

@@ -77,6 +77,16 @@ bool is_image_space(HiddenMethod by) {
          entry_of(method) != nullptr;
 }
 
+bool is_plain_z_buffer(HiddenMethod by) {
+  const HiddenMethod method = surfaces_of(by);
+  return method >= HiddenMethod::plain_z_buffer && method <= HiddenMethod::plain_z_buffer_double;
+}
+
+bool decides_exactly(HiddenMethod by) {
+  return is_image_space(by) && surfaces_of(by) != HiddenMethod::world_ray_cast &&
+         !is_plain_z_buffer(by);
+}
+
 std::unique_ptr<ImageSpaceMethod> make_image_space_method(HiddenMethod method,
                                                           const ViewedWorld* world) {
   if (method == HiddenMethod::world_ray_cast) return std::make_unique<WorldRayCast>(world);

@@ -55,6 +55,11 @@ std::span<const ImageSpaceEntry> image_space_methods();
 /// Also true for `automatic`, which for pixels chooses one of them, and for world_ray_cast, whose
 /// result before viewing is passed to the viewed scene.
 bool is_image_space(HiddenMethod by);
+/// True for the plain z-buffers, whatever they store depths as.
+bool is_plain_z_buffer(HiddenMethod by);
+/// True for those of image space that decide by the viewed scene without rounding: all but
+/// world_ray_cast and the plain z-buffers.
+bool decides_exactly(HiddenMethod by);
 
 /// Throws Error if the method does not work in image space. world_ray_cast uses `world`, which must
 /// outlive it: the source of the view.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "clip/corners.h"
 #include "clip/rectangle.h"
@@ -31,6 +32,7 @@ struct LinePicker::Line {
   Plane own;            ///< if lifted
   bool lifted = false;  ///< off that plane, and moved on to it
   std::array<DefinedPoint, 2> ends;
+  Item item = 0;
   Fill fill = ViewedScene::kBackground;
 
   Definitions definitions() const { return {stored, {&own, 1}}; }
@@ -39,9 +41,9 @@ struct LinePicker::Line {
   double depth(double t) const { return ends[0].near.z + t * (ends[1].near.z - ends[0].near.z); }
 };
 
-/// A fill that is nearer than the line somewhere.
+/// A fill that is nearer than the line somewhere, or drawn over it.
 struct LinePicker::Hider {
-  LinePart nearer;  ///< where its plane is
+  LinePart nearer;  ///< where its plane is, or where it is drawn over the line
   /// Where a point that moves along the line, close to it on its left or on its right, comes into
   /// the fill or out of it.
   std::array<std::vector<double>, 2> crossings;
@@ -52,8 +54,9 @@ struct LinePicker::Hider {
   }
 };
 
-LinePicker::LinePicker(const ViewedScene& scene, const PictureSize& size, int threads)
-    : scene_(scene), size_(size) {
+LinePicker::LinePicker(const ViewedScene& scene, const PictureSize& size, int threads,
+                       DrawnLayers layers)
+    : scene_(scene), size_(size), layers_(std::move(layers)) {
   enter_lines(threads);
   if (!entries_.empty()) enter_fills(threads);
 }
@@ -112,6 +115,7 @@ LinePicker::Line LinePicker::line_of(const Entry& entry) const {
   Line line;
   line.stored = {from, points[entry.to]};
   line.ends = {stored_point(line.stored[0]), stored_point(line.stored[1])};
+  line.item = entry.item;
   line.fill = entry.fill;
   if (points.size() <= 3) return line;
   const auto [support, edge_on] = support_vertices(points);
@@ -142,8 +146,13 @@ std::optional<LinePart> LinePicker::stretch_within(const Line& line, const Point
       {std::max(0.0, (nearest - half) / length), std::min(1.0, (nearest + half) / length)});
 }
 
-/// Nothing if the fill hides no part of the line.
-std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) const {
+/// Where the fill is drawn over the line wherever it covers it, or else where its plane is nearer.
+std::optional<LinePart> LinePicker::part_before(const Line& line, Fill fill) const {
+  switch (layers_.hides(scene_.item_of(fill), line.item)) {
+    case DrawnLayers::Hides::nowhere: return std::nullopt;
+    case DrawnLayers::Hides::where_it_covers: return LinePart{0.0, 1.0};
+    case DrawnLayers::Hides::where_nearer: break;
+  }
   const Plane plane = scene_.plane(fill);
   const int toward_viewer = facing(plane);
   const auto before = [&](const DefinedPoint& end) {
@@ -151,13 +160,21 @@ std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) 
   };
   const int from = before(line.ends[0]), to = before(line.ends[1]);
   if (from >= 0 && to >= 0) return std::nullopt;
-  Hider hider{{0.0, 1.0}, {}};
+  LinePart nearer{0.0, 1.0};
   if (from > 0 || to > 0) {
     const double a = std::abs(plane_value(line.ends[0].near, plane).value);
     const double b = std::abs(plane_value(line.ends[1].near, plane).value);
     const double meets = a + b > 0.0 ? a / (a + b) : 0.5;
-    (from > 0 ? hider.nearer.from : hider.nearer.to) = meets;
+    (from > 0 ? nearer.from : nearer.to) = meets;
   }
+  return nearer;
+}
+
+/// Nothing if the fill hides no part of the line.
+std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) const {
+  const auto before = part_before(line, fill);
+  if (!before) return std::nullopt;
+  Hider hider{*before, {}};
 
   const Point2 start = line.from(), along = line.to() - start;
   const double square = glm::dot(along, along);
@@ -288,7 +305,9 @@ std::optional<LinePicker::Found> LinePicker::nearest(const Point2& at, double re
   const auto distance = [](const Candidate& c) { return c.found.distance; };
   const double least = distance(*std::ranges::min_element(all, {}, distance));
   const Candidate* best = nullptr;
-  const auto better = [](const Candidate& a, const Candidate& b) {
+  const auto better = [this](const Candidate& a, const Candidate& b) {
+    if (layers_.is_over(a.found.item, b.found.item)) return true;
+    if (layers_.is_over(b.found.item, a.found.item)) return false;
     if (a.of_seen != b.of_seen) return a.of_seen;
     if (a.found.depth != b.found.depth) return a.found.depth > b.found.depth;
     return a.entry > b.entry;

@@ -6,6 +6,7 @@
 
 #include "clip/clip_to_rectangle.h"
 #include "displayfile/segments/viewed_scene.h"
+#include "interp/visibility/drawn_layers.h"
 #include "interp/visibility/pixel_tree.h"
 
 namespace displayfile {
@@ -19,8 +20,12 @@ class LinePicker {
   using Item = ViewedScene::Item;
   using Fill = ViewedScene::Fill;
 
-  /// The scene must live as long as the picker.
-  LinePicker(const ViewedScene& scene, const PictureSize& size, int threads);
+  /// The scene must live as long as the picker. Where the layers say so, a line is hidden by what
+  /// is drawn over it in place of what is nearer.
+  LinePicker(const ViewedScene& scene, const PictureSize& size, int threads,
+             DrawnLayers layers = {});
+
+  const DrawnLayers& layers() const { return layers_; }
 
   struct Found {
     Item item;
@@ -30,8 +35,8 @@ class LinePicker {
   };
   /// The line of which a seen point lies nearest to a point (pixels, y up), but no farther than
   /// `reach` pixels or half the line's width. Of those as near, which have that nearest point in
-  /// common, a side of the fill seen there, or else the one nearer to the viewer, or else the one
-  /// entered later. A line seen end-on is not found.
+  /// common, the one that is drawn over the others, or else a side of the fill seen there, or else
+  /// the one nearer to the viewer, or else the one entered later. A line seen end-on is not found.
   std::optional<Found> nearest(const Point2& at, double reach, Fill seen_there) const;
 
  private:
@@ -53,11 +58,13 @@ class LinePicker {
   }
   std::optional<LinePart> stretch_within(const Line& line, const Point2& at, double reach) const;
   std::vector<Hider> hiders_of(const Line& line, const LinePart& stretch) const;
+  std::optional<LinePart> part_before(const Line& line, Fill fill) const;
   std::optional<Hider> hider(const Line& line, Fill fill) const;
   std::vector<LinePart> seen_parts(const Line& line, const LinePart& part) const;
 
   const ViewedScene& scene_;
   PictureSize size_;
+  DrawnLayers layers_;
   std::vector<Entry> entries_;
   PixelTree lines_, fills_;
 };

@@ -23,6 +23,7 @@
 #include "programs/inputs/made_folders.h"
 #include "programs/inputs/output_name.h"
 #include "programs/inputs/output_paths.h"
+#include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -159,6 +160,10 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
                   "in pixels; by default for pictures the size of the golden picture, and 512x512 "
                   "with --update; for instructions a square")
       ->type_name("WIDTHxHEIGHT")
+      ->group(kPictureOptions);
+  command.add_option("--threads", threads, "the result is the same for any number")
+      ->type_name("N")
+      ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
   meshes.add_to(command);
   return command;

@@ -68,8 +68,8 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   command.add_flag("--stats", stats, "print statistics of the drawing")->group(kReportOptions);
   command
       .add_option("--pick", pick,
-                  "print the primitive visible at a pixel, counted from the upper left corner: a "
-                  "polygon, or a line or edge within REACH pixels")
+                  "print what the picture shows at a pixel, counted from the upper left corner: a "
+                  "polygon, or a line or edge within REACH of it")
       ->type_name("X,Y[,REACH]")
       ->group(kReportOptions);
   command
@@ -221,7 +221,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
   // Before the picture, since nothing is written where a limit is reached.
   const std::string pick_found =
-      pick ? picked(system, pick_option(*pick), entered.options()) : std::string();
+      pick ? picked(system, pick_option(*pick), entered.options(), kind) : std::string();
   SortedDisplayFile sorted;
   std::vector<DrawWarning> warned;
   {

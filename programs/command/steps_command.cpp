@@ -37,7 +37,13 @@ CLI::App& StepsCommand::add_to(CLI::App& app) {
   std::string methods;
   for (const HiddenMethod method : methods_with_steps())
     methods.append(" ").append(name_of(method));
-  command.add_option("--hidden", hidden, "the algorithm:" + methods)
+  std::string forms;
+  for (const HiddenMethod form : plain_forms_with_steps())
+    forms.append(forms.empty() ? "" : " ").append(name_of(form));
+  command
+      .add_option(
+          "--hidden", hidden,
+          fmt::format("the algorithm:{}; or the plain form that is shown: {}", methods, forms))
       ->type_name("STEPPED-METHOD")
       ->required()
       ->group(kHiddenSurfaceOptions);

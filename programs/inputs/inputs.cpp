@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "displayfile/segments/hidden_lines_left.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/drawing_choice.h"
+#include "interp/draw/picture_checks.h"
 #include "programs/process/keep_freed_memory.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -283,6 +285,10 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   DrawnFile drawn{SortedDisplayFile{}.update(system, options, plan, unsorted_if_automatic(method)),
                   std::nullopt};
   require_hidden_lines_dumped(drawn.file, method, options);
+  for (const std::string& text :
+       options_without_effect(options, plan, method, drawn.file, FoundBy::nobody)) {
+    warnings() << fmt::format("{}: {}\n", input_name(inputs.front()), text);
+  }
   if (!is_colour_rule(method)) return drawn;
   require_colour_of_fills(method, system.background());
   drawn.fills = system.background().colour;

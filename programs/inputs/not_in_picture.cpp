@@ -31,6 +31,8 @@ void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options
     if (options.vectors.pick_ids) add(kElements);
     if (options.vectors.seams != VectorOptions().seams) add(kSeams);
     if (options.vectors.precision != VectorOptions().precision) add(kPrecision);
+    const bool by_other_device = options.device != DrawOptions().device;
+    if (by_other_device && system.display_file().has_shadows()) add(kShadowsOfDevice);
   }
   if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
@@ -49,6 +51,9 @@ void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options
 void NotInPicture::note(const std::vector<DrawWarning>& warned) {
   for (const DrawWarning& warning : warned) {
     if (warning.kind == DrawWarning::Kind::hidden_lines) add(kHiddenLines);
+    if (warning.kind != DrawWarning::Kind::no_effect) continue;
+    const std::lock_guard lock(adding_);
+    no_effect_.insert(warning.text);
   }
 }
 
@@ -58,6 +63,7 @@ void NotInPicture::warn(const std::string& output) const {
         << output
         << ": left out: set-hidden-lines dashed, as nothing finds hidden lines in order of entry\n";
   }
+  for (const std::string& text : no_effect_) warnings() << fmt::format("{}: {}\n", output, text);
   std::vector<std::string_view> left_out;
   if (has(kPhong)) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
   if (has(kShadows)) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
@@ -71,6 +77,7 @@ void NotInPicture::warn(const std::string& output) const {
   if (has(kElements)) not_in_pixels.emplace_back("--pick-ids");
   if (has(kSeams)) not_in_pixels.emplace_back("--seams");
   if (has(kPrecision)) not_in_pixels.emplace_back("--vector-precision");
+  if (has(kShadowsOfDevice)) not_in_pixels.emplace_back("shadows, which osmesa does not draw");
   if (not_in_pixels.empty()) return;
   warnings() << fmt::format("{}: pixels leave out {}\n", output, fmt::join(not_in_pixels, ", "));
 }

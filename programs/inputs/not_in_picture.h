@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,14 @@ class NotInPicture {
     kElements = 64,     // these three in pixels
     kSeams = 128,
     kPrecision = 256,
+    kShadowsOfDevice = 512,
   };
   void add(LeftOut what) { left_out_ |= what; }
   bool has(LeftOut what) const { return (left_out_ & what) != 0; }
 
   std::atomic<unsigned> left_out_ = 0;
+  std::mutex adding_;
+  std::set<std::string> no_effect_;  // sentences
 };
 
 }  // namespace displayfile

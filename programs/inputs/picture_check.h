@@ -1,16 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "interp/draw/draw.h"
 #include "programs/inputs/golden_check.h"
+#include "programs/options/background_option.h"
 #include "programs/options/picture_size.h"
 #include "programs/options/picture_tolerance.h"
 
 namespace displayfile {
 
-/// `displayfile check --picture`: the picture of an input, drawn by the software device, against a
-/// golden picture.
+/// `displayfile check --picture`: the picture of an input, drawn as `displayfile draw` does with
+/// the same options, against a golden picture.
 class PictureCheck : public GoldenCheckOption {
  public:
   void add_to(CLI::App& command) override;
@@ -23,8 +25,13 @@ class PictureCheck : public GoldenCheckOption {
 
  private:
   Picture picture_of(const std::string& input, const DrawOptions& options) const;
+  void require_picture() const;
 
   bool asked_ = false;
+  std::optional<int> samples_;
+  std::optional<std::string> device_, shading_;
+  BackgroundWord background_;
+  bool crumbs_ = false;
   MeshWords meshes_;
   bool has_size_ = false;
   PictureTolerance tolerance_;

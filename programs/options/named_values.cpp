@@ -45,6 +45,7 @@ std::vector<std::string> line_kind_words() {
 std::vector<std::string> stepped_method_words() {
   std::vector<std::string> words;
   for (const HiddenMethod method : methods_with_steps()) words.emplace_back(name_of(method));
+  for (const HiddenMethod form : plain_forms_with_steps()) words.emplace_back(name_of(form));
   return words;
 }
 

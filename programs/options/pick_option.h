@@ -16,7 +16,8 @@ struct PickOption {
 /// Throws Error for a text that is not X,Y or X,Y,REACH.
 PickOption pick_option(std::string_view text);
 
-/// One line about the primitive visible there.
-std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options);
+/// One line about the primitive visible there, in a picture of that kind.
+std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options,
+                   PictureKind kind);
 
 }  // namespace displayfile

@@ -82,7 +82,7 @@ def sort(
         whole: Make pieces of a polygon adjacent, or rejoin them, where nothing that overlaps them
             comes between: where the order of other polygons required a cut, and where a polygon
             that is not planar was sorted as triangles.
-        method: "depth-sort", or "bsp", which cuts more.
+        method: "depth-sort", "bsp", which cuts more, or "plain-bsp", the textbook's form of it.
         threads: Maximum number of threads, 1 to 1024.
         touching: Distance within which polygons touch, as in System.set_touching: a polygon that
             touches a plane is taken to lie in it, and of coplanar polygons the later one is nearer.
@@ -98,7 +98,7 @@ def sort(
             finite.
     """
     if method == "map":
-        raise _displayfile.Error("method 'map': expected depth-sort or bsp, or visible_pieces")
+        raise _displayfile.Error("method 'map': expected depth-sort, bsp or plain-bsp, or visible_pieces")
     points, first, item, own, _, cuts = _displayfile._pieces_of(
         polygons, sides, method, threads, segments, whole, touching
     )
@@ -151,7 +151,8 @@ def visible_lines(
         segments: An array (L, 2, 3) of lines to use instead of the polygons' sides.
         lines: Kinds of sides, as in System, such as "outline,crease"; default: all.
         hidden: Also return hidden parts.
-        method: "franklin", "appel" or "roberts", which give the same result.
+        method: "franklin", "appel", "roberts" or "plain-appel", the textbook's form, which give
+            the same result.
         threads: As in sort.
         touching: As in sort: a line whose ends touch a plane is taken to lie in it and is visible
             there.

@@ -519,21 +519,48 @@ class System(_displayfile.System):
         return Pieces(*self._pieces(**self._checked(options)))
 
     def pick(
-        self, x: float, y: float, size: _Size = 512, *, reach: float = 0.0, threads: int = 1
+        self,
+        x: float,
+        y: float,
+        size: _Size = 512,
+        *,
+        reach: float = 0.0,
+        hidden: str | None = None,
+        scope: str | None = None,
+        precision: str | None = None,
+        threads: int = 1,
+        device: str | None = None,
     ) -> Pick | None:
-        """Return the primitive visible at a pixel, exactly.
+        """Return what a picture shows at a pixel.
+
+        For "none" and "back-face" that is the primitive entered last, for the other methods the
+        nearest one, exactly unless the method rounds.
 
         Args:
             x: Pixels from the left of the picture.
             y: Pixels from its top.
             size: The picture's size, as in draw.
             reach: Distance in pixels within which lines and edges are picked, before polygons.
+            hidden: As in draw.
+            scope: As in draw.
+            precision: As in draw.
             threads: Maximum number of threads.
+            device: As in draw.
 
         Returns:
             The Pick; None if nothing is visible there.
         """
-        picked = self._pick(x, y, reach, size, threads=threads)
+        picked = self._pick(
+            x,
+            y,
+            reach,
+            size,
+            hidden=hidden,
+            scope=scope,
+            precision=precision,
+            threads=threads,
+            device=device,
+        )
         return None if picked is None else Pick(*picked)
 
     # ---- For notebooks -------------------------------------------------------------------

@@ -91,6 +91,20 @@ def test_pick(g):
         g.pick(1, 1, reach=-1)
 
 
+def test_pick_is_what_the_picture_shows():
+    g = displayfile.System()
+    for name, z in ((1, 0.5), (2, -0.5)):
+        g.open_segment(name)
+        g.polygon_abs_3([(-1, -1, z), (1, -1, z), (1, 1, z), (-1, 1, z)])
+        g.close_segment()
+    for hidden in (None, "none", "back-face", "bsp", "z-buffer", "plain-z-buffer"):
+        ids = g.draw(8, ids=True, hidden=hidden)[1]
+        assert g.pick(3, 3, 8, hidden=hidden).id == ids[3, 3]
+    assert g.pick(3, 3, 8, hidden="none").segment == 2
+    assert g.pick(3, 3, 8, hidden="bsp", scope="all").segment == 1
+    assert g.pick(3, 3, 8, hidden="bsp", scope="segment").segment == 2
+
+
 def test_pieces(g):
     pieces = g.pieces()
     assert pieces.kinds.tolist() == [0] and pieces.first.tolist() == [0, 4]

@@ -50,7 +50,7 @@ def random_triangles(count: int, seed: int) -> np.ndarray:
     return random.uniform(-40, 60, (count, 3, 3))
 
 
-@pytest.mark.parametrize("method", ["depth-sort", "bsp"])
+@pytest.mark.parametrize("method", ["depth-sort", "bsp", "plain-bsp"])
 def test_a_sort_tiles_each_polygon(method):
     pieces = sort(CROSSING, method=method)
     assert len(pieces.item) == 3
@@ -259,6 +259,17 @@ def test_nothing_in_nothing_out():
     assert sort([]).first.tolist() == [0]
     assert len(visible_pieces(np.zeros((0, 3, 3))).points) == 0
     assert visible_lines([]).points.shape == (0, 2, 3)
+
+
+def test_methods_that_are_refused_name_those_that_are_not():
+    with pytest.raises(Error, match="'z-buffer': expected depth-sort, bsp or plain-bsp$"):
+        sort(CROSSING, method="z-buffer")
+    with pytest.raises(Error, match="expected depth-sort, bsp or plain-bsp, or visible_pieces$"):
+        sort(CROSSING, method="map")
+    with pytest.raises(Error, match="'bsp': expected franklin, appel, roberts or plain-appel$"):
+        visible_lines(CROSSING, method="bsp")
+    for method in ("franklin", "appel", "roberts", "plain-appel"):
+        assert len(visible_lines(CROSSING, method=method).item) > 0
 
 
 def test_visible_lines():

@@ -69,11 +69,23 @@ std::vector<LineContender> chosen_line_contenders(const BenchCommand& command) {
                 [](const LineContender& contender) { return contender.method_name(); });
 }
 
+/// Why a name is none of those that are measured.
+std::string_view why_not_measured(const std::string& name) {
+  constexpr std::array<std::string_view, 3> kPeers{"osmesa", "embree", "gl2ps"};
+  if (std::ranges::find(kPeers, name) != kPeers.end()) return "not in this build";
+  try {
+    hidden_method(name);
+    return "a method that is not measured";
+  } catch (const Error&) {
+    return "no method or peer";
+  }
+}
+
 void require_methods(const BenchCommand& command) {
   const std::vector<std::string> known = method_names();
   for (const std::string& name : command.methods) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    throw Error(fmt::format("--methods {}: not in this build: expected some of {}", name,
+    throw Error(fmt::format("--methods {}: {}: expected some of {}", name, why_not_measured(name),
                             fmt::join(known, " ")));
   }
 }
@@ -131,8 +143,8 @@ std::string scene_key(const BenchScene& scene) {
 
 /// What figures can be taken over from an interrupted run.
 std::string identity_of(const BenchCommand& command) {
-  return fmt::format("{}, full {}, rounds {}, seconds {}", build_identity(), command.scenes.full,
-                     command.rounds, command.most_seconds);
+  return fmt::format("{}, full {}, rounds {}, seconds {}, pieces {}", build_identity(),
+                     command.scenes.full, command.rounds, command.most_seconds, pieces_allowed());
 }
 
 /// All but hard cases and the walk, in pictures of one size unless the command says otherwise.
@@ -392,7 +404,8 @@ class Run {
   void compare(const BenchScene& scene, int threads, const std::string& other, Json& report) {
     BesideTask task{scene, threads, other, {}, {}, effort_of(command_, scene), 0};
     for (const Contender& contender : contenders_) {
-      if (other == "rounded" && contender.exact) task.methods.push_back(contender.method);
+      const bool is_beside_ours = other == "rounded" || other == "gl2ps";
+      if (is_beside_ours && contender.exact) task.methods.push_back(contender.method);
     }
     for (const Json& cell : report["cells"]) {
       const bool is_left_out = cell["scene"] == scene.id() && cell["exact"] == true &&

@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/map/map_pieces.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "interp/draw/renderer.h"
@@ -149,24 +155,59 @@ SortedPieces pieces_by(HiddenMethod method, const Primitives& polygons) {
   return sort_hidden_surfaces(polygons, {.method = method});
 }
 
+/// Our methods that are chosen and compared: the others, and those that a limit of work stops, are
+/// left out of the rows that name them.
+class OurMethods {
+ public:
+  explicit OurMethods(Comparison& comparison)
+      : comparison_(comparison), left_out_(comparison.task().left_out) {}
+
+  bool are_chosen(HiddenMethod method) const {
+    return std::ranges::find(comparison_.task().methods, name_of(method)) !=
+           comparison_.task().methods.end();
+  }
+  /// Calls compare(), unless the method is left out: then the row says why.
+  void compare(HiddenMethod method, const std::string& other, const std::string& what,
+               const auto& compared) {
+    const std::string name(name_of(method));
+    if (!left_out_.contains(name)) {
+      try {
+        return compared();
+      } catch (const LimitReached& reached) {
+        ask_budget();  // what holds for all work stops it
+        left_out_.emplace(name, reached.what());
+      }
+    }
+    comparison_.leave_out(other, what, left_out_.at(name));
+  }
+
+ private:
+  Comparison& comparison_;
+  std::map<std::string, std::string> left_out_;  // and why
+};
+
+std::vector<HiddenMethod> chosen_sorts(const OurMethods& ours) {
+  std::vector<HiddenMethod> chosen;
+  std::ranges::copy_if(kObjectSpaceMethods, std::back_inserter(chosen),
+                       [&](HiddenMethod method) { return ours.are_chosen(method); });
+  return chosen;
+}
+
 void compare_with_gl2ps(Comparison& comparison) {
   const BesideTask& task = comparison.task();
   const DisplayFile file = display_file_of(in_triangles(ViewedScene(task.scene.make())));
   const ViewedScene scene(file);
   const Triangles triangles = in_triangles(scene);
   const auto count = static_cast<double>(std::max<std::size_t>(1, triangles.size()));
-  const auto left_out = [&](HiddenMethod method) {
-    return task.left_out.contains(std::string(name_of(method)));
-  };
+  OurMethods ours(comparison);
+  const std::vector<HiddenMethod> methods = chosen_sorts(ours);
   comparison.count("gl2ps", "triangles", static_cast<double>(triangles.size()));
-  for (const HiddenMethod method : kObjectSpaceMethods) {
+  for (const HiddenMethod method : methods) {
     const std::string name(name_of(method));
-    if (left_out(method)) {
-      comparison.leave_out(name, "pieces a triangle", task.left_out.at(name));
-      continue;
-    }
-    const SortedPieces found = pieces_by(method, scene.primitives());
-    comparison.count(name, "pieces a triangle", static_cast<double>(found.pieces.size()) / count);
+    ours.compare(method, name, "pieces a triangle", [&] {
+      const SortedPieces found = pieces_by(method, scene.primitives());
+      comparison.count(name, "pieces a triangle", static_cast<double>(found.pieces.size()) / count);
+    });
   }
   for (const bool best_root : {false, true}) {
     const char* const name = best_root ? "gl2ps, best root" : "gl2ps";
@@ -174,32 +215,31 @@ void compare_with_gl2ps(Comparison& comparison) {
     if (!gl2ps.ends()) {
       const char* const why = "gl2ps's sort does not come to an end";
       comparison.leave_out(name, "pieces a triangle", why);
-      for (const HiddenMethod method : kObjectSpaceMethods) {
+      for (const HiddenMethod method : methods) {
         comparison.leave_out(name, std::string(name_of(method)), why);
       }
       continue;
     }
     comparison.count(name, "pieces a triangle", static_cast<double>(gl2ps.pieces().size()) / count);
-    for (const HiddenMethod method : kObjectSpaceMethods) {
+    for (const HiddenMethod method : methods) {
       const std::string of(name_of(method));
-      if (left_out(method)) {
-        comparison.leave_out(name, of, task.left_out.at(of));
-        continue;
-      }
-      const auto ours = [&] { pieces_by(method, scene.primitives()); };
-      const auto round = [&] {
-        const double our_seconds = seconds_each(Clock::processor, 1, ours);
-        return std::pair(our_seconds, gl2ps.sort());
-      };
-      const auto [our_first, first] = round();
-      const int rounds = std::clamp(
-          static_cast<int>(task.effort.most_seconds / (our_first + first)), 1, task.effort.rounds);
-      std::vector<double> ratios;
-      for (int i = 0; i < rounds; ++i) {
-        const auto [own, others] = round();
-        ratios.push_back(others / own);
-      }
-      comparison.add_ratio(name, of, spread(std::move(ratios)));
+      ours.compare(method, name, of, [&] {
+        const auto sort_ours = [&] { pieces_by(method, scene.primitives()); };
+        const auto round = [&] {
+          const double our_seconds = seconds_each(Clock::processor, 1, sort_ours);
+          return std::pair(our_seconds, gl2ps.sort());
+        };
+        const auto [our_first, first] = round();
+        const int rounds =
+            std::clamp(static_cast<int>(task.effort.most_seconds / (our_first + first)), 1,
+                       task.effort.rounds);
+        std::vector<double> ratios;
+        for (int i = 0; i < rounds; ++i) {
+          const auto [own, others] = round();
+          ratios.push_back(others / own);
+        }
+        comparison.add_ratio(name, of, spread(std::move(ratios)));
+      });
     }
   }
 }
@@ -254,19 +294,17 @@ void compare_without_exact_stages(Comparison& comparison) {
   const BesideTask& task = comparison.task();
   const DisplayFile file = task.scene.make();
   const ViewedScene scene(file);
-  const auto is_compared = [&](HiddenMethod method) {
-    const std::string name(name_of(method));
-    if (std::ranges::find(task.methods, name) == task.methods.end()) return false;
-    const auto why = task.left_out.find(name);
-    if (why != task.left_out.end()) comparison.leave_out("without exact stages", name, why->second);
-    return why == task.left_out.end();
+  OurMethods ours(comparison);
+  const auto compare = [&](HiddenMethod method, const auto& compared) {
+    if (!ours.are_chosen(method)) return;
+    ours.compare(method, "without exact stages", std::string(name_of(method)), compared);
   };
   for (const ImageSpaceEntry& entry : image_space_methods()) {
-    if (is_compared(entry.method)) compare_image_space(comparison, scene, entry.method);
+    compare(entry.method, [&] { compare_image_space(comparison, scene, entry.method); });
   }
   for (const HiddenMethod method : kObjectSpaceMethods) {
     const bool is_sort = method != HiddenMethod::map;  // which has no other precision
-    if (is_sort && is_compared(method)) compare_sort(comparison, file, method);
+    if (is_sort) compare(method, [&] { compare_sort(comparison, file, method); });
   }
 }
 
@@ -283,12 +321,20 @@ std::string compared(const std::string& text) {
   return comparison.found.dump();
 }
 
+std::uint64_t pieces_allowed() {
+  const WorkBudget* const budget = work_in_force().budget;
+  return budget == nullptr ? WorkLimits::kNone : budget->limits().pieces;
+}
+
 Json compare_in_own_process(const BesideTask& task) {
   const std::string of_llvmpipe =
       fmt::format("LP_NUM_THREADS={}", task.threads == 1 ? 0 : task.threads);
-  const Finished finished =
-      run(Process{.command = {"/proc/self/exe", "bench", "--beside", text_of(task)},
-                  .variables = {of_llvmpipe}});
+  std::vector<std::string> command{"/proc/self/exe", "bench", "--beside", text_of(task)};
+  const std::uint64_t pieces = pieces_allowed();
+  if (pieces != WorkLimits::kNone) {
+    command.insert(command.end(), {"--limit-pieces", std::to_string(pieces)});
+  }
+  const Finished finished = run(Process{.command = std::move(command), .variables = {of_llvmpipe}});
   if (!finished.succeeded) throw Error("bench: the process that compares with others failed");
   return Json::parse(finished.output);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ struct BesideTask {
   BenchScene scene;
   int threads = 1;
   std::string other;                            ///< "osmesa", "views", "embree", "gl2ps", "rounded"
-  std::vector<std::string> methods;             ///< ours that are held against "rounded"
+  std::vector<std::string> methods;             ///< ours that "gl2ps" and "rounded" stand beside
   std::map<std::string, std::string> left_out;  ///< our methods that take too long here, and why
   Effort effort;
   std::size_t first_polygons =
@@ -90,6 +91,9 @@ class Comparison {
 
 /// A moving camera (moving_camera.cpp).
 void compare_new_views(Comparison& comparison);
+
+/// The limit of pieces in force; WorkLimits::kNone if there is none.
+std::uint64_t pieces_allowed();
 
 /// In a process of its own, this program started again. Throws Error, with its words, if that
 /// fails.

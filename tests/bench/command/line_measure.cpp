@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/judged_lines.h"
@@ -104,6 +106,17 @@ Json LineMeasurer::measure(const LineContender& contender, int threads) {
     cell["skipped"] = "it would take too long, from what a smaller one took";
     return cell;
   }
+  try {
+    measure(contender, name, cell);
+  } catch (const LimitReached& reached) {
+    ask_budget();  // what holds for all work stops it
+    cell["skipped"] = reached.what();
+  }
+  return cell;
+}
+
+void LineMeasurer::measure(const LineContender& contender, const std::string& name, Json& cell) {
+  const int threads = cell["threads"];
   const Scene& scene = *scene_;
   SeenLines seen;
   const double once = seconds_once([&] { seen = scene.find(contender, threads); });
@@ -119,7 +132,6 @@ Json LineMeasurer::measure(const LineContender& contender, int threads) {
   cell["time"] = figures(ratio(
       effort_, clock_of(threads), once, [&] { scene.find(contender, threads); },
       scene.reference_seconds, [&] { scene.reference(); }));
-  return cell;
 }
 
 }  // namespace displayfile::bench

@@ -51,6 +51,7 @@ class LineMeasurer {
     double seconds, lines;
   };
   bool too_long(const std::string& contender) const;
+  void measure(const LineContender& contender, const std::string& name, Json& cell);
 
   Effort effort_;
   std::unique_ptr<Scene> scene_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/base/budgeted_work.h"
+#include "clip/base/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
@@ -149,6 +151,9 @@ Json Measurer::measure(const Contender& contender, int threads) {
     measure(contender, cell);
   } catch (const CannotDraw& reason) {
     cell["skipped"] = reason.why;
+  } catch (const LimitReached& reached) {
+    ask_budget();  // what holds for all work stops it
+    cell["skipped"] = reached.what();
   }
   return cell;
 }

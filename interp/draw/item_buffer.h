@@ -1,0 +1,27 @@
+#pragma once
+
+#include "displayfile/files.h"
+#include "displayfile/segments/viewed_scene.h"
+#include "interp/draw/draw.h"
+#include "interp/draw/picture_plan.h"
+#include "interp/visibility/drawn_layers.h"
+#include "interp/visibility/picker.h"
+
+namespace displayfile {
+
+/// How the item buffer of a system's picture comes about.
+enum class ItemBufferIs {
+  truth,   ///< what is nearest is seen, exactly; by methods of lines, what hides
+  drawn,   ///< by a method that rounds, or by a device of its own
+  layers,  ///< in layers (interp/visibility/drawn_layers.h)
+};
+ItemBufferIs item_buffer_of(const GraphicsSystem& system, const PicturePlan& plan);
+
+/// The layers in which the display file is drawn, whose scene that is: its segments, each sorted or
+/// in order of entry.
+DrawnLayers layers_of(const DisplayFile& drawn, const ViewedScene& scene, HiddenMethod method);
+
+/// Of a picture the one pixel's row, with ids and depths.
+DrawOptions row_of_pixel(const DrawOptions& options, const Picker::Pixel& at);
+
+}  // namespace displayfile

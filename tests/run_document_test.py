@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What run-document refuses, each by a document with that one fault, and what it runs."""
+"""Tests of run-document: a document that is run, and documents with one fault each."""
 import pathlib
 import subprocess
 import sys
@@ -82,8 +82,8 @@ class RunDocument(unittest.TestCase):
         self.expect_fault(1, "no commands", "# A page\n\nNothing.\n")
 
     def test_a_page_whose_module_is_missing_is_not_run(self):
-        program = "In a file `a.py`:\n\n```python\nimport no_such_module\n```\n\n```sh\nfalse\n```\n"
-        done = self.run_page("# A page\n\n" + program)
+        program = "In a file `a.py`:\n\n```python\nimport no_such_module\n```\n"
+        done = self.run_page(f"# A page\n\n{program}\n```sh\nfalse\n```\n")
         self.assertEqual(done.returncode, 0)
         self.assertIn("not run: Python's module no_such_module is not installed", done.stdout)
 

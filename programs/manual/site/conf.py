@@ -1,4 +1,4 @@
-"""What Sphinx makes of build/site/source (site_source.py): pages that open from disk, without a network."""
+"""Sphinx's configuration. The pages open from disk, without a network."""
 import pathlib
 import posixpath
 import re
@@ -21,7 +21,6 @@ version = release = site_source.version_of(ROOT)
 extensions = ["myst_parser", "breathe"]
 root_doc = "index"
 smartquotes = False  # two hyphens begin an option
-default_role = None
 
 myst_heading_anchors = 6
 myst_heading_slug_func = site_source.documents.slug

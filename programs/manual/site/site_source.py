@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Lays out what Sphinx makes the site of (make-site).
+"""Writes the source of the site, which Sphinx reads (make-site).
 
     site_source.py PREFIX OUT    PREFIX: an installation, whose command draws the pictures
 
 Documents and their pictures are copied to the same places in OUT, so that links between them hold.
-Added are what only a site can have: pictures that documents' own commands draw, lists of contents,
-and pages of the gallery, of algorithms step by step, of the command's options, of headers, and of each
-source file that a document links to.
+Added are pictures that documents' own commands draw, lists of contents, and pages: of the gallery,
+of algorithms step by step, of the command's options, of headers, and of each source file that a
+document links to.
 """
 import collections
 import functools
@@ -90,7 +90,8 @@ def targets_of(name):
         plain, _ = documents.blanked(text)
         for _, target in documents.links(plain, text):
             if not documents.SCHEME.match(target) and not target.startswith("#"):
-                yield posixpath.normpath(posixpath.join(posixpath.dirname(name), target.split("#")[0]))
+                path = posixpath.join(posixpath.dirname(name), target.split("#")[0])
+                yield posixpath.normpath(path)
 
 
 # Documents.
@@ -102,7 +103,8 @@ class Source:
     def __init__(self, prefix, out):
         self.prefix, self.out = prefix, out
         self.names = list(documents.markdown_files())
-        self.listed = set(re.findall(r"^(?:.*<)?/([\w./-]+?)>?$", (ROOT / INDEX).read_text(), re.M))
+        entries = re.findall(r"^(?:.*<)?/([\w./-]+?)>?$", (ROOT / INDEX).read_text(), re.MULTILINE)
+        self.listed = set(entries)
 
     def write(self, place, text):
         path = self.out / place
@@ -122,7 +124,8 @@ class Source:
                 text = self.with_pictures(name, text)
             if name in steps:
                 up = "../" * name.count("/")
-                text += f'\n<a href="{up}steps/{steps[name]}.html">The algorithm, step by step</a>\n'
+                page = f"{up}steps/{steps[name]}.html"
+                text += f'\n<a href="{page}">The algorithm, step by step</a>\n'
             self.write(place_of(name), text + toctree(contents.get(name, []), hidden=True))
 
     def with_pictures(self, name, text):
@@ -132,7 +135,8 @@ class Source:
 
         def shown(match):
             picture = folder / match[2]
-            return match[1].replace(match[2], f"{folder.name}/{match[2]}") if picture.is_file() else ""
+            place = f"{folder.name}/{match[2]}"
+            return match[1].replace(match[2], place) if picture.is_file() else ""
 
         text = commands.PICTURE.sub(shown, text)
         for path in folder.iterdir():
@@ -183,29 +187,35 @@ class Source:
 
     def write_gallery(self):
         names = sorted(path.stem for path in (ROOT / "programs").glob("*.draw"))
-        index = "# Gallery\n\nThe drawing programs of [programs](programs/README.md), each with its source.\n"
+        index = "# Gallery\n\nThe drawing programs of [programs](programs/README.md).\n"
         (self.out / "gallery").mkdir(parents=True, exist_ok=True)
         for name in names:
             program = f"programs/{name}.draw"
-            size = ["--size", "2x2", "--samples", "1"] if name == "problem-10-8" else ["--size", "480x480"]
+            size = ["--size", "480x480"]
+            if name == "problem-10-8":  # a solved problem of two pixels a side
+                size = ["--size", "2x2", "--samples", "1"]
             self.draw("draw", program, "-o", self.out / "gallery" / f"{name}.png", *size)
             self.write(f"gallery/{name}.md", gallery_page(program, size, self.included(program)))
             index += gallery_figure(name)
-        self.write("gallery.md", index + toctree([f"gallery/{name}" for name in names], hidden=True))
+        pages = [f"gallery/{name}" for name in names]
+        self.write("gallery.md", index + toctree(pages, hidden=True))
 
     def write_steps(self):
         (self.out / "extra" / "steps").mkdir(parents=True)
         text = (
-            "# Algorithms, step by step\n\nEach page runs an algorithm on a small scene: the picture so far, "
-            "its data structure, and the listing with the line that is executed. Pages of your own scenes: "
+            "# Algorithms, step by step\n\nEach page runs an algorithm on a small scene: the "
+            "picture so far, its data structure, and the listing with the line that is executed. "
+            "Pages of your own scenes: "
             "`displayfile steps SCENE.draw --hidden METHOD -o steps.html`.\n\n"
             "| algorithm | step by step | scene | described in |\n|---|---|---|---|\n"
         )
         for method, document, scene, *options in STEPS:
             page = f"steps/{method}.html"
             program = f"programs/{scene}.draw"
-            self.draw("steps", program, "--hidden", method, "-o", self.out / "extra" / page, *options)
-            text += f'| `{method}` | <a href="{page}">open</a> | [{scene}](gallery/{scene}.md) | [{document}]({document}) |\n'
+            to = ["-o", self.out / "extra" / page]
+            self.draw("steps", program, "--hidden", method, *to, *options)
+            text += f'| `{method}` | <a href="{page}">open</a> | [{scene}](gallery/{scene}.md) '
+            text += f"| [{document}]({document}) |\n"
         self.write("steps.md", text)
 
     # Reference.
@@ -214,26 +224,32 @@ class Source:
         pages = sorted((self.prefix / "share" / "man" / "man1").glob("displayfile*.1.gz"))
         names = [page.name.removesuffix(".1.gz") for page in pages]
         for name, page in zip(names, pages):
-            self.write(f"command/{name}.md", Roff(gzip.decompress(page.read_bytes()).decode()).markdown())
-        text = "# The command\n\nThe manual pages, which `man` shows where the command is installed.\n"
+            roff = gzip.decompress(page.read_bytes()).decode()
+            self.write(f"command/{name}.md", Roff(roff).markdown())
+        text = "# The command\n\nIts manual pages, which `man` shows where it is installed.\n"
         self.write("command.md", text + toctree([f"command/{name}" for name in names]))
 
     def write_headers(self):
         headers = self.prefix / "include" / "displayfile"
         names = sorted(str(path.relative_to(headers)) for path in headers.rglob("*.h"))
         names.remove("displayfile.h")
-        for name in names:
-            self.write(f"cpp/{name.removesuffix('.h')}.md", header_page(name, self.out.parent / "doxygen" / "xml"))
+        pages = [f"cpp/{name.removesuffix('.h')}" for name in names]
+        xml = self.out.parent / "doxygen" / "xml"
+        for name, page in zip(names, pages):
+            self.write(page + ".md", header_page(name, xml))
         text = (
-            "# C++\n\nAn application includes `displayfile/displayfile.h`, which includes these headers, and links "
-            "`displayfile::displayfile` (CMake) or what `pkg-config --libs displayfile` prints. Everything is in the "
-            "namespace `displayfile`. [The guide](programs/manual/guide.md#the-c-library) introduces it; "
+            "# C++\n\nAn application includes `displayfile/displayfile.h`, which includes these "
+            "headers, and is linked with `displayfile::displayfile` (CMake) or with the output of "
+            "`pkg-config --libs displayfile`. Everything is in the namespace `displayfile`. "
+            "[The guide](programs/manual/guide.md#the-c-library) introduces it; "
             "[a first application](programs/manual/tutorials/first_application.md) uses it.\n"
         )
-        self.write("cpp.md", text + toctree([f"cpp/{name.removesuffix('.h')}" for name in names]))
+        self.write("cpp.md", text + toctree(pages))
         header, types = "interp/c/displayfile_c.h", "interp/web/displayfile.d.ts"
-        self.write("c.md", self.reference_page("C: displayfile_c.h", header, "interp/c/README.md"))
-        self.write("javascript.md", self.reference_page("JavaScript", types, "interp/web/README.md"))
+        page = self.reference_page("C: displayfile_c.h", header, "interp/c/README.md")
+        self.write("c.md", page)
+        page = self.reference_page("JavaScript", types, "interp/web/README.md")
+        self.write("javascript.md", page)
 
 
 # Text of pages.
@@ -251,7 +267,8 @@ def header_page(name, xml):
     file = re.sub(r"[_.]", lambda m: {"_": "__", ".": "_8"}[m[0]], pathlib.PurePath(name).name)
     text = (xml / f"{file}.xml").read_text(encoding="utf-8")
     classes = re.findall(r'<innerclass refid="(class|struct)\w+"[^>]*>(\w+)</innerclass>', text)
-    directives = [f".. doxygen{kind}:: {name}\n   :members:\n   :undoc-members:\n" for kind, name in classes]
+    options = "   :members:\n   :undoc-members:\n"
+    directives = [f".. doxygen{kind}:: {name}\n{options}" for kind, name in classes]
     directives.append(f".. doxygenfile:: {name}\n   :sections: enum typedef var func\n")
     return f"# {name}\n\n```{{eval-rst}}\n" + "\n".join(directives) + "```\n"
 
@@ -288,13 +305,13 @@ def gallery_page(program, size, source):
 
 def gallery_figure(name):
     return (
-        f"\n```{{figure}} gallery/{name}.png\n:figclass: gallery\n:width: 200px\n:alt: {title_of(name)}\n"
-        f":target: gallery/{name}.html\n\n{title_of(name)}\n```\n"
+        f"\n```{{figure}} gallery/{name}.png\n:figclass: gallery\n:width: 200px\n"
+        f":alt: {title_of(name)}\n:target: gallery/{name}.html\n\n{title_of(name)}\n```\n"
     )
 
 
 class Roff:
-    """A manual page of this project as Markdown: the macros that these pages have, and no others."""
+    """A manual page of this project as Markdown: it knows the macros of these pages alone."""
 
     FONT = re.compile(r"\\f([BIR])")
     ESCAPES = [(r"\-", "-"), (r"\&", ""), (r"\[aq]", "'"), (r"\(aq", "'"), (r"\e", "\\")]

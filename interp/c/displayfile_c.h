@@ -170,8 +170,8 @@ enum { DF_SOLID = 0, DF_HOLLOW = 1, DF_LINE = 2 };
 enum { DF_LINE_SOLID = 0, DF_LINE_DASHED = 1, DF_LINE_NONE = 2 };
 DF_API int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces);
 
-/* Picks what the picture with these options shows in the pixel that holds (x, y), in pixels from the
- * upper left corner; lines within `reach` pixels take precedence over fills. */
+/* Picks what the picture with these options shows in the pixel that holds (x, y), in pixels from
+ * the upper left corner; lines within `reach` pixels take precedence over fills. */
 typedef struct {
   size_t size;  /* sizeof(df_seen), set by the caller */
   int is_seen;  /* 0: nothing is visible, and the other members are unused */

@@ -16,6 +16,10 @@ set(CPACK_DEBIAN_MODULES_PACKAGE_NAME displayfile-modules)
 if(DISPLAYFILE_MODULE_LICENCES)
   list(APPEND CPACK_COMPONENTS_ALL modules)
 endif()
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME displayfile-doc)
+if(DISPLAYFILE_SITE)
+  list(APPEND CPACK_COMPONENTS_ALL documentation)
+endif()
 
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_BENCH_PACKAGE_SECTION graphics)
@@ -23,6 +27,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_MODULES_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 
 set(about
 "Display File is a display-file, retained-mode 3D graphics system in the
@@ -52,6 +57,9 @@ files for CMake and pkg-config.")
 describe(python "exact pictures of 3D scenes (Python 3)"
 "This package has the module displayfile, with all routines of the system and
 arrays of NumPy in and out.")
+describe(documentation "exact pictures of 3D scenes (documentation)"
+"This package has the documentation as pages for a browser: tutorials, guide,
+reference, the algorithms explained, and a gallery.")
 
 # ---- Whose, and which version ------------------------------------------------------------------
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${DISPLAYFILE_DEBIAN_REVISION})
@@ -65,6 +73,8 @@ set(same "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 # Libraries that programs are linked with dpkg-shlibdeps finds; the rest, dependencies.cmake.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_BENCH_PACKAGE_DEPENDS "displayfile ${same}")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "displayfile-bench ${same}")
 set(and_modules)
@@ -170,6 +180,10 @@ foreach(component ${CPACK_COMPONENTS_ALL})
     COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(FILES ${signed_changelog}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  set(overrides "")
+  if("${component}" STREQUAL "documentation")
+    file(READ ${sources}/lintian-overrides-doc overrides)
+  endif()
   configure_file(programs/debian/lintian-overrides.in debian/lintian/${package} @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/debian/lintian/${package}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component}

@@ -223,7 +223,7 @@ class System(_displayfile.System):
             turning: With fov, for a turntable: fit the eye's distance for the rotating mesh.
 
         Returns:
-            What is not drawn of the mesh, one sentence each.
+            The parts of the mesh that are not drawn, one sentence each.
 
         Raises:
             Error: A file that cannot be read or is not such a mesh, with the position if known.

@@ -1,6 +1,6 @@
-# Who makes the packages, for cpack and what it installs: `maintainer`. As for all of Debian's tools
-# DEBFULLNAME and DEBEMAIL name them; without these it is an address of this machine, with which a
-# package is for this machine alone.
+# Sets `maintainer`, the person who makes the packages, for cpack and for the installed changelog. As
+# for all of Debian's tools DEBFULLNAME and DEBEMAIL name them; without these it is an address of this
+# machine, and the packages are for this machine alone.
 set(name "$ENV{DEBFULLNAME}")
 set(address "$ENV{DEBEMAIL}")
 if("${name}" STREQUAL "")

@@ -1,4 +1,4 @@
-# Writes the changelog of a package, signed by who makes it and packed:
+# Writes the changelog of a package, signed by its maintainer and packed:
 #   cmake -DCHANGELOG=... -DOUTPUT=....gz -DGZIP=... -P signed_changelog.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/maintainer.cmake)
 file(READ ${CHANGELOG} text)

@@ -195,6 +195,52 @@ TEST(Hatching, FollowsALinearDarkness) {
   EXPECT_EQ(halves.strokes(0.0), strokes);
 }
 
+/// The same the other way round, and where something else covers a part of it.
+TEST(Hatching, FollowsADarknessThatFallsBesideWhatCoversIt) {
+  const Polygon square = box(0, 0, 128, 128);
+  HatchLines lines(0.5, 0.0, kSheet), covered(0.5, 0.0, kSheet);
+  for (HatchLines* of : {&lines, &covered})
+    of->add(square, std::vector<double>{1.0, 0.0, 0.0, 1.0});
+  add(covered, box(32, 0, 64, 128), 0.0);
+  const std::vector<Stroke> strokes = lines.strokes(0.0);
+  EXPECT_NEAR(length(strokes) * 0.5, 128 * 128 / 2.0, 128.0);
+  std::vector<Stroke> expected;  // what is left of them
+  for (const Stroke& s : strokes) {
+    EXPECT_EQ(s.from.x, 0);
+    expected.push_back({s.from, {std::min(s.to.x, 32'000), s.to.y}});
+    if (s.to.x > 64'000) expected.push_back({{64'000, s.from.y}, s.to});
+  }
+  EXPECT_GT(expected.size(), strokes.size());
+  EXPECT_EQ(covered.strokes(0.0), expected);
+}
+
+/// A line has a part beside each that covers it, and none where nothing lies.
+TEST(Hatching, GoesOnBesideWhatCoversItAndEndsAtGaps) {
+  HatchLines lines(1.0, 0.0, kSheet);
+  add(lines, box(0, 0, 100, 1), 1.0);
+  add(lines, box(30, 0, 60, 1), 0.0);
+  add(lines, box(120, 0, 130, 1), 1.0);
+  add(lines, box(125, 0, 140, 1), 0.0);
+  const std::vector<Stroke> expected{
+      {{0, 500}, {30'000, 500}}, {{60'000, 500}, {100'000, 500}}, {{120'000, 500}, {125'000, 500}}};
+  EXPECT_EQ(lines.strokes(0.0), expected);
+}
+
+/// Corners on lines: each line is as long as the fill is wide there.
+TEST(Hatching, LinesThroughCornersAreWhole) {
+  const Polygon diamond{{20, 10.5}, {30, 20.5}, {20, 30.5}, {10, 20.5}};
+  for (const bool turned : {false, true}) {
+    Polygon polygon = diamond;
+    if (turned) std::ranges::reverse(polygon);
+    const std::vector<Stroke> strokes = hatched(polygon, 1.0, 1.0, 0.0);
+    ASSERT_EQ(strokes.size(), 19u);  // and at both ends one of no length
+    for (std::size_t k = 0; k < strokes.size(); ++k) {
+      const double wide = 2.0 * (10.0 - std::abs(static_cast<double>(k) - 9.0));
+      EXPECT_NEAR(length(strokes[k]), wide, 1e-9) << k;
+    }
+  }
+}
+
 TEST(Hatching, ShortLinesAreLeftOut) {
   HatchLines lines(1.0, 45.0, kSheet);
   add(lines, box(10, 10, 20, 20), 1.0);

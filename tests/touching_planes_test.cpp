@@ -293,6 +293,29 @@ TEST(TouchingPlanes, OfCoordinatesOfAnySize) {
   EXPECT_GT(touch, 0u);
 }
 
+/// Small triangles at the far corners of a large rectangle, whose own planes are tilted as much as
+/// the reach lets them: their keys are as far from those of the rectangle as they may be.
+TEST(TouchingPlanes, OfSmallPolygonsThatAreTiltedAsFarAsTheReachLets) {
+  const double reach = 1e-4, size = 0.99;
+  const Point3 along = Point3(1, 1, 0) / std::sqrt(2.0), up(0, 0, 1);
+  const Point3 across = Point3(1, -1, 0) / std::sqrt(2.0);
+  const std::size_t touch = expect_truth_of(within(reach), [&](Source& s, GraphicsSystem& g) {
+    g.polygon_abs_3(
+        {{-size, -size, -size}, {size, size, -size}, {size, size, size}, {-size, -size, size}});
+    for (int n = 0; n < 24; ++n) {
+      const Point3 corner = (s.below(2) == 0 ? 1.0 : -1.0) * size * std::sqrt(2.0) * along +
+                            (s.below(2) == 0 ? 1.0 : -1.0) * size * up;
+      const double angle = 2.0 * std::numbers::pi * s.unit(), height = reach * s.between(6, 60);
+      const Point3 to = std::cos(angle) * along + std::sin(angle) * up;
+      const Point3 side = std::cos(angle) * up - std::sin(angle) * along;
+      const Point3 off = (s.below(2) == 0 ? 0.999 : -0.999) * reach * across;
+      g.polygon_abs_3({0.999 * corner + height * to + off, 0.999 * corner - height * side - off,
+                       0.999 * corner + height * side - off});
+    }
+  });
+  EXPECT_EQ(touch, 24 * scenes());
+}
+
 /// Whatever rounding mode the host has set when planes are looked for.
 TEST(TouchingPlanes, InEveryRoundingMode) {
   for (const int mode : test::kModes) {

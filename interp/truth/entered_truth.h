@@ -19,16 +19,16 @@ struct EnteredTruth {
 };
 
 /// `retained` is what was drawn into the display file, all of it; `touching` is in place of what
-/// its segments have. Errors as in truth().
+/// its segments have. Ties and errors as in truth().
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
                            int width, int height, bool depth,
                            const std::optional<Touching>& touching,
-                           const WorkProgress& progress = {});
+                           const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 /// What exact methods draw of a display file: its entered truth, if all its visible segments keep
 /// what was entered, and otherwise truth(). Polygons of which clipping or back-face removal left
-/// nothing are not there. Errors as in truth().
+/// nothing are not there. Ties and errors as in truth().
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
-                         const WorkProgress& progress = {});
+                         const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 }  // namespace displayfile

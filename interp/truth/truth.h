@@ -6,6 +6,8 @@
 
 namespace displayfile {
 
+class DepthTies;
+
 /// What is seen at each pixel centre, by the definition of truth alone: whole numbers of any
 /// length, no tolerance, and nothing shared with the methods that it judges. interp/truth/truth.md
 /// explains.
@@ -14,11 +16,12 @@ namespace displayfile {
 /// the pick identifier of the nearest that covers the centre (of equally near ones the one entered
 /// later), -1 where none does. If depth is asked for, it is that of the polygon seen, rounded once
 /// to the nearest double, and minus infinity where none is. No colours: `pixels` stays empty.
-/// `progress` is told of polygons.
+/// `progress` is told of polygons. `ties`, if given, must be empty and gets the
+/// ties (interp/truth/depth_ties.h).
 ///
 /// Coordinates may be any finite doubles. Throws Error for a picture size outside of 1 to
 /// kLargestSide, and for a coordinate of a solid polygon that is not finite.
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
-              const WorkProgress& progress = {});
+              const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 }  // namespace displayfile

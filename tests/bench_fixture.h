@@ -49,8 +49,14 @@ class Bench : public Command {
   }
 };
 
+/// Wrong pixels without the ties, which are counted apart.
+inline int wrong_of(const Json& cell) {
+  return cell["wrong_pixels"].get<int>() - cell["wrong_and_tied"].get<int>();
+}
+
 /// What does not hang on time.
 inline Json counts(Json report) {
+  report["environment"].erase("date");
   for (Json& beside : report["beside"]) beside.erase("times_faster");
   for (Json& scene : report["scenes"]) {
     scene.erase("reference_growth");

@@ -75,8 +75,9 @@ TEST_F(Bench, PageHoldsEveryFigure) {
   }
   for (const Json& cell : report["cells"]) {
     EXPECT_EQ(numbers_in(row_in(tables[cell["scene"]], cell)),
-              numbers_of(cell, {"wrong_pixels", "largest_depth_error", "mean_depth_error",
-                                "fragments_per_polygon", "bytes", "exact_stage_calls"}))
+              numbers_of(cell, {"wrong_pixels", "wrong_and_tied", "largest_depth_error",
+                                "mean_depth_error", "fragments_per_polygon", "bytes",
+                                "exact_stage_calls"}))
         << cell;
   }
   ASSERT_FALSE(report["beside"].empty());
@@ -258,7 +259,8 @@ TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
     const std::string scene = cell["scene"];
     if (!scene.starts_with("cycle_of_3 ") || cell.contains("skipped")) continue;
     wrong[cell["method"].get<std::string>() + ' ' + cell["precision"].get<std::string>()] +=
-        cell["wrong_pixels"].get<int>();
+        wrong_of(cell);
+    ASSERT_EQ(cell["wrong_and_tied"], 0) << cell;  // the table would have them in words
   }
   EXPECT_GT(wrong.at("none "), 0);
   EXPECT_NE(written.find(fmt::format("| none | | | | | {} |", wrong.at("none "))), written.npos)
@@ -276,42 +278,54 @@ TEST_F(Bench, WritesAReadmesBlocksFromTheReport) {
 /// are made to be hard in a column of their own, with the size of their pictures.
 TEST_F(Bench, TableOfMethodsHasTheErrorsOfWhatIsTimedAndOfStressScenes) {
   write("R.md", block("methods", ""));
-  ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
+  ASSERT_EQ(run(kTiny + "coplanar_patches --threads 1 --json b.json"), 0) << err_;
   ASSERT_EQ(figures("b.json --readme R.md"), 0) << err_;
   const Json report = json("b.json");
   std::map<std::string, double> pixels;
   for (const Json& scene : report["scenes"]) pixels[scene["scene"]] = scene["pixels"];
-  std::map<std::string, std::pair<double, double>> timed, stress;  // wrong pixels, and all
+  struct Errors {
+    double wrong = 0.0, tied = 0.0, all = 0.0;
+  };
+  std::map<std::string, Errors> timed, stress;
   for (const Json& cell : report["cells"]) {
     const std::string precision = cell["precision"], scene = cell["scene"];
-    if (scene != "soup n=24 24x24" && !scene.starts_with("cycle_of_3 ")) continue;
-    auto& error =
-        (scene == "soup n=24 24x24" ? timed : stress)[cell["method"].get<std::string>() +
-                                                      (precision.empty() ? "" : ", " + precision)];
-    error.first += cell["wrong_pixels"].get<double>();
-    error.second += pixels.at(scene);
+    const bool is_timed = scene == "soup n=24 24x24";
+    const bool is_stress =
+        scene.starts_with("cycle_of_3 ") || scene.starts_with("coplanar_patches ");
+    if (!is_timed && !is_stress) continue;
+    const std::string name =
+        cell["method"].get<std::string>() + (precision.empty() ? "" : ", " + precision);
+    Errors& error = (is_timed ? timed : stress)[name];
+    error.wrong += wrong_of(cell);
+    error.tied += cell["wrong_and_tied"].get<double>();
+    error.all += pixels.at(scene);
   }
   const std::string written = read(folder_ / "R.md");
-  EXPECT_NE(written.find("| method | anew | again | wrong, %: scenes timed | "
-                         "wrong, %: stress scenes, 16 x 16 to 24 x 24 | bytes a polygon |"),
+  EXPECT_NE(written.find("| method | anew | again | wrong, %: scenes timed | and ties, % | "
+                         "wrong, %: stress scenes, 16 x 16 to 24 x 24 | and ties, % | "
+                         "bytes a polygon |"),
             written.npos)
       << written;
-  int rows = 0, unlike = 0;
+  int rows = 0, unlike = 0, with_ties = 0;
   std::istringstream lines(written);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("| ") || line.starts_with("| method |")) continue;
     const std::vector<std::string> row = fields(on_page(line));
-    const auto percent = [&](const auto& errors) {
-      const auto& [wrong, all] = errors.at(row.at(0));
-      return fmt::format("{:.3g}", up(100.0 * wrong / all));
+    const auto percent = [&](double count, double all) {
+      return fmt::format("{:.3g}", up(100.0 * count / all));
     };
-    EXPECT_EQ(row.at(3), percent(timed)) << line;
-    EXPECT_EQ(row.at(4), percent(stress)) << line;
+    const Errors &of_timed = timed.at(row.at(0)), &of_stress = stress.at(row.at(0));
+    EXPECT_EQ(row.at(3), percent(of_timed.wrong, of_timed.all)) << line;
+    EXPECT_EQ(row.at(4), percent(of_timed.tied, of_timed.all)) << line;
+    EXPECT_EQ(row.at(5), percent(of_stress.wrong, of_stress.all)) << line;
+    EXPECT_EQ(row.at(6), percent(of_stress.tied, of_stress.all)) << line;
     ++rows;
-    unlike += row.at(3) != row.at(4);
+    unlike += row.at(3) != row.at(5);
+    with_ties += row.at(6) != "0";
   }
   EXPECT_GE(rows, 13);
   EXPECT_GT(unlike, 3);
+  EXPECT_GT(with_ties, 0);
   EXPECT_NE(written.find("\n| plain-z-buffer, double |"), written.npos) << written;
 
   // Without stress scenes there is no column of them; with one size it is that.
@@ -321,14 +335,16 @@ TEST_F(Bench, TableOfMethodsHasTheErrorsOfWhatIsTimedAndOfStressScenes) {
       0)
       << err_;
   ASSERT_EQ(figures("a.json --readme R.md"), 0) << err_;
-  EXPECT_NE(read(folder_ / "R.md").find("| wrong, %: scenes timed | bytes a polygon |"),
-            std::string::npos);
+  EXPECT_NE(
+      read(folder_ / "R.md").find("| wrong, %: scenes timed | and ties, % | bytes a polygon |"),
+      std::string::npos);
   ASSERT_EQ(run("bench soup cycle_of_3 --polygons 24 --sizes 16 --rounds 1 --threads 1 "
                 "--methods z-buffer,none --json c.json"),
             0)
       << err_;
   ASSERT_EQ(figures("c.json --readme R.md"), 0) << err_;
-  EXPECT_NE(read(folder_ / "R.md").find("| wrong, %: stress scenes, 16 x 16 |"), std::string::npos);
+  EXPECT_NE(read(folder_ / "R.md").find("| wrong, %: stress scenes, 16 x 16 | and ties, % |"),
+            std::string::npos);
 }
 
 /// The comparisons of a report, by scene, threads, other and what.
@@ -495,7 +511,7 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
     if (scene == largest) times[name] = cell["time"]["median"];
     if (scene != largest && !scene.starts_with("cycle_of_3")) continue;
     auto& error = (scene == largest ? timed_errors : stress_errors)[name];
-    error.first += cell["wrong_pixels"].get<double>();
+    error.first += wrong_of(cell);
     error.second += pixels[scene];
   }
   ASSERT_GT(times.size(), 20u);
@@ -563,6 +579,121 @@ TEST_F(Bench, AdvisesTheFirstOfTheMethodsThatNoneIsClearlyFasterThan) {
       << written << first->first;
 }
 
+/// The script of the dated page, on tiny scenes.
+class PageOfFigures : public Bench {
+ protected:
+  int make_page(const std::string& arguments) {
+    const fs::path build = fs::path(DISPLAYFILE_COMMAND).parent_path().parent_path();
+    const std::string line =
+        fmt::format("cd '{}' && '{}/tests/bench/figures' --tiny --build '{}' {} >.out 2>.err",
+                    folder_.string(), DISPLAYFILE_SOURCE_DIR, build.string(), arguments);
+    const int status = std::system(line.c_str());
+    out_ = read(folder_ / ".out");
+    err_ = read(folder_ / ".err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+};
+
+/// When, of what and with what is on it; both errors, every precision, and what is slower.
+TEST_F(PageOfFigures, IsMadeByOneCommand) {
+  ASSERT_EQ(make_page("-o page"), 0) << err_ << out_;
+  const std::string page = read(folder_ / "page/figures.md");
+  const Json report = json("page/report.json");
+  const Json& environment = report["environment"];
+  const std::string date = environment["date"];
+  EXPECT_EQ(date.size(), std::string_view("2026-01-01").size());
+  EXPECT_TRUE(page.starts_with("# Figures of " + date + "\n")) << page.substr(0, 99);
+  EXPECT_NE(page.find("these figures mean nothing"), page.npos);
+  for (const char* name : {"commit", "compiler", "build type", "flags", "processor", "OSMesa"}) {
+    const std::string row = fmt::format("| {} | {} |", name, environment[name].get<std::string>());
+    EXPECT_NE(page.find(row), page.npos) << row;
+  }
+  EXPECT_NE(environment["commands"].get<std::string>().find("displayfile bench soup"), page.npos);
+  EXPECT_EQ(environment["commands"].get<std::string>().find('/'), page.npos) << "a folder's name";
+  EXPECT_NE(
+      page.find("| and ties, % | wrong, %: stress scenes, 16 x 16 to 24 x 24 | and ties, % |"),
+      page.npos);
+  std::set<std::string> columns;
+  for (const Json& cell : report["cells"]) {
+    const std::string precision = cell["precision"];
+    columns.insert(cell["method"].get<std::string>() + (precision.empty() ? "" : ", " + precision));
+  }
+  const std::size_t all = page.find("<!-- bench: all-methods -->");
+  ASSERT_NE(all, page.npos);
+  const std::string methods = page.substr(all, page.find("<!-- bench: end -->", all) - all);
+  for (const std::string& column : columns) {
+    EXPECT_NE(methods.find("\n| " + column + " | "), methods.npos) << column;
+  }
+  // Of one scene: its ratio below 1 or not.
+  for (const Json& beside : report["beside"]) {
+    if (beside["other"] != "gl2ps, best root" || beside["what"] != "depth-sort") continue;
+    const double ratio = beside["times_faster"]["median"];
+    const std::string row =
+        fmt::format("| depth-sort, exact | gl2ps, best root | 1 | {} of 1 |", ratio < 1.0 ? 1 : 0);
+    EXPECT_NE(page.find(row), page.npos) << row;
+  }
+  EXPECT_TRUE(read(folder_ / "page/speed_and_error.svg").starts_with("<svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "page/report.html"));
+}
+
+/// What the script adds to a report: rows of other programs, and the meshes.
+TEST_F(PageOfFigures, HasTheRowsOfOtherPrograms) {
+  write("R.md", block("map-and-sorts", "") + block("sheets", "") + block("slower", "") +
+                    block("quoted", "") + block("meshes", ""));
+  ASSERT_EQ(run("bench soup --polygons 9 --sizes 8 --rounds 1 --threads 1 --methods none "
+                "--json b.json"),
+            0)
+      << err_;
+  Json report = json("b.json");
+  const auto of_map = [](const char* scene, const char* way, int pieces, double time) {
+    Json row{{"scene", scene}, {"polygons", 1200}, {"way", way}, {"pieces", pieces}};
+    if (time > 0.0) row["time"] = {{"median", time}, {"least", time / 2}, {"greatest", 2 * time}};
+    return row;
+  };
+  report["map_rows"] = {of_map("planes", "map", 22, 0), of_map("village", "map", 500, 0),
+                        of_map("planes", "depth-sort, written", 1839, 8),
+                        of_map("village", "depth-sort, written", 700, 0.5)};
+  report["sheet_rows"] = {{{"work", "surface 40 x 40"},
+                           {"measured", "0.8"},
+                           {"beside", "gnuplot"},
+                           {"threads", "all"},
+                           {"times_faster", 0.8}},
+                          {{"work", "few lines"},
+                           {"asked", ">= 10"},
+                           {"measured", "12"},
+                           {"beside", "another"},
+                           {"holds", true}}};
+  report["meshes"] = {{{"name", "a.obj"}, {"source", "there"}, {"sha256", "12ab"}}};
+  write("b.json", report.dump());
+  ASSERT_EQ(figures("b.json --readme R.md"), 0) << err_;
+  const std::string written = read(folder_ / "R.md");
+  for (const char* row :
+       {"| planes | 1,200 | 22 | 1,839 | 8.0 (4.0 to 16) |",
+        "| village | 1,200 | 500 | 700 | 0.50 (0.25 to 1.0) |",
+        "| map, exact | our own depth-sort, written | 1 | 1 of 2 | 0.50 | 2.0 | 8.0 | village 0.50 "
+        "|",
+        "| surface 40 x 40 | gnuplot | all | 1 of 1 | 0.80 | 0.80 | 0.80 | surface 40 x 40 0.80 |",
+        "| surface 40 x 40 | | 0.8 | | gnuplot | |", "| few lines | >= 10 | 12 | | another | yes |",
+        "| Scenes on which the map takes longer than depth sort with writing | 1 of 2 |",
+        "| How many times as long there | 2.0 to 2.0 |",
+        "| Pieces of 1200 crossing planes, depth-sort, written | 1,839 |",
+        "| a.obj | there | 12ab |"}) {
+    EXPECT_NE(written.find(row), written.npos) << row << '\n' << written;
+  }
+}
+
+TEST_F(PageOfFigures, RefusesOtherMeshes) {
+  fs::create_directory(folder_ / "meshes");
+  write("meshes/cow.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(make_page("meshes -o page"), 2);
+  EXPECT_NE(err_.find("meshes/cow.obj: another file: expected SHA-256 69afce54"), err_.npos)
+      << err_;
+  EXPECT_NE(err_.find("meshes/spot.obj: is not there"), err_.npos) << err_;
+  EXPECT_FALSE(fs::exists(folder_ / "page"));
+  EXPECT_EQ(make_page("--write"), 2);
+  EXPECT_NE(err_.find("they are not for --write"), err_.npos) << err_;
+}
+
 TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
   ASSERT_EQ(run("bench soup --polygons 9 --sizes 8 --rounds 1 --threads 1 --methods none "
                 "--json b.json"),
@@ -580,6 +711,10 @@ TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
           "R.md:1: the block 'methods' has no end");
   refused("a\n<!-- bench: end -->\n", "R.md:2: the end of no block");
   refused("a\n", "R.md: no block");
+  // The report of another version.
+  write("old.json", R"({"format": 2, "scenes": []})");
+  EXPECT_EQ(figures("old.json --readme R.md"), 2);
+  EXPECT_NE(err_.find("a report of format 2: expected 3"), err_.npos) << err_;
   // A run without figures for a block.
   refused("a\n" + block("wrong-pixels", "x\n"),
           "R.md:2: this run has no figures for the block 'wrong-pixels'");

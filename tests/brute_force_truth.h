@@ -32,15 +32,21 @@ class BruteForceTruth {
     }
   }
 
+  /// Pick identifiers of the polygons that are exactly as near as the one seen and were entered
+  /// before it, of each pixel, top row first.
+  using Ties = std::vector<std::vector<std::int32_t>>;
+
   /// ids and depth, top row first; depth is the double nearest to the exact one.
-  Picture picture() const {
+  Picture picture(Ties* ties = nullptr) const {
     Picture result;
     result.width = width_;
     result.height = height_;
     for (int row = height_ - 1; row >= 0; --row) {
       std::vector<std::optional<Rational>> nearest(static_cast<std::size_t>(width_));
       std::vector<std::int32_t> seen(static_cast<std::size_t>(width_), -1);
-      for (const Polygon& polygon : polygons_) draw_row(polygon, row, nearest, seen);
+      Ties tied(seen.size());
+      for (const Polygon& polygon : polygons_) draw_row(polygon, row, nearest, seen, tied);
+      if (ties != nullptr) ties->insert(ties->end(), tied.begin(), tied.end());
       for (std::size_t i = 0; i < seen.size(); ++i) {
         result.ids.push_back(seen[i]);
         result.depth.push_back(nearest[i] ? nearest_double(*nearest[i])
@@ -123,7 +129,7 @@ class BruteForceTruth {
   }
 
   void draw_row(const Polygon& polygon, int row, std::vector<std::optional<Rational>>& nearest,
-                std::vector<std::int32_t>& seen) const {
+                std::vector<std::int32_t>& seen, Ties& tied) const {
     const Rational half(1, 2), cy = row + half;
     std::vector<Rational> crossings;
     for (std::size_t k = 0; k < polygon.vertices.size(); ++k) {
@@ -140,6 +146,11 @@ class BruteForceTruth {
       const Rational depth = polygon.on_plane.z + polygon.dz_dx * (cx - polygon.on_plane.x) +
                              polygon.dz_dy * (cy - polygon.on_plane.y);
       if (nearest[i] && *nearest[i] > depth) continue;
+      if (nearest[i] && *nearest[i] == depth) {
+        tied[i].push_back(seen[i]);
+      } else {
+        tied[i].clear();
+      }
       nearest[i] = depth;
       seen[i] = polygon.pick;
     }

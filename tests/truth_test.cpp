@@ -10,10 +10,12 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "clip/base/error.h"
+#include "interp/truth/depth_ties.h"
 #include "tests/brute_force_truth.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
@@ -36,19 +38,31 @@ class TruthOfFamily : public testing::TestWithParam<test::SceneFamily> {};
 
 TEST_P(TruthOfFamily, IsThatOfBruteForceInRationals) {
   constexpr std::uint32_t kScenes = 140 / test::kSlower;
-  std::size_t covered = 0;
+  std::size_t covered = 0, tied = 0;
   for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
     const DisplayFile file = test::scene(GetParam(), seed, 2 + static_cast<int>(seed % 6));
     const auto [width, height] = test::kSmallShapes[seed % test::kSmallShapes.size()];
     SCOPED_TRACE(fmt::format("seed {}, {}x{}", seed, width, height));
-    const Picture expected = test::brute_force_truth(file, width, height);
-    const Picture found = truth(file, width, height, true);
+    test::BruteForceTruth::Ties expected_ties;
+    const Picture expected = test::BruteForceTruth(file, width, height).picture(&expected_ties);
+    DepthTies ties;
+    const Picture found = truth(file, width, height, true, {}, &ties);
     ASSERT_EQ(found.ids, expected.ids);
+    for (std::size_t pixel = 0; pixel < expected_ties.size(); ++pixel) {
+      for (std::int32_t pick = -1; pick < 8; ++pick) {
+        ASSERT_EQ(ties.contains(pixel, pick), std::ranges::count(expected_ties[pixel], pick) > 0)
+            << pixel << ' ' << pick;
+      }
+      tied += expected_ties[pixel].empty() ? 0 : 1;
+    }
     ASSERT_EQ(found.depth, expected.depth);
     ASSERT_EQ(truth(file, width, height, false).ids, expected.ids);
     covered += found.ids.size() - static_cast<std::size_t>(std::ranges::count(found.ids, -1));
   }
   EXPECT_GT(covered, 500u / test::kSlower);  // the scenes are not empty
+  if (std::string_view(GetParam().name) == "coplanar") {
+    EXPECT_GT(tied, 0u);
+  }
 }
 
 std::string name_of_family(const testing::TestParamInfo<test::SceneFamily>& info) {
@@ -91,6 +105,27 @@ TEST(Truth, TheNearestIsSeenAndOfEqualOnesTheLater) {
   EXPECT_EQ(letters_of(truth(file_of({right, left}), 4, 1, false)), "bbba\n");
   const Vertices nearer = rectangle(0, 0, 0.75, 1, std::nextafter(0.5, 1.0));
   EXPECT_EQ(letters_of(truth(file_of({nearer, right}), 4, 1, false)), "aaab\n");
+}
+
+/// Two in one plane, a nearer one before the middle of them, and one behind all.
+TEST(Truth, TiesAreWhatOnlyTheOrderOfEntryHides) {
+  const Vertices first = rectangle(0, 0, 0.75, 1, 0.5), second = rectangle(0.25, 0, 1, 1, 0.5);
+  const Vertices behind = rectangle(0, 0, 1, 1, 0.25);
+  const Vertices before = rectangle(0.5, 0, 0.75, 1, std::nextafter(0.5, 1.0));
+  DepthTies ties;
+  const Picture picture = truth(file_of({behind, first, second, before}), 4, 1, false, {}, &ties);
+  EXPECT_EQ(letters_of(picture), "bcdc\n");
+  for (std::size_t pixel = 0; pixel < 4; ++pixel) {
+    for (std::int32_t pick = -1; pick < 4; ++pick) {
+      EXPECT_EQ(ties.contains(pixel, pick), pixel == 1 && pick == 1) << pixel << ' ' << pick;
+    }
+  }
+  // One double, but two depths: no tie.
+  const double up = 0.25 + 0x1p-54;
+  const Vertices above = {{0, 0, 0.75}, {1, 0, 0.75}, {1, 1, up}, {0, 1, up}};
+  DepthTies none;
+  truth(file_of({rectangle(0, 0, 1, 1, 0.5), above}), 1, 1, false, {}, &none);
+  EXPECT_FALSE(none.contains(0, 0));
 }
 
 TEST(Truth, DepthsThatNoDoubleTellsApartAreToldApart) {

@@ -73,7 +73,8 @@ std::optional<SegmentAsEntered::Support> SegmentAsEntered::support_of(
 
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
                            int width, int height, bool depth,
-                           const std::optional<Touching>& touching, const WorkProgress& progress) {
+                           const std::optional<Touching>& touching, const WorkProgress& progress,
+                           DepthTies* ties) {
   require_picture_size(width, height);
   const NamedWork named({"the truth from what was entered", "a smaller picture"});
   const RetainedScene visible = retained.visible_in(display_file);
@@ -83,7 +84,7 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
     return SegmentAsEntered(visible, planes,
                             ExactProjection(part.view, segment.image, width, height), picture);
   };
-  return {retained_picture(visible, display_file, width, height, depth, progress, view_of),
+  return {retained_picture(visible, display_file, width, height, depth, progress, view_of, ties),
           planes.touching()};
 }
 
@@ -147,10 +148,11 @@ std::optional<RetainedScene> scene_as_entered(const DisplayFile& display_file) {
 }  // namespace
 
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
-                         const WorkProgress& progress) {
+                         const WorkProgress& progress, DepthTies* ties) {
   const std::optional<RetainedScene> scene = scene_as_entered(display_file);
-  if (!scene) return truth(display_file, width, height, depth, progress);
-  return entered_truth(*scene, display_file, width, height, depth, std::nullopt, progress).picture;
+  if (!scene) return truth(display_file, width, height, depth, progress, ties);
+  return entered_truth(*scene, display_file, width, height, depth, std::nullopt, progress, ties)
+      .picture;
 }
 
 }  // namespace displayfile

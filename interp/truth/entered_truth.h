@@ -18,16 +18,16 @@ struct EnteredTruth {
 };
 
 /// `retained` has all primitives of the display file; `touching` overrides that of its segments.
-/// Errors as in truth().
+/// Ties and errors as in truth().
 EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& display_file,
                            int width, int height, bool depth,
                            const std::optional<Touching>& touching,
-                           const WorkProgress& progress = {});
+                           const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 /// The picture that exact methods draw of a display file: its entered truth, if all its visible
 /// segments keep the entered data, and otherwise truth(). Polygons entirely removed by clipping or
-/// back-face removal are not included. Errors as in truth().
+/// back-face removal are not included. Ties and errors as in truth().
 Picture truth_as_entered(const DisplayFile& display_file, int width, int height, bool depth,
-                         const WorkProgress& progress = {});
+                         const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 }  // namespace displayfile

@@ -20,7 +20,8 @@ namespace displayfile {
 /// enters its polygons, by enter(primitive). Errors as in truth().
 template <class ViewOf>
 Picture retained_picture(const RetainedScene& retained, const DisplayFile& display_file, int width,
-                         int height, bool depth, const WorkProgress& progress, ViewOf&& view_of) {
+                         int height, bool depth, const WorkProgress& progress, ViewOf&& view_of,
+                         DepthTies* ties = nullptr) {
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const auto each_segment = [&](auto&& visit) {
     for (const RetainedScene::Segment& part : retained.segments()) {
@@ -36,7 +37,7 @@ Picture retained_picture(const RetainedScene& retained, const DisplayFile& displ
       TruePicture::kBytesOfPixel * pixels,
       [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
       [&] {
-        TruePicture picture(width, height);
+        TruePicture picture(width, height, ties);
         std::size_t done = 0, all = 0;
         each_segment([&](const RetainedScene::Segment& part, const Segment&) {
           all += part.end - part.first;

@@ -145,13 +145,14 @@ void CentreMarks::mark_edge(const TruePoint& low, const TruePoint& high, int fir
 
 // ---- What is seen ------------------------------------------------------------------------
 
-TruePicture::TruePicture(int width, int height)
+TruePicture::TruePicture(int width, int height, DepthTies* ties)
     : width_(width),
       height_(height),
       coverage_(width, height),
       ids_(in_large_pages(pixels(), std::int32_t{-1})),
       depth_(in_large_pages(pixels(), kBackgroundDepth)),
-      owner_(in_large_pages(pixels(), kNone)) {}
+      owner_(in_large_pages(pixels(), kNone)),
+      ties_(ties) {}
 
 TruePoint TruePicture::point(const Point3& p) const {
   const int places = std::max({binary_places(p.x), binary_places(p.y), binary_places(p.z)});
@@ -188,10 +189,13 @@ void TruePicture::enter_run(Entered& polygon, int row, int first, int end) {
   for (int column = first; column < end; ++column, ++at, numerator_ += polygon.depth.right()) {
     if (depth_[at] > bound) continue;
     const double z = division_.nearest_double(numerator_, divisor);
-    const bool is_seen =
-        owner_[at] == kNone || z > depth_[at] ||
-        (z == depth_[at] && nearer_or_equal(polygon.depth, owner_[at], column, row));
-    if (!is_seen) continue;
+    auto order = std::strong_ordering::greater;
+    if (owner_[at] != kNone && z <= depth_[at]) {
+      if (z < depth_[at]) continue;
+      order = compared(polygon.depth, owner_[at], column, row);
+      if (order < 0) continue;
+    }
+    if (ties_ != nullptr) order == 0 ? ties_->add(at, ids_[at]) : ties_->clear(at);
     if (polygon.owner == kNone) {
       polygon.owner = static_cast<Owner>(seen_.size());
       seen_.push_back(polygon.depth);
@@ -203,12 +207,15 @@ void TruePicture::enter_run(Entered& polygon, int row, int first, int end) {
 }
 
 /// The depth, whose numerator at the centre is numerator_, against that of the polygon seen.
-bool TruePicture::nearer_or_equal(const ExactDepth& depth, Owner owner, int column, int row) {
+std::strong_ordering TruePicture::compared(const ExactDepth& depth, Owner owner, int column,
+                                           int row) {
   const ExactDepth& other = seen_[owner];
   other.numerator(column, row, other_numerator_);
   left_ = numerator_ * other.divisor();
   right_ = other_numerator_ * depth.divisor();
-  return left_ >= right_;
+  return left_ == right_  ? std::strong_ordering::equal
+         : left_ < right_ ? std::strong_ordering::less
+                          : std::strong_ordering::greater;
 }
 
 Picture TruePicture::take(bool depth) {

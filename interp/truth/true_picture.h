@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,6 +13,7 @@
 
 #include "clip/point.h"
 #include "interp/device/picture.h"
+#include "interp/truth/depth_ties.h"
 #include "interp/truth/whole_numbers.h"
 
 namespace displayfile {
@@ -87,7 +89,8 @@ class CentreMarks {
 /// The polygon visible at each pixel centre, for polygons entered in order.
 class TruePicture {
  public:
-  TruePicture(int width, int height);
+  /// `ties`, which outlives the picture, is told of the ties if it is not null.
+  TruePicture(int width, int height, DepthTies* ties = nullptr);
 
   /// A point given in device coordinates.
   TruePoint point(const Point3& device) const;
@@ -117,7 +120,7 @@ class TruePicture {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
   void enter_run(Entered& polygon, int row, int first, int end);
-  bool nearer_or_equal(const ExactDepth& depth, Owner owner, int column, int row);
+  std::strong_ordering compared(const ExactDepth& depth, Owner owner, int column, int row);
 
   int width_, height_;
   CentreMarks coverage_;
@@ -125,6 +128,7 @@ class TruePicture {
   std::vector<double> depth_;  // rounded to the nearest double
   std::vector<Owner> owner_;
   std::vector<ExactDepth> seen_;
+  DepthTies* ties_;
 
   Integer numerator_, other_numerator_, left_, right_;
   Division division_;

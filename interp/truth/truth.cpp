@@ -96,7 +96,7 @@ struct SegmentWalk {
 }  // namespace
 
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
-              const WorkProgress& progress) {
+              const WorkProgress& progress, DepthTies* ties) {
   require_picture_size(width, height);
   const NamedWork named({"the truth", "a smaller picture, or a method that decides exactly"});
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -104,7 +104,7 @@ Picture truth(const DisplayFile& display_file, int width, int height, bool depth
       TruePicture::kBytesOfPixel * pixels,
       [&] { return fmt::format("the truth of {} x {} pixels", width, height); },
       [&] {
-        TruePicture picture(width, height);
+        TruePicture picture(width, height, ties);
         SharedPlanes shared(display_file);
         std::size_t done = 0, polygons = 0;
         for (const Segment& segment : display_file.segments()) {

@@ -6,6 +6,8 @@
 
 namespace displayfile {
 
+class DepthTies;
+
 /// The fill visible at each pixel centre, by the definition of truth alone: in integers of any
 /// length, without tolerance, and sharing no code with the methods that it checks.
 /// interp/truth/truth.md has the details.
@@ -14,11 +16,12 @@ namespace displayfile {
 /// the pick identifier of the nearest one that covers the centre (of equally near ones the one
 /// entered later), -1 for none. The depth, if requested, is that of the visible polygon, rounded
 /// once to the nearest double, and minus infinity for none. No colours: `pixels` is empty.
-/// `progress` counts polygons.
+/// `progress` counts polygons. `ties`, if not null, must be empty and gets the ties
+/// (interp/truth/depth_ties.h).
 ///
 /// Coordinates may be any finite doubles. Throws Error for a picture size outside of 1 to
 /// kLargestSide, and for a coordinate of a solid polygon that is not finite.
 Picture truth(const DisplayFile& display_file, int width, int height, bool depth,
-              const WorkProgress& progress = {});
+              const WorkProgress& progress = {}, DepthTies* ties = nullptr);
 
 }  // namespace displayfile

@@ -19,18 +19,20 @@ namespace {
 
 }  // namespace
 
-Picture truth(const DisplayFile&, int, int, bool, const WorkProgress&) { refuse_truth(); }
+Picture truth(const DisplayFile&, int, int, bool, const WorkProgress&, DepthTies*) {
+  refuse_truth();
+}
 
 Picture world_truth(const RetainedScene&, const DisplayFile&, int, int, bool, const WorkProgress&) {
   refuse_truth();
 }
 
 EnteredTruth entered_truth(const RetainedScene&, const DisplayFile&, int, int, bool,
-                           const std::optional<Touching>&, const WorkProgress&) {
+                           const std::optional<Touching>&, const WorkProgress&, DepthTies*) {
   refuse_truth();
 }
 
-Picture truth_as_entered(const DisplayFile&, int, int, bool, const WorkProgress&) {
+Picture truth_as_entered(const DisplayFile&, int, int, bool, const WorkProgress&, DepthTies*) {
   refuse_truth();
 }
 

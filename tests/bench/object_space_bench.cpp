@@ -232,10 +232,10 @@ Ways sort_by(HiddenMethod method, const DeviceScene& scene, const Options& optio
   Ways ways{{name, by(true)}, {name + ", roundoff", by(false)}};
   if (!Gl2psSort::version() || options.threads > 1) return ways;
   // Its sort alone is timed, in a window of 1024 x 1024 pixels.
-  for (const bool best_root : {false, true}) {
-    const Gl2psSort gl2ps{scene.points, {1024, 1024}, best_root};
+  for (const Gl2psSort::Options& of_gl2ps : Gl2psSort::kOptions) {
+    const Gl2psSort gl2ps{scene.points, {1024, 1024}, of_gl2ps};
     if (!gl2ps.ends()) continue;
-    ways.push_back({best_root ? "gl2ps, best root" : "gl2ps",
+    ways.push_back({"gl2ps" + std::string(of_gl2ps.name),
                     [=, n = static_cast<double>(scene.size())] {
                       const auto pieces = static_cast<double>(gl2ps.pieces().size());
                       return Json{{"pieces a polygon", figure(pieces / n)}};

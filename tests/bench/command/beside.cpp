@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
 #include "clip/base/work_budget.h"
 #include "hidden/map/map_pieces.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -209,18 +210,26 @@ void compare_with_gl2ps(Comparison& comparison) {
       comparison.count(name, "pieces a triangle", static_cast<double>(found.pieces.size()) / count);
     });
   }
-  for (const bool best_root : {false, true}) {
-    const char* const name = best_root ? "gl2ps, best root" : "gl2ps";
-    const Gl2psSort gl2ps{triangles.corners, size_of(task.scene), best_root};
-    if (!gl2ps.ends()) {
-      const char* const why = "gl2ps's sort does not come to an end";
+  for (const Gl2psSort::Options& options : Gl2psSort::kOptions) {
+    const std::string name = fmt::format("gl2ps{}", options.name);
+    const Gl2psSort gl2ps{triangles.corners, size_of(task.scene), options};
+    const auto leave_all_out = [&](const std::string& why) {
       comparison.leave_out(name, "pieces a triangle", why);
       for (const HiddenMethod method : methods) {
         comparison.leave_out(name, std::string(name_of(method)), why);
       }
+    };
+    if (!gl2ps.ends()) {
+      leave_all_out("gl2ps's sort does not come to an end");
       continue;
     }
-    comparison.count(name, "pieces a triangle", static_cast<double>(gl2ps.pieces().size()) / count);
+    try {
+      const auto pieces = static_cast<double>(gl2ps.pieces().size());
+      comparison.count(name, "pieces a triangle", pieces / count);
+    } catch (const Error& reason) {
+      leave_all_out(reason.what());
+      continue;
+    }
     for (const HiddenMethod method : methods) {
       const std::string of(name_of(method));
       ours.compare(method, name, of, [&] {

@@ -65,7 +65,7 @@ class Comparison {
   explicit Comparison(const BesideTask& task) : task_(task) {}
 
   const BesideTask& task() const { return task_; }
-  void add_ratio(const char* other, const std::string& what, const Spread& times_faster) {
+  void add_ratio(const std::string& other, const std::string& what, const Spread& times_faster) {
     add(other, what)["times_faster"] = figures(times_faster);
   }
   /// In turn; how many times as fast ours is.

@@ -1,8 +1,10 @@
 #include "tests/bench/command/environment.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <thread>
@@ -62,6 +64,7 @@ std::string cairo_version() {
 
 std::vector<std::pair<std::string, std::string>> environment() {
   return {
+      {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
       {"displayfile", build::kVersion},
       {"compiler", build::kCompiler},
       {"build type", build::kBuildType},

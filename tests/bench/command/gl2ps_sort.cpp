@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <glm/common.hpp>
 #include <string_view>
 
 #include "clip/base/error.h"
@@ -45,7 +46,8 @@ class Page {
   Page(const Gl2psSort& sort, GLint format) : stream_(open_memstream(&text_, &size_)) {
     std::array<GLint, 4> viewport{0, 0, sort.window.width, sort.window.height};
     constexpr GLint kOptions = GL2PS_NO_OPENGL_CONTEXT | GL2PS_NO_BLENDING | GL2PS_SILENT;
-    const GLint options = kOptions | (sort.best_root ? GL2PS_BEST_ROOT : GL2PS_NONE);
+    const GLint options = kOptions | (sort.options.best_root ? GL2PS_BEST_ROOT : GL2PS_NONE) |
+                          (sort.options.occlusion_cull ? GL2PS_OCCLUSION_CULL : GL2PS_NONE);
     if (stream_ == nullptr ||
         gl2psBeginPage("", "", viewport.data(), format, GL2PS_BSP_SORT, options, GL_RGBA, 0,
                        nullptr, 0, 0, 0, 0, stream_, "") != GL2PS_SUCCESS) {
@@ -107,6 +109,38 @@ std::array<double, kNumbers> numbers_after(const char* at) {
   return numbers;
 }
 
+/// A piece as it is written in PostScript, whose numbers have six digits: of which triangle it is,
+/// and the sum of its corners, in pixels.
+struct Written {
+  std::uint32_t triangle;
+  Point2 sum;
+};
+
+/// On a page each line is a colour, "r g b C", a triangle in it, "x y x y x y T", or a triangle
+/// with a colour for each corner, "x y r g b x y r g b x y r g b ST".
+std::vector<Written> written_in_postscript(const Gl2psSort& sort) {
+  Page page(sort, GL2PS_EPS);
+  page.end();
+  std::string_view text = page.text();
+  text.remove_prefix(std::min(text.find("%%Page:"), text.size()));
+  std::vector<Written> all;
+  std::uint32_t triangle = 0;
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+    end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    if (line.ends_with(" C\n")) {
+      triangle = read_number(numbers_after<3>(line.data()));
+    } else if (line.ends_with(" T\n")) {
+      const auto n = numbers_after<6>(line.data());
+      all.push_back({triangle, {n[0] + n[2] + n[4], n[1] + n[3] + n[5]}});
+    } else if (line.ends_with(" ST\n")) {
+      const auto n = numbers_after<15>(line.data());
+      all.push_back({read_number({n[2], n[3], n[4]}), {n[0] + n[5] + n[10], n[1] + n[6] + n[11]}});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<std::string> Gl2psSort::version() {
@@ -122,7 +156,8 @@ bool Gl2psSort::ends() const {
   const pid_t child = fork();
   if (child < 0) throw Error("gl2ps: no process can be started to try it in");
   if (child == 0) {
-    const double limit = 1.0 + 3e-4 * static_cast<double>(corners.size()) / 3.0;
+    const double times = options.occlusion_cull ? 10.0 : 1.0;  // which takes many times as long
+    const double limit = 1.0 + times * 3e-4 * static_cast<double>(corners.size()) / 3.0;
     itimerval timer{};
     timer.it_value.tv_sec = static_cast<time_t>(std::ceil(limit));
     setitimer(ITIMER_PROF, &timer, nullptr);  // its signal ends the process
@@ -160,7 +195,30 @@ std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
     const auto [x, y] = numbers_after<2>(text.data() + (moves ? kMove : kLine).size());
     pieces.back().corners.emplace_back(x / window.width, y / window.height);
   }
+  if (options.occlusion_cull) leave_out_hidden(pieces);
   return pieces;
+}
+
+/// PGF has what is hidden in any case. PostScript has the rest, in the same order.
+void Gl2psSort::leave_out_hidden(std::vector<Piece>& pieces) const {
+  constexpr double kRounding = 1e-5;  // more than that of six digits, and of six after the point
+  const std::vector<Written> written = written_in_postscript(*this);
+  auto next = written.begin();
+  std::erase_if(pieces, [&](const Piece& piece) {
+    if (next == written.end()) return true;
+    Point2 sum(0.0), sizes(1.0);
+    for (const Point2& corner : piece.corners) {
+      const Point2 p(corner.x * window.width, corner.y * window.height);
+      sum += p;
+      sizes += glm::abs(p);
+    }
+    const Point2 apart = glm::abs(sum - next->sum);
+    const bool is_written = piece.triangle == next->triangle && apart.x < kRounding * sizes.x &&
+                            apart.y < kRounding * sizes.y;
+    if (is_written) ++next;
+    return !is_written;
+  });
+  if (next != written.end()) throw Error("gl2ps: its two outputs have not the same pieces");
 }
 
 }  // namespace displayfile::bench

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clip/point.h"
@@ -17,7 +19,16 @@ namespace displayfile::bench {
 struct Gl2psSort {
   std::span<const Point3> corners;  ///< three a triangle, in normalised device coordinates
   PictureSize window;
-  bool best_root = true;  ///< GL2PS_BEST_ROOT: of some candidates the root that cuts least
+  /// Its options, none of which is best in all: with the second there are fewer cuts, with the
+  /// third fewer pieces are written, for which it takes longer.
+  struct Options {
+    std::string_view name;        ///< after that of the sort
+    bool best_root = true;        ///< GL2PS_BEST_ROOT: of some candidates the root that cuts least
+    bool occlusion_cull = false;  ///< GL2PS_OCCLUSION_CULL: what is hidden wholly is left out
+  };
+  static constexpr std::array<Options, 3> kOptions{
+      {{"", false, false}, {", best root", true, false}, {", best root, culled", true, true}}};
+  Options options = kOptions[1];
 
   /// gl2ps's version; nothing if this build has no gl2ps.
   static std::optional<std::string> version();
@@ -37,9 +48,13 @@ struct Gl2psSort {
     std::vector<Point2> corners;  ///< in normalised device coordinates
   };
   /// What it writes, back to front, read back from PGF. Of its formats that has the most digits:
-  /// six after the point, of pixels. Throws Error for more than 2^24 triangles, whose numbers stand
+  /// six after the point, of pixels. It ignores GL2PS_OCCLUSION_CULL: which pieces that leaves out
+  /// is read from PostScript. Throws Error for more than 2^24 triangles, whose numbers stand
   /// in the colours.
   std::vector<Piece> pieces() const;
+
+ private:
+  void leave_out_hidden(std::vector<Piece>& pieces) const;
 };
 
 }  // namespace displayfile::bench

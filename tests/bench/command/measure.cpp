@@ -8,6 +8,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/work_budget.h"
 #include "hidden/exact/predicate_counts.h"
+#include "interp/truth/depth_ties.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "tests/bench/command/counted_memory.h"
@@ -20,11 +21,14 @@ struct Measurer::Scene {
   DisplayFile file;
   std::vector<displayfile::Scene> views;  // of a walk: each has a display file of its own
   Picture truth;                          // of a walk, that of all views below each other
+  std::vector<DepthTies> ties;            // of each view
   std::unique_ptr<Drawing> reference;
   double reference_seconds = 0.0;
 
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
+  /// True if this polygon is exactly as near at the pixel as the one that is right there.
+  bool is_tied(std::size_t pixel, std::int32_t pick) const;
   /// The time of work on so many threads over that of the reference; `once` is about what it takes.
   Json over_reference(const Effort& effort, int threads, double once, const auto& work) const;
   double polygons() const { return static_cast<double>(file.polygons()); }
@@ -44,10 +48,15 @@ std::string key_of(const Json& cell) {
                      cell["threads"].dump());
 }
 
-Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
+Picture truth_with_ties(const DisplayFile& file, int size, std::vector<DepthTies>& ties) {
+  return truth_as_entered(file, size, size, true, {}, &ties.emplace_back());
+}
+
+Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size,
+                      std::vector<DepthTies>& ties) {
   Picture all;
   for (const displayfile::Scene& view : views) {
-    append(truth_as_entered(entered(view).display_file(), size, size, true), all);
+    append(truth_with_ties(entered(view).display_file(), size, ties), all);
   }
   return all;
 }
@@ -57,9 +66,9 @@ Picture truth_of_walk(const std::vector<displayfile::Scene>& views, int size) {
 Measurer::Scene::Scene(const BenchScene& s) : scene(s), file(s.make()) {
   if (scene.kind == BenchScene::Kind::walk) {
     views = walk(scene.n, scene.seed);
-    truth = truth_of_walk(views, scene.size);
+    truth = truth_of_walk(views, scene.size, ties);
   } else {
-    truth = truth_as_entered(file, scene.size, scene.size, true);
+    truth = truth_with_ties(file, scene.size, ties);
   }
   reference = drawing(reference_contender(), 1);
   reference->draw_anew();
@@ -70,6 +79,11 @@ std::unique_ptr<Drawing> Measurer::Scene::drawing(const Contender& contender, in
   const Frame frame{scene.size, scene.size, threads};
   if (scene.kind != BenchScene::Kind::walk) return contender.draw(file, frame);
   return contender.draw ? draw_walk(views, contender, frame) : draw_walk_with_tree(views, frame);
+}
+
+bool Measurer::Scene::is_tied(std::size_t pixel, std::int32_t pick) const {
+  const std::size_t of_view = truth.ids.size() / ties.size();
+  return ties[pixel / of_view].contains(pixel % of_view, pick);
 }
 
 Json Measurer::Scene::over_reference(const Effort& effort, int threads, double once,
@@ -119,9 +133,12 @@ bool Measurer::too_long(const Json& cell) const {
 void Measurer::compare(const Picture& picture, Json& cell) const {
   const Picture& right = scene_->truth;
   double sum = 0.0, largest = 0.0;
-  std::int64_t both = 0, wrong = 0;
+  std::int64_t both = 0, wrong = 0, tied = 0;
   for (std::size_t i = 0; i < right.ids.size(); ++i) {
-    wrong += picture.ids[i] != right.ids[i];
+    if (picture.ids[i] != right.ids[i]) {
+      ++wrong;
+      tied += scene_->is_tied(i, picture.ids[i]) ? 1 : 0;
+    }
     if (!std::isfinite(picture.depth[i]) || !std::isfinite(right.depth[i])) continue;
     const double error = std::abs(picture.depth[i] - right.depth[i]);
     largest = std::max(largest, error);
@@ -129,6 +146,7 @@ void Measurer::compare(const Picture& picture, Json& cell) const {
     ++both;
   }
   cell["wrong_pixels"] = wrong;
+  cell["wrong_and_tied"] = tied;
   cell["largest_depth_error"] = figure(largest);
   cell["mean_depth_error"] = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
 }

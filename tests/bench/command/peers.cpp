@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "clip/base/error.h"
 #include "interp/device/raster_request.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/raster/fill_paints.h"
@@ -135,9 +136,9 @@ class EmbreeDrawing : public Drawing {
 /// pieces that it writes, painted in its order.
 class Gl2psDrawing : public Drawing {
  public:
-  Gl2psDrawing(const DisplayFile& file, const Frame& frame, bool best_root)
+  Gl2psDrawing(const DisplayFile& file, const Frame& frame, const Gl2psSort::Options& options)
       : size_(size_of(frame)),
-        best_root_(best_root),
+        options_(options),
         scene_(file),
         paints_(scene_),
         triangles_(in_triangles(scene_)) {}
@@ -147,7 +148,7 @@ class Gl2psDrawing : public Drawing {
     gl2ps().sort();
   }
   Picture judged() override {
-    const auto pieces = gl2ps().pieces();
+    const auto pieces = pieces_or_reason();
     count_ = pieces.size();
     RasterRequest request;
     request.width = size_.width;
@@ -158,7 +159,14 @@ class Gl2psDrawing : public Drawing {
   std::optional<Pieces> pieces() const override { return Pieces{triangles_.size(), count_}; }
 
  private:
-  Gl2psSort gl2ps() const { return {triangles_.corners, size_, best_root_}; }
+  Gl2psSort gl2ps() const { return {triangles_.corners, size_, options_}; }
+  std::vector<Gl2psSort::Piece> pieces_or_reason() const {
+    try {
+      return gl2ps().pieces();
+    } catch (const Error& reason) {
+      throw CannotDraw{reason.what()};
+    }
+  }
   /// The fills' numbers in place of their items.
   DisplayFile painted(const std::vector<Gl2psSort::Piece>& pieces) const {
     DisplayFile file;
@@ -190,7 +198,7 @@ class Gl2psDrawing : public Drawing {
   }
 
   PictureSize size_;
-  bool best_root_;
+  Gl2psSort::Options options_;
   ViewedScene scene_;
   FillPaints paints_;
   Triangles triangles_;
@@ -221,8 +229,9 @@ std::vector<Contender> peers() {
   }
   if (EmbreeRays::version()) all.push_back(peer<EmbreeDrawing>("embree", "single"));
   if (Gl2psSort::version()) {
-    all.push_back(peer<Gl2psDrawing>("gl2ps", "bsp", false));
-    all.push_back(peer<Gl2psDrawing>("gl2ps", "bsp, best root", true));
+    for (const Gl2psSort::Options& options : Gl2psSort::kOptions) {
+      all.push_back(peer<Gl2psDrawing>("gl2ps", fmt::format("bsp{}", options.name), options));
+    }
   }
   return all;
 }

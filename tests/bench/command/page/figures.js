@@ -41,7 +41,9 @@ function frontBy(error, values) {
 
 const SKIPPED = "skipped";
 const OBJECT_SPACE = ["bsp", "depth-sort", "map"];
-const GL2PS = ["gl2ps", "gl2ps, best root"];
+const GL2PS = ["gl2ps", "gl2ps, best root", "gl2ps, best root, culled"];
+/** Of the report (bench_command.cpp). */
+const FORMAT = 3;
 /** What is less than this part of another's time is clearly faster: two runs agree on it. */
 const CLEARLY = 0.9;
 const VIEWS_OF_WALK = 8;
@@ -49,9 +51,11 @@ const VIEWS_OF_WALK = 8;
 const isHard = (row) => row.kind === "hard case";
 const isExact = (column) => column.exact && column.method !== "auto";
 /** Methods whose growth is shown: exact ones, and one precision of each other method. */
-const OTHERS_IN_SERIES = ["", "float", "double", "24 bits", "single", "bsp, best root"];
+const OTHERS_IN_SERIES = ["", "float", "double", "24 bits", "single", "bsp, best root", "bsp, best root, culled"];
 const isInSeries = (column) => column.exact || OTHERS_IN_SERIES.includes(column.precision);
 const medianTime = (cell) => cell.time.median;
+/** Wrong pixels without the ties, in which the polygon shown is exactly as near as the right one. */
+const wrongOf = (cell) => cell.wrong_pixels - cell.wrong_and_tied;
 const nameOf = ({method, precision}) => (precision ? `${method}, ${precision}` : method);
 const columnOf = ({method, precision, exact}) => ({method, precision, exact, name: nameOf({method, precision})});
 const isOf = (column) => (cell) => cell.method === column.method && cell.precision === column.precision;
@@ -75,8 +79,11 @@ function byScene(cells = []) {
 /** A report with what follows from it. Rows are scenes with their cells. */
 class Figures {
   constructor(report) {
+    if (report.format !== FORMAT) throw new Error(`a report of format ${report.format}: expected ${FORMAT}; measure again`);
     const {reference, line_reference, environment, beside = [], viewing = [], feature_costs: features} = report;
-    Object.assign(this, {reference, line_reference, environment, beside, viewing, features});
+    // What tests/bench/figures adds: the meshes, and the rows of other programs of tests/bench.
+    const {meshes = [], map_rows: mapRows = [], sheet_rows: sheetRows = []} = report;
+    Object.assign(this, {reference, line_reference, environment, beside, viewing, features, meshes, mapRows, sheetRows});
     const cells = byScene(report.cells), lines = byScene(report.line_cells);
     this.rows = report.scenes.map((scene) => {
       const idButSize = scene.scene.replace(/ \d+x\d+$/, "");
@@ -160,12 +167,13 @@ class Figures {
       return values.includes(undefined) ? [] : [{column, place, time: figure(geometricMean(values))}];
     }).sort((a, b) => a.time - b.time);
   }
-  /** Wrong pixels of a column on one thread, and all pixels, on the rows on which it was measured. */
+  /** Wrong pixels of a column on one thread, ties, and all pixels, on the rows on which it was measured. */
   wrong(rows, column) {
-    const found = rows.filter((row) => this.measured(row, column));
-    const wrong = sum(found.map((row) => this.measured(row, column).wrong_pixels));
-    const pixels = sum(found.map((row) => row.pixels));
-    return {wrong, pixels, percent: pixels && 100 * wrong / pixels};
+    const found = rows.filter((row) => this.measured(row, column)), pixels = sum(found.map((row) => row.pixels));
+    const [wrong, tied] = [wrongOf, (cell) => cell.wrong_and_tied].map((value) =>
+      sum(found.map((row) => value(this.measured(row, column)))));
+    const inAHundred = (count) => pixels && 100 * count / pixels;
+    return {wrong, tied, pixels, percent: inAHundred(wrong), percentTied: inAHundred(tied)};
   }
   /** All methods and peers but `auto`, which is one of them, over the scenes on which none was left out. */
   get front() {
@@ -230,6 +238,31 @@ class Figures {
       if (unique(triangles).length < 2) return [];
       return [{scene, threads: n, points: rows.length, exponent: fittedExponent(triangles, costs)}];
     }));
+  }
+
+  /** All comparisons with other programs: one for each program, way and number of threads, with the ratios of its scenes. */
+  get comparisons() {
+    const found = new Map(), isPeer = (b) => b.other === "OSMesa" || b.other.startsWith("Embree") || GL2PS.includes(b.other);
+    const add = (ours, other, threads, scene, ratio) => {
+      const key = [ours, other, threads].join(" | ");
+      if (!found.has(key)) found.set(key, {ours, other, threads, scenes: []});
+      found.get(key).scenes.push({scene, ratio});
+    };
+    for (const b of this.beside.filter((one) => isPeer(one) && one.times_faster)) {
+      // New views are compared at several numbers of polygons: all else at one.
+      const {name} = this.rows.find((row) => row.scene === b.scene);
+      if (b.what === "moving camera" && this.largest(name).scene !== b.scene) continue;
+      const own = b.other === "OSMesa" ? "z-buffer" : "ray-cast";
+      const ours = GL2PS.includes(b.other) ? `${b.what}, exact` : `${own}, exact: ${b.what}`;
+      add(ours, b.other, b.threads, b.scene, b.times_faster.median);
+    }
+    for (const row of this.mapRows.filter((one) => one.time)) {
+      add("map, exact", `our own ${row.way}`, 1, row.scene, row.time.median);
+    }
+    for (const row of this.sheetRows.filter((one) => one.times_faster)) {
+      add(row.work, row.beside, row.threads, row.work, row.times_faster);
+    }
+    return [...found.values()];
   }
 
   // ---- Lines ---------------------------------------------------------------------------

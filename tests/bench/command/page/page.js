@@ -24,7 +24,7 @@ function frontPlot(figures) {
   return plot({
     title: "All methods and peers: below and left is better",
     xLabel: `time of a picture / time of the exact z-buffer, ${found.scenes} scenes`,
-    yLabel: hard ? `wrong pixels of ${hard} stress scenes, ${figures.sizesOfHardCases}, %` : "wrong pixels of these scenes, %",
+    yLabel: `wrong pixels, without ties, of ${hard ? `${hard} stress scenes, ${figures.sizesOfHardCases}` : "these scenes"}, %`,
     curves, zeros: 84, width: 980, height: 600, front: found.front.map((one) => ({x: one.time, y: one.percent})),
     xRange: [found.all[0].time, 1.6 * found.all.at(-1).time],  // room for the label of the slowest
     notes: [[{colour: "#444", shape: 0, filled: true}, "filled: claims to be exact"],
@@ -54,6 +54,8 @@ class Page {
     return `<h1>Speed against error</h1>\n${front ? wide(front) : ""}<p>Every time is a ratio to that of the reference, ` +
       `${escaped(this.figures.reference)}, drawing the same scene in the same run, in turn; given are the median and the ` +
       "least and the greatest of the rounds. A wrong pixel is one whose polygon is not the one that exact arithmetic gives. " +
+      "Where the polygon shown is exactly as near as that one, so that only the order of entry decides, it is a tie, which " +
+      "is counted apart. " +
       "Depth errors are in units of the view volume's depth.</p>\n<details open><summary>Measured with</summary><table>\n" +
       `${environment.join("")}</table></details>\n`;
   }
@@ -90,14 +92,14 @@ class Page {
     const panels = this.names.map((name) => {
       const scene = this.figures.shown(name), cells = scene.cells.filter((cell) => !cell.skipped && cell.threads === 1);
       const points = cells.map((cell) => ({cell, time: cell.time.median}));
-      const front = frontBy(({cell}) => cell.wrong_pixels, points).map(({cell}) => cell);
+      const front = frontBy(({cell}) => wrongOf(cell), points).map(({cell}) => cell);
       const curves = cells.map((cell) => ({mark: markOf(this.columns, columnOf(cell)), points: [{
-        x: cell.time.median, y: cell.wrong_pixels, spread: [cell.time.least, cell.time.greatest],
-        title: `${nameOf(cell)}: time ${cell.time.median}, ${cell.wrong_pixels} wrong pixels`}]}));
-      const names = front.map((cell) => `${escaped(nameOf(cell))} (${cell.time.median}, ${cell.wrong_pixels})`).join("; ");
+        x: cell.time.median, y: wrongOf(cell), spread: [cell.time.least, cell.time.greatest],
+        title: `${nameOf(cell)}: time ${cell.time.median}, ${wrongOf(cell)} wrong pixels, ${cell.wrong_and_tied} ties`}]}));
+      const names = front.map((cell) => `${escaped(nameOf(cell))} (${cell.time.median}, ${wrongOf(cell)})`).join("; ");
       return `<div class='panel'>${plot({title: `${scene.scene}, ${scene.polygons} polygons`, curves, zeros: 46,
         xLabel: "time of a picture / time of the reference", yLabel: "wrong pixels",
-        front: front.map((cell) => ({x: cell.time.median, y: cell.wrong_pixels}))})}` +
+        front: front.map((cell) => ({x: cell.time.median, y: wrongOf(cell)}))})}` +
         `<div class='legend'>Front (time, wrong pixels): ${names}</div></div>\n`;
     });
     return section("Error against time", "Below and left is better; the dashed line is the Pareto front, behind which " +
@@ -175,8 +177,9 @@ class Page {
     if (!hardCases.length) return "";
     const cells = families.flatMap((family) => columns.map((column) => {
       const of = family === "all" ? hardCases : hardCases.filter((scene) => scene.name === family);
-      const {wrong, pixels, percent} = this.figures.wrong(of, column);
-      return {percent: pixels ? percent : null, title: `${family}, ${column.name}: ${wrong} wrong of ${pixels} pixels`};
+      const {wrong, tied, pixels, percent} = this.figures.wrong(of, column);
+      return {percent: pixels ? percent : null,
+              title: `${family}, ${column.name}: ${wrong} wrong of ${pixels} pixels, and ${tied} ties`};
     }));
     return section("Wrong pixels of the hard cases", "In a hundred, over all severities of a family; green: none.",
                    wide(heatMap(families, columns.map((column) => column.name), cells)));
@@ -263,10 +266,10 @@ class Page {
       `${scene.scene}: ${scene.polygons} polygons, ${scene.pixels} pixels, deep ${scene.deep}, wide ${scene.wide}, ` +
       `each overlaps ${scene.overlapped}` +
       `${isHard(scene) ? `, severity ${scene.severity}` : ""}${grown("reference", scene.reference_growth)}`,
-      [...begun, "wrong pixels", "largest depth error", "mean", "fragments a polygon", "bytes", "exact-stage calls", ...time,
-       "again", "least", "greatest"],
-      scene.cells.map((cell) => this.cellRow(cell, 12, [cell.wrong_pixels, cell.largest_depth_error, cell.mean_depth_error,
-        cell.fragments_per_polygon, cell.bytes, cell.exact_stage_calls, ...spreadCells(cell.time),
+      [...begun, "wrong pixels and ties", "ties", "largest depth error", "mean", "fragments a polygon", "bytes",
+       "exact-stage calls", ...time, "again", "least", "greatest"],
+      scene.cells.map((cell) => this.cellRow(cell, 13, [cell.wrong_pixels, cell.wrong_and_tied, cell.largest_depth_error,
+        cell.mean_depth_error, cell.fragments_per_polygon, cell.bytes, cell.exact_stage_calls, ...spreadCells(cell.time),
         ...spreadCells(cell.time_again)]))));
     return section("All figures", "The same as in the JSON.", this.details("Beside others, and without exact stages",
       ["scene", "threads", "other", "what", "times as fast", "least", "greatest", "count"], beside), ...lines, ...pixels);

@@ -30,44 +30,128 @@ const summaryMakers = {
       ? `On the front, from fastest to most accurate: ${timed}.`
       : "On the front, from fastest to most accurate, by the errors of the scenes timed: " +
         `${timed}. By those of the stress scenes: ${stress}.`) +
-      " For every other method one on the front is faster and more accurate. Time is that of a picture from the " +
-      `display file, relative to ${figures.reference}, the geometric mean over the ` +
-      `${plural(found.scenes, "scene")} from which no method was left out` +
-      `${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, and have the polygons in ` +
-      "their own form. Errors are the percentage of pixels whose polygon differs from that of exact arithmetic" +
-      `${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.` : ", of these scenes."}`;
+      " For anything else something is both faster and more accurate. Time is that of a picture from the display " +
+      `file, in those of ${figures.reference}, the geometric mean over the ${plural(found.scenes, "scene")} from ` +
+      `which no method was left out${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, ` +
+      "and have the polygons in their own form. Errors are pixels in a hundred whose polygon is not the one that " +
+      `exact arithmetic gives, without ties${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.`
+        : ", of these scenes."}`;
     return {title: "Speed against error", text};
   },
 
-  methods(figures) {
-    const rows = figures.withNothingLeftOut(figures.still, isInSeries);
-    if (!rows.length) return null;
-    const hard = figures.hardCases.length > 0, advised = advice(figures);
-    const percent = (wrong) => (wrong.pixels ? general(wrong.percent) : "");
-    const mean = (column, value) => {
-      const all = figures.means(rows, (other) => other === column, value);
-      return all.length ? general(all[0].time) : "";
-    };
-    const text = `Times of a picture relative to ${figures.reference}, geometric means over the ${rows.length} scenes ` +
-      `from which no method was left out (${rows.map((row) => shortName(row.name)).join(", ")}): anew, from the ` +
-      "display file; and the same picture again. Peers are warm, and have the polygons in their own form. gl2ps " +
-      "sorts, and draws no pixels. Wrong pixels are percentages of all: of the scenes timed" +
-      `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. Pieces are per triangle, of the same triangles; ` +
-      "the map's are the visible ones.";
-    const head = ["method", "anew", "again", "wrong, %: scenes timed",
-                  ...(hard ? [`wrong, %: stress scenes, ${figures.sizesOfHardCases}`] : []),
-                  "bytes a polygon", "pieces", "recommended for"];
-    const body = figures.columns.filter(isInSeries).flatMap((column) => {
-      const anew = mean(column, medianTime);
-      if (!anew) return [];
-      const bytes = rows.map((row) => [row, figures.measured(row, column)]).filter(([, cell]) => cell.bytes !== undefined)
-        .map(([row, cell]) => Math.max(1, cell.bytes) / Math.max(1, row.polygons));
-      const uses = advised.filter((a) => a.use === column.name).map((a) => a.purpose.replace(/:.*/, "")).join("; ");
-      return [[column.name, anew, mean(column, (cell) => cell.time_again?.median), percent(figures.wrong(rows, column)),
-               ...(hard ? [percent(figures.wrong(figures.hardCases, column))] : []),
-               bytes.length ? geometricMean(bytes).toFixed(0) : "", piecesATriangle(figures, rows, column), uses]];
+  methods: (figures) => methodsTable(figures, "Methods", isInSeries),
+  "all-methods": (figures) => methodsTable(figures, "Every method and precision that was measured", () => true),
+
+  /** The few rows of a README: the defaults, and peers. */
+  compared(figures) {
+    const found = methodRows(figures, isInSeries);
+    if (!found) return null;
+    const gl2ps = found.rows.filter((row) => row.column.method === "gl2ps" && row.anew !== null && row.pieces !== null);
+    const least = (value) => gl2ps.reduce((a, b) => (value(b) < value(a) ? b : a), gl2ps[0]);
+    const best = unique([least((row) => row.anew), least((row) => row.pieces)].filter(Boolean));
+    const labels = {"z-buffer, exact": "z-buffer, exact: the default for pixels", "osmesa, 24 bits": "OSMesa, 24 bits of depth",
+      "embree, single": "Embree, single precision: its tree and one ray a pixel",
+      "map, exact": "map, exact: the default for vectors"};
+    for (const row of best) labels[row.column.name] = `${row.column.name}: a sort, which draws no pixels`;
+    const hard = figures.hardCases.length > 0;
+    const body = Object.entries(labels).flatMap(([name, label]) => {
+      const row = found.rows.find((one) => one.column.name === name);
+      return row ? [[label, shownMean(row.anew), ...errorCells(row.timed), ...(hard ? errorCells(row.stress) : []),
+                     shownMean(row.pieces)]] : [];
     });
-    return {title: "Methods", text, rows: [head, ...body]};
+    const inputs = found.scenes.filter((row) => row.kind === "input").length;
+    const text = `Written by tests/bench/figures. One thread, geometric means over ${plural(found.scenes.length, "scene")}` +
+      (inputs ? `, of which ${inputs} are meshes (tests/bench/meshes.sha256 has those that are not in the repository)` : "") +
+      `; peers are warm.${figures.environment.date ? ` Measured on ${figures.environment.date}.` : ""} A tie is a pixel where ` +
+      "the polygon shown is exactly as near as the right one, so that only the order of entry decides; it does not count as " +
+      "wrong.";
+    const scenes = "ordinary scenes", stress = `${figures.hardCases.length} stress scenes, ${figures.sizesOfHardCases}`;
+    return {title: "Compared", text, rows: [["", "time, in that of the exact z-buffer", ...errorHeads(scenes),
+      ...(hard ? errorHeads(stress) : []), "pieces a triangle"], ...body]};
+  },
+
+  "measured-with"(figures) {
+    const rows = Object.entries(figures.environment).map(([name, value]) => [name, value]);
+    return {title: "Measured with", text: "Times of different machines and builds cannot be compared, nor can those of " +
+      "different runs to more than the digits that two runs have in common.", rows: [["what", "which"], ...rows]};
+  },
+
+  meshes(figures) {
+    return {title: "Meshes", text: "Generated scenes and stress scenes are made by the program, the same on every machine. " +
+      "These files are beside them; no script fetches those that are not in the repository.",
+            rows: [["file", "where it comes from", "SHA-256"], ...figures.meshes.map((m) => [m.name, m.source, m.sha256])]};
+  },
+
+  /** Each way in which another program was timed against ours, slower or faster, in one table. */
+  slower(figures) {
+    const all = figures.comparisons;
+    const body = all.map(({ours, other, threads, scenes}) => {
+      const ratios = scenes.map((one) => one.ratio), slow = scenes.filter((one) => one.ratio < 1);
+      const plain = (scene) => shortName(scene.replace(/ \d+x\d+$/, "").replace(/ n=\d+$/, ""));
+      const names = slow.map((one) => `${plain(one.scene)} ${times(one.ratio)}`);
+      return [ours, other, String(threads), `${slow.length} of ${scenes.length}`, ...[Math.min(...ratios),
+        geometricMean(ratios), Math.max(...ratios)].map(times), names.slice(0, 6).join(", ") +
+        (names.length > 6 ? ` and ${names.length - 6} more` : "")];
+    });
+    return {title: "Where ours is slower, and where it is not", text: "How many times as fast ours is as the other program, " +
+      "of every comparison of this run: below 1 ours is slower. Each is described in the section that has its scenes one by " +
+      "one. The mean is geometric.", rows: [["ours", "beside", "threads", "slower on", "least", "mean", "greatest",
+      "scenes on which it is slower"], ...body]};
+  },
+
+  "map-and-sorts"(figures) {
+    const scenes = unique(figures.mapRows.map((row) => row.scene));
+    const ways = unique(figures.mapRows.map((row) => row.way).filter((way) => way !== "map"));
+    const body = scenes.map((scene) => {
+      const own = figures.mapRows.filter((row) => row.scene === scene), map = own.find((row) => row.way === "map");
+      const others = ways.map((way) => own.find((row) => row.way === way));
+      return [scene, grouped(map.polygons), grouped(map.pieces), ...others.flatMap((row) =>
+        [grouped(row.pieces), `${times(row.time.median)} (${times(row.time.least)} to ${times(row.time.greatest)})`])];
+    });
+    return {title: "The map beside our own sorts", text: "The visible-surface map, exact, from a display file to pieces, " +
+      "beside depth sort with writing an SVG of all its pieces, and beside the sorts alone: pieces, and how many times as fast " +
+      "the map is (median, least and greatest of rounds); below 1 the map is slower. All faces of the meshes, front and back.",
+            rows: [["scene", "polygons", "pieces of the map", ...ways.flatMap((way) => [`pieces, ${way}`, `map beside ${way}`])],
+                   ...body]};
+  },
+
+  sheets(figures) {
+    const heads = ["work", "asked", "measured", "besides", "beside"];
+    return {title: "Surfaces and sheets", text: "Beside the measured figures: the least that had been aimed at and, in " +
+      "parentheses, the goal. Rows without them had no target.",
+            rows: [["work", "at least (goal)", "measured", "besides", "beside", "reached"], ...figures.sheetRows.map((row) =>
+              [...heads.map((head) => String(row[head] ?? "")), row.holds === undefined ? "" : row.holds ? "yes" : "no"])]};
+  },
+
+  /** What sentences elsewhere repeat, to be compared with them. */
+  quoted(figures) {
+    const found = methodRows(figures, isInSeries), rows = found?.rows ?? [];
+    const of = (name) => rows.find((row) => row.column.name === name);
+    const exact = of("z-buffer, exact"), osmesa = of("osmesa, 24 bits"), body = [];
+    if (exact && osmesa) {
+      body.push(["The exact z-buffer's time, in OSMesa's", general(exact.anew / osmesa.anew, 2)]);
+      body.push(["OSMesa's wrong pixels on ordinary scenes, without ties, %", general(osmesa.timed.percent)]);
+      if (figures.hardCases.length) {
+        body.push([`OSMesa's wrong pixels on ${figures.hardCases.length} stress scenes, without ties, %`,
+                   general(osmesa.stress.percent)]);
+      }
+    }
+    const rounded = figures.beside.filter((b) => b.other === "without exact stages" && b.what === "z-buffer" && b.times_faster);
+    if (rounded.length) {
+      const cost = geometricMean(rounded.map((b) => 1 / b.times_faster.median));
+      body.push(["The exact z-buffer's time, in that without its exact stages", general(cost)]);
+    }
+    const written = figures.mapRows.filter((row) => row.way === "depth-sort, written").map((row) => 1 / row.time.median);
+    const slow = written.filter((time) => time > 1);
+    if (slow.length) {
+      body.push(["Scenes on which the map takes longer than depth sort with writing", `${slow.length} of ${written.length}`]);
+      body.push(["How many times as long there", `${times(Math.min(...slow))} to ${times(Math.max(...slow))}`]);
+    }
+    for (const row of figures.mapRows.filter((one) => one.scene.startsWith("planes") && one.pieces !== undefined)) {
+      body.push([`Pieces of ${row.polygons} crossing planes, ${row.way}`, grouped(row.pieces)]);
+    }
+    return {title: "Quoted", text: "Figures of this run that sentences of the README and of the user's guide repeat.",
+            rows: [["figure", "value"], ...body]};
   },
 
   lines(figures) {
@@ -173,11 +257,12 @@ const summaryMakers = {
 
   pieces(figures) {
     const [leftOut, words] = notesOfLeftOut();
-    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map the visible ones. All get " +
-      "the same triangles, gl2ps's in single precision, with and without " +
-      "GL2PS_BEST_ROOT. Beside gl2ps: its time over ours, processor time on one thread, as gl2ps " +
-      "has but one. The time is that of the sort alone: ours from the triangles to the order and the points of its " +
-      "pieces, gl2ps's gl2psEndPage in a format that writes no polygons, without passing the triangles.";
+    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map those that are seen, since what " +
+      "is hidden is in none. All get the same triangles, gl2ps's in single precision, with and without " +
+      "GL2PS_BEST_ROOT; and how many times as fast ours is as each, on one thread by the processor's time, as gl2ps " +
+      "has but one. Timed is the sort alone: ours from the triangles to the order and the points of its pieces, " +
+      "gl2ps's gl2psEndPage in a format that writes no polygons, without the handing over. Culled: with " +
+      "GL2PS_OCCLUSION_CULL too, which leaves out what is hidden and takes longer.";
     const body = figures.names.map((name) => figures.shown(name)).flatMap((row) => {
       const triangles = figures.count(row, 1, "gl2ps", "triangles");
       if (triangles === undefined) return [];
@@ -186,7 +271,7 @@ const summaryMakers = {
                ...[...OBJECT_SPACE, ...GL2PS].map((method) => cell(method, "pieces a triangle")),
                ...OBJECT_SPACE.flatMap((method) => GL2PS.map((peer) => cell(peer, method)))]];
     });
-    const beside = OBJECT_SPACE.flatMap((name) => [`${name} beside gl2ps`, `${name} beside best root`]);
+    const beside = OBJECT_SPACE.flatMap((name) => GL2PS.map((peer) => `${name} beside ${peer.replace("gl2ps, ", "")}`));
     return {title: "Pieces of a triangle, beside gl2ps", text: text + words(),
             rows: [["scene", "triangles", ...OBJECT_SPACE, ...GL2PS, ...beside], ...body]};
   },
@@ -237,7 +322,8 @@ const summaryMakers = {
     const roundoffs = unique(figures.columns.map((c) => c.precision).filter((p) => p.startsWith("roundoff=")));
     const heads = ["exact", ...roundoffs];
     // A peer may have drawn only some of the pixels.
-    const count = (one) => grouped(one.wrong) + (one.pixels === pixels ? "" : ` of ${grouped(one.pixels)}`);
+    const count = (one) => grouped(one.wrong) + (one.tied ? ` and ${plural(one.tied, "tie")}` : "") +
+      (one.pixels === pixels ? "" : ` of ${grouped(one.pixels)}`);
     const body = unique(sums.map((one) => one.column.method)).map((method) => {
       const own = sums.filter((one) => one.column.method === method);
       const at = (precision) => own.filter((one) => one.column.precision === precision).map(count).join("; ");
@@ -246,7 +332,8 @@ const summaryMakers = {
       return [method, ...heads.map(at), others.join("; ")];
     });
     return {title: "Wrong pixels", text: "Wrong pixels, counted against the exact truth over " +
-      `${figures.hardCases.length} hard cases of ${families} families, ${grouped(pixels)} pixels in all:`,
+      `${figures.hardCases.length} hard cases of ${families} families, ${grouped(pixels)} pixels in all; ties, in which the ` +
+      "polygon shown is exactly as near as the right one, are counted apart:",
             rows: [["method", ...heads, "otherwise"], ...body]};
   },
 
@@ -291,12 +378,54 @@ const isOfNumbers = (rows, column) =>
 const aboutHardCases = (figures) => `${figures.hardCases.length} stress scenes of ${figures.sizesOfHardCases} pixels ` +
   "each (the hard cases, in which rounding decides)";
 
-/** The geometric mean of the pieces that a sort, ours or another's, or the map makes of a triangle. */
+/** The geometric mean of the pieces that a sort, ours or another's, or the map makes of a triangle; null without one. */
 function piecesATriangle(figures, rows, column) {
   const isOurs = OBJECT_SPACE.includes(column.method);
-  if (!isOurs && column.name !== "gl2ps, bsp, best root") return "";
-  const each = rows.map((row) => figures.count(row, 1, isOurs ? column.method : GL2PS[1], "pieces a triangle"));
-  return each.includes(undefined) ? "" : general(geometricMean(each));
+  if (isOurs ? !column.exact : column.method !== "gl2ps") return null;
+  const other = isOurs ? column.method : column.name.replace("gl2ps, bsp", "gl2ps");
+  const each = rows.map((row) => figures.count(row, 1, other, "pieces a triangle"));
+  return each.includes(undefined) ? null : geometricMean(each);
+}
+
+const shownMean = (value) => (value === null ? "" : general(value));
+const errorHeads = (scenes) => [`wrong, %: ${scenes}`, "and ties, %"];
+const errorCells = (error) => (error.pixels ? [general(error.percent), general(error.percentTied)] : ["", ""]);
+
+/** Means and errors of the wanted columns over the scenes from which none of them was left out; null if there is none. */
+function methodRows(figures, wanted) {
+  const scenes = figures.withNothingLeftOut(figures.still, wanted);
+  if (!scenes.length) return null;
+  const mean = (column, value) => figures.means(scenes, (other) => other === column, value)[0]?.time ?? null;
+  const rows = figures.columns.filter(wanted).map((column) => {
+    const bytes = scenes.map((row) => [row, figures.measured(row, column)]).filter(([, cell]) => cell?.bytes !== undefined)
+      .map(([row, cell]) => Math.max(1, cell.bytes) / Math.max(1, row.polygons));
+    return {column, anew: mean(column, medianTime), again: mean(column, (cell) => cell.time_again?.median),
+            timed: figures.wrong(scenes, column), stress: figures.wrong(figures.hardCases, column),
+            bytes: bytes.length ? geometricMean(bytes).toFixed(0) : "", pieces: piecesATriangle(figures, scenes, column)};
+  }).filter((row) => row.anew !== null);
+  return {scenes, rows};
+}
+
+function methodsTable(figures, title, wanted) {
+  const found = methodRows(figures, wanted);
+  if (!found) return null;
+  const hard = figures.hardCases.length > 0, advised = advice(figures), {scenes} = found;
+  const {date} = figures.environment;
+  const text = `${date ? `Measured on ${date}. ` : ""}Times of a picture in those of ${figures.reference}, geometric ` +
+    `means over the ${scenes.length} scenes from which none was left out ` +
+    `(${scenes.map((row) => shortName(row.name)).join(", ")}): anew, from the display file; and ` +
+    "the same picture again. A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws " +
+    "no pixels; culled, it leaves out what is hidden. Wrong pixels are in a hundred of all: of the scenes that were timed" +
+    `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. A tie is a pixel where the polygon shown is exactly as near as ` +
+    "the right one, so that only the order of entry decides; it does not count as wrong. Pieces are those of a triangle, of " +
+    "the same triangles; the map's are those that are seen.";
+  const head = ["method", "anew", "again", ...errorHeads("scenes timed"),
+                ...(hard ? errorHeads(`stress scenes, ${figures.sizesOfHardCases}`) : []),
+                "bytes a polygon", "pieces", "advised for"];
+  const body = found.rows.map((row) => [row.column.name, shownMean(row.anew), shownMean(row.again), ...errorCells(row.timed),
+    ...(hard ? errorCells(row.stress) : []), row.bytes, shownMean(row.pieces),
+    advised.filter((a) => a.use === row.column.name).map((a) => a.purpose.replace(/:.*/, "")).join("; ")]);
+  return {title, text, rows: [head, ...body]};
 }
 
 /** The names of scenes that differ, the ones with the most pixels first, and how many more. */

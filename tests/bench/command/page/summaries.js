@@ -30,17 +30,17 @@ const summaryMakers = {
       ? `On the front, from fastest to most accurate: ${timed}.`
       : "On the front, from fastest to most accurate, by the errors of the scenes timed: " +
         `${timed}. By those of the stress scenes: ${stress}.`) +
-      " For anything else something is both faster and more accurate. Time is that of a picture from the display " +
-      `file, in those of ${figures.reference}, the geometric mean over the ${plural(found.scenes, "scene")} from ` +
-      `which no method was left out${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, ` +
-      "and have the polygons in their own form. Errors are pixels in a hundred whose polygon is not the one that " +
-      `exact arithmetic gives, without ties${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.`
-        : ", of these scenes."}`;
+      " For every other method one on the front is faster and more accurate. Time is that of a picture from the " +
+      `display file, relative to ${figures.reference}, the geometric mean over the ` +
+      `${plural(found.scenes, "scene")} from which no method was left out` +
+      `${found.leftOut ? ` (${found.leftOut} more do not count)` : ""}; peers are warm, and have the polygons in ` +
+      "their own form. Errors are the percentage of pixels whose polygon differs from that of exact arithmetic, " +
+      `without ties${hard ? `: of the scenes timed, and of ${aboutHardCases(figures)}.` : ", of these scenes."}`;
     return {title: "Speed against error", text};
   },
 
   methods: (figures) => methodsTable(figures, "Methods", isInSeries),
-  "all-methods": (figures) => methodsTable(figures, "Every method and precision that was measured", () => true),
+  "all-methods": (figures) => methodsTable(figures, "Every measured method and precision", () => true),
 
   /** The few rows of a README: the defaults, and peers. */
   compared(figures) {
@@ -66,20 +66,20 @@ const summaryMakers = {
       "the polygon shown is exactly as near as the right one, so that only the order of entry decides; it does not count as " +
       "wrong.";
     const scenes = "ordinary scenes", stress = `${figures.hardCases.length} stress scenes, ${figures.sizesOfHardCases}`;
-    return {title: "Compared", text, rows: [["", "time, in that of the exact z-buffer", ...errorHeads(scenes),
+    return {title: "Compared", text, rows: [["", "time over that of the exact z-buffer", ...errorHeads(scenes),
       ...(hard ? errorHeads(stress) : []), "pieces a triangle"], ...body]};
   },
 
   "measured-with"(figures) {
     const rows = Object.entries(figures.environment).map(([name, value]) => [name, value]);
-    return {title: "Measured with", text: "Times of different machines and builds cannot be compared, nor can those of " +
-      "different runs to more than the digits that two runs have in common.", rows: [["what", "which"], ...rows]};
+    return {title: "Measured with", text: "Times of different machines or builds cannot be compared. Of different " +
+      "runs only the digits that two runs have in common can be compared.", rows: [["item", "value"], ...rows]};
   },
 
   meshes(figures) {
-    return {title: "Meshes", text: "Generated scenes and stress scenes are made by the program, the same on every machine. " +
-      "These files are beside them; no script fetches those that are not in the repository.",
-            rows: [["file", "where it comes from", "SHA-256"], ...figures.meshes.map((m) => [m.name, m.source, m.sha256])]};
+    return {title: "Meshes", text: "The program makes the generated scenes and the stress scenes, the same on every machine. " +
+      "These files are further inputs; no script downloads those that are not in the repository.",
+            rows: [["file", "source", "SHA-256"], ...figures.meshes.map((m) => [m.name, m.source, m.sha256])]};
   },
 
   /** Each way in which another program was timed against ours, slower or faster, in one table. */
@@ -93,9 +93,9 @@ const summaryMakers = {
         geometricMean(ratios), Math.max(...ratios)].map(times), names.slice(0, 6).join(", ") +
         (names.length > 6 ? ` and ${names.length - 6} more` : "")];
     });
-    return {title: "Where ours is slower, and where it is not", text: "How many times as fast ours is as the other program, " +
-      "of every comparison of this run: below 1 ours is slower. Each is described in the section that has its scenes one by " +
-      "one. The mean is geometric.", rows: [["ours", "beside", "threads", "slower on", "least", "mean", "greatest",
+    return {title: "Where ours is slower, and where it is not", text: "The other program's time over ours, for every " +
+      "comparison of this run: below 1 ours is slower. The section that lists the scenes of a comparison describes it. " +
+      "The mean is geometric.", rows: [["ours", "beside", "threads", "slower on", "least", "mean", "greatest",
       "scenes on which it is slower"], ...body]};
   },
 
@@ -109,27 +109,27 @@ const summaryMakers = {
         [grouped(row.pieces), `${times(row.time.median)} (${times(row.time.least)} to ${times(row.time.greatest)})`])];
     });
     return {title: "The map beside our own sorts", text: "The visible-surface map, exact, from a display file to pieces, " +
-      "beside depth sort with writing an SVG of all its pieces, and beside the sorts alone: pieces, and how many times as fast " +
-      "the map is (median, least and greatest of rounds); below 1 the map is slower. All faces of the meshes, front and back.",
+      "beside depth sort with writing an SVG of all its pieces, and beside the sorts alone: pieces, and the time of each " +
+      "over the map's (median, least and greatest of rounds); below 1 the map is slower. All faces of the meshes, front and back.",
             rows: [["scene", "polygons", "pieces of the map", ...ways.flatMap((way) => [`pieces, ${way}`, `map beside ${way}`])],
                    ...body]};
   },
 
   sheets(figures) {
     const heads = ["work", "asked", "measured", "besides", "beside"];
-    return {title: "Surfaces and sheets", text: "Beside the measured figures: the least that had been aimed at and, in " +
-      "parentheses, the goal. Rows without them had no target.",
-            rows: [["work", "at least (goal)", "measured", "besides", "beside", "reached"], ...figures.sheetRows.map((row) =>
+    return {title: "Surfaces and sheets", text: "The targets were set before anything was measured: the least and, in " +
+      "parentheses, the goal. Rows without one had no target.",
+            rows: [["work", "target: least (goal)", "measured", "also", "beside", "reached"], ...figures.sheetRows.map((row) =>
               [...heads.map((head) => String(row[head] ?? "")), row.holds === undefined ? "" : row.holds ? "yes" : "no"])]};
   },
 
-  /** What sentences elsewhere repeat, to be compared with them. */
+  /** Figures that sentences elsewhere repeat, to be compared with them. */
   quoted(figures) {
     const found = methodRows(figures, isInSeries), rows = found?.rows ?? [];
     const of = (name) => rows.find((row) => row.column.name === name);
     const exact = of("z-buffer, exact"), osmesa = of("osmesa, 24 bits"), body = [];
     if (exact && osmesa) {
-      body.push(["The exact z-buffer's time, in OSMesa's", general(exact.anew / osmesa.anew, 2)]);
+      body.push(["The exact z-buffer's time over OSMesa's", general(exact.anew / osmesa.anew, 2)]);
       body.push(["OSMesa's wrong pixels on ordinary scenes, without ties, %", general(osmesa.timed.percent)]);
       if (figures.hardCases.length) {
         body.push([`OSMesa's wrong pixels on ${figures.hardCases.length} stress scenes, without ties, %`,
@@ -139,7 +139,7 @@ const summaryMakers = {
     const rounded = figures.beside.filter((b) => b.other === "without exact stages" && b.what === "z-buffer" && b.times_faster);
     if (rounded.length) {
       const cost = geometricMean(rounded.map((b) => 1 / b.times_faster.median));
-      body.push(["The exact z-buffer's time, in that without its exact stages", general(cost)]);
+      body.push(["The exact z-buffer's time over that without its exact stages", general(cost)]);
     }
     const written = figures.mapRows.filter((row) => row.way === "depth-sort, written").map((row) => 1 / row.time.median);
     const slow = written.filter((time) => time > 1);
@@ -257,12 +257,12 @@ const summaryMakers = {
 
   pieces(figures) {
     const [leftOut, words] = notesOfLeftOut();
-    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map those that are seen, since what " +
-      "is hidden is in none. All get the same triangles, gl2ps's in single precision, with and without " +
-      "GL2PS_BEST_ROOT; and how many times as fast ours is as each, on one thread by the processor's time, as gl2ps " +
-      "has but one. Timed is the sort alone: ours from the triangles to the order and the points of its pieces, " +
-      "gl2ps's gl2psEndPage in a format that writes no polygons, without the handing over. Culled: with " +
-      "GL2PS_OCCLUSION_CULL too, which leaves out what is hidden and takes longer.";
+    const text = "Pieces that a sort makes of a triangle, 1 if it cut nothing; of the map the visible ones. All get " +
+      "the same triangles, gl2ps's in single precision, with and without " +
+      "GL2PS_BEST_ROOT. Beside gl2ps: its time over ours, processor time on one thread, as gl2ps " +
+      "has but one. The time is that of the sort alone: ours from the triangles to the order and the points of its " +
+      "pieces, gl2ps's gl2psEndPage in a format that writes no polygons, without passing the triangles. Culled: with " +
+      "GL2PS_OCCLUSION_CULL too, which leaves out hidden pieces and takes longer.";
     const body = figures.names.map((name) => figures.shown(name)).flatMap((row) => {
       const triangles = figures.count(row, 1, "gl2ps", "triangles");
       if (triangles === undefined) return [];
@@ -332,7 +332,7 @@ const summaryMakers = {
       return [method, ...heads.map(at), others.join("; ")];
     });
     return {title: "Wrong pixels", text: "Wrong pixels, counted against the exact truth over " +
-      `${figures.hardCases.length} hard cases of ${families} families, ${grouped(pixels)} pixels in all; ties, in which the ` +
+      `${figures.hardCases.length} hard cases of ${families} families, ${grouped(pixels)} pixels in all; ties, where the ` +
       "polygon shown is exactly as near as the right one, are counted apart:",
             rows: [["method", ...heads, "otherwise"], ...body]};
   },
@@ -411,17 +411,17 @@ function methodsTable(figures, title, wanted) {
   if (!found) return null;
   const hard = figures.hardCases.length > 0, advised = advice(figures), {scenes} = found;
   const {date} = figures.environment;
-  const text = `${date ? `Measured on ${date}. ` : ""}Times of a picture in those of ${figures.reference}, geometric ` +
-    `means over the ${scenes.length} scenes from which none was left out ` +
+  const text = `${date ? `Measured on ${date}. ` : ""}Times of a picture relative to ${figures.reference}, geometric ` +
+    `means over the ${scenes.length} scenes from which no method was left out ` +
     `(${scenes.map((row) => shortName(row.name)).join(", ")}): anew, from the display file; and ` +
-    "the same picture again. A peer is warm, and has the polygons in its own form. gl2ps sorts, and draws " +
-    "no pixels; culled, it leaves out what is hidden. Wrong pixels are in a hundred of all: of the scenes that were timed" +
+    "the same picture again. Peers are warm, and have the polygons in their own form. gl2ps sorts, and draws " +
+    "no pixels; culled, it leaves out hidden pieces. Wrong pixels are percentages of all: of the scenes timed" +
     `${hard ? `, and of ${aboutHardCases(figures)}` : ""}. A tie is a pixel where the polygon shown is exactly as near as ` +
-    "the right one, so that only the order of entry decides; it does not count as wrong. Pieces are those of a triangle, of " +
-    "the same triangles; the map's are those that are seen.";
+    "the right one, so that only the order of entry decides; it does not count as wrong. Pieces are per triangle, of the " +
+    "same triangles; the map's are the visible ones.";
   const head = ["method", "anew", "again", ...errorHeads("scenes timed"),
                 ...(hard ? errorHeads(`stress scenes, ${figures.sizesOfHardCases}`) : []),
-                "bytes a polygon", "pieces", "advised for"];
+                "bytes a polygon", "pieces", "recommended for"];
   const body = found.rows.map((row) => [row.column.name, shownMean(row.anew), shownMean(row.again), ...errorCells(row.timed),
     ...(hard ? errorCells(row.stress) : []), row.bytes, shownMean(row.pieces),
     advised.filter((a) => a.use === row.column.name).map((a) => a.purpose.replace(/:.*/, "")).join("; ")]);

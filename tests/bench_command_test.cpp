@@ -129,7 +129,8 @@ TEST_F(Bench, ComparesWithGl2psTheChosenSorts) {
   EXPECT_TRUE(has_gl2ps);
   ASSERT_EQ(run(planes + "map,gl2ps -o two.html"), 0) << err_;
   std::set<std::string> beside;
-  for (const Json& row : json("b.json")["beside"]) {
+  const Json with_map = json("b.json");
+  for (const Json& row : with_map["beside"]) {
     if (row["other"] == "gl2ps") beside.insert(row["what"]);
   }
   EXPECT_EQ(beside, (std::set<std::string>{"triangles", "pieces a triangle", "map"}));

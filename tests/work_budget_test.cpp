@@ -278,6 +278,26 @@ TEST_F(Budgets, KeptTreesOfViewsReachALowerLimitOfPieces) {
             reached([&] { Renderer().draw(in_view(g, view), options); }));
 }
 
+/// Of several samples a pixel a drawing may have fewer.
+TEST_F(Budgets, DrawingSeveralSamplesNamesFewer) {
+  GraphicsSystem g;
+  g.set_line_style({LineStyle::Kind::none});
+  g.open_segment(1);
+  g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  g.close_segment();
+  for (const int samples : {1, 4}) {
+    WorkBudget budget({.seconds = 0.0});
+    const DrawOptions options{.width = 16,
+                              .height = 16,
+                              .surfaces = {.method = HiddenMethod::z_buffer, .budget = &budget},
+                              .samples = samples};
+    const std::string words = reached([&] { draw(g, options); });
+    EXPECT_NE(words.find("a smaller picture"), words.npos) << words;
+    EXPECT_EQ(words.find("fewer samples a pixel, such as --samples 1") != words.npos, samples > 1)
+        << words;
+  }
+}
+
 TEST_F(Budgets, CloseSegmentAtItsLimitLeavesTheSegmentOpen) {
   GraphicsSystem g, same;
   for (GraphicsSystem* system : {&g, &same}) {

@@ -148,8 +148,8 @@ struct Steps {
 
 struct StepsOptions {
   HiddenMethod method = HiddenMethod::bsp;  ///< or its plain form, whose steps these are
-  int width = 64, height = 64;      ///< pixels of the picture
-  std::size_t most_steps = 20'000;  ///< Error, which names --limit-steps, for more
+  int width = 64, height = 64;              ///< pixels of the picture
+  std::size_t most_steps = 20'000;          ///< Error, which names --limit-steps, for more
 };
 
 /// Runs the algorithm, in its plain form and exactly, on the visible segments, and returns its

@@ -38,7 +38,8 @@ DrawOptions of_picture(const GraphicsSystem& system, const DrawOptions& options,
 
 std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options,
                    PictureKind kind) {
-  const auto pick = Renderer().pick(system, at.x, at.y, of_picture(system, options, kind), at.reach);
+  const auto pick =
+      Renderer().pick(system, at.x, at.y, of_picture(system, options, kind), at.reach);
   const std::string where = fmt::format("at {},{}: ", at.x, at.y);
   if (!pick) {
     const bool inside = at.x >= 0.0 && at.x < options.width && at.y >= 0.0 && at.y < options.height;

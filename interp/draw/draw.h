@@ -64,8 +64,8 @@ struct DrawOptions {
   bool with_ids = false, with_depth = false;  ///< fill these members of a Picture in memory
   VectorOptions vectors = {};
   /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched` and
-  /// `no_effect`. Warnings are not computed otherwise. The reason why nothing is visible is more precise where
-  /// the scene is retained.
+  /// `no_effect`. Warnings are not computed otherwise. The reason why nothing is visible is more
+  /// precise where the scene is retained.
   Warn warn = {};
 
   /// The number of rows drawn.

@@ -81,14 +81,14 @@ class Renderer {
   /// Picture::pixels. The pixel in column i of row j from the top holds i <= x < i + 1, j <= y < j
   /// + 1. None outside of the picture and where only the background is visible.
   ///
-  /// The result is what the picture with these options shows at the pixel's centre: the value in its
-  /// item buffer (Picture::ids), by any method and on any device. For the exact methods that is the
-  /// definition of truth (interp/truth/truth.md); for `none` and `back-face` the fill entered last;
-  /// where each segment is sorted by itself, the visible fill of the last segment; for a method
-  /// that finds lines and draws no fills, the fill that hides. A line or drawn side of a polygon
-  /// visible within `reach` pixels of the centre, or within half its width, takes precedence over
-  /// the fill; of several, the one whose visible part is nearest to the centre. With a reach of 0
-  /// only fills are picked, as in an item buffer.
+  /// The result is what the picture with these options shows at the pixel's centre: the value in
+  /// its item buffer (Picture::ids), by any method and on any device. For the exact methods that is
+  /// the definition of truth (interp/truth/truth.md); for `none` and `back-face` the fill entered
+  /// last; where each segment is sorted by itself, the visible fill of the last segment; for a
+  /// method that finds lines and draws no fills, the fill that hides. A line or drawn side of a
+  /// polygon visible within `reach` pixels of the centre, or within half its width, takes
+  /// precedence over the fill; of several, the one whose visible part is nearest to the centre.
+  /// With a reach of 0 only fills are picked, as in an item buffer.
   ///
   /// The first pick of a display file builds a tree of boxes and costs about as much as a picture;
   /// later picks, while it is unchanged, examine only the pixel's surroundings, or draw its row

@@ -146,7 +146,8 @@ TEST_F(Bench, CountsTiesApart) {
             0)
       << err_;
   int tied = 0, wrong_but_not_tied = 0;
-  for (const Json& cell : json("b.json")["cells"]) {
+  const Json report = json("b.json");
+  for (const Json& cell : report["cells"]) {
     const std::string scene = cell["scene"];
     EXPECT_GE(wrong_of(cell), 0) << cell;
     if (cell["exact"].get<bool>()) {

@@ -241,7 +241,7 @@ TEST_F(Check, PicturesWithTheOptionsOfDraw) {
                  words.substr(0, words.find(' ')) + " is of pictures: expected --picture too");
   }
   expect_error("check slanted.draw --golden gold --picture --background none",
-               "--background none: golden pictures have no alpha: expected a colour");
+               "--background none: a picture without alpha: expected R,G,B");
   expect_error("check slanted.draw --golden gold --picture --device x", "x");
   EXPECT_EQ(run("check slanted.draw --golden text --update --threads 2"), 0) << err_;
 }

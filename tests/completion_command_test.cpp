@@ -56,8 +56,8 @@ class Completion : public Command {
       {"draw", {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg"}},
       {"dump", {"dump m.obj", "dump surface.draw"}},
       {"check",
-       {"check m.obj --golden g --update", "check surface.draw --golden g --update",
-        "check m.obj --golden g --picture --update"}},
+       {"check m.obj --golden g --picture --update", "check m.obj --golden g --update",
+        "check surface.draw --golden g --update"}},
       {"truth",
        {"truth m.obj --hidden appel", "truth m.obj --ids x.npy", "truth m.obj",
         "truth surface.draw", "truth m.obj --from entered"}},
@@ -193,7 +193,7 @@ TEST_F(Completion, OffersMeshesThatAreRead) {
 
 TEST_F(Completion, TellsWhatAnOptionIs) {
   ASSERT_EQ(run("--complete draw --seam"), 0);
-  EXPECT_EQ(out_, "--seams\tvisible surfaces in vectors\n");
+  EXPECT_EQ(out_, "--seams\tadjacent visible surfaces in vectors\n");
 }
 
 /// The same on every machine, and escaped.

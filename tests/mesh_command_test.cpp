@@ -1,5 +1,6 @@
 // Meshes on the command line: their colours, what is said of them, and names in either case.
 
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -68,7 +69,7 @@ TEST_F(MeshCommand, PicturesAreTheSameWithADisplayFileAndWithout) {
       ASSERT_EQ(run(drawing + " -o a.png --ids a.npy --depth ad.npy"), 0) << drawing << err_;
       const std::string said = err_;
       ASSERT_EQ(run(drawing + " -o b.png --ids b.npy --depth bd.npy --stats"), 0) << err_;
-      EXPECT_EQ(err_, said);
+      EXPECT_EQ(std::regex_replace(err_, std::regex("b\\.png"), "a.png"), said);
       for (const char* rest : {".png", ".npy", "d.npy"}) {
         EXPECT_EQ(read(folder_ / (std::string("a") + rest)),
                   read(folder_ / (std::string("b") + rest)))

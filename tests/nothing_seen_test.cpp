@@ -251,9 +251,9 @@ TEST(NothingSeen, IsToldByWhateverDraws) {
 TEST(NothingSeen, IsToldOfTheViewThatIsDrawn) {
   WarnedPictures right(triangle("5 0 0  6 0 0  5 1 0"));
   View view;
-  view.set_window({4.0, 7.0, -1.0, 1.0});
+  view.set_window({4.5, 6.5, -1.0, 1.0});
   right.expect_in_view(view, "", "");
-  view.set_window({8.0, 11.0, -1.0, 1.0});
+  view.set_window({8.0, 10.0, -1.0, 1.0});
   const std::string left = "the only polygon or line is to the left of the window";
   right.expect_in_view(view, left, left);
 }

@@ -266,7 +266,7 @@ TEST(Steps, OfAPlainFormAreThoseThatShowIt) {
   const std::string words = test::error_of([&] {
     tell_steps(file, {.method = HiddenMethod::plain_z_buffer});  // which errs, as no steps do
   });
-  EXPECT_TRUE(words.starts_with("hidden-surface method plain-z-buffer tells no steps: ")) << words;
+  EXPECT_TRUE(words.starts_with("hidden-surface method plain-z-buffer has no steps: ")) << words;
   EXPECT_TRUE(words.ends_with(" plain-bsp plain-scan-line plain-warnock plain-appel")) << words;
 }
 

@@ -296,7 +296,7 @@ TEST(LookAt, RefusesAnglesAndDirectionsThatShowNothing) {
   EXPECT_EQ(error_of_up({1.1e-9, 0, 1}), "");
   EXPECT_NE(error_of([] {
               look_at({1, 2, 3}, {1, 2, 3});
-            }).find("at what it looks at"),
+            }).find("the eye is at the target"),
             std::string::npos);
 }
 

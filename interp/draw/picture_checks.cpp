@@ -275,14 +275,19 @@ std::size_t bytes_of_samples(const PicturePlan& plan, int samples) {
          static_cast<std::size_t>(plan.options.height);
 }
 
-void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what) {
-  const std::uint64_t needed = bytes + bytes_of_samples(plan, plan.samples);
+bool needs_fewer_samples(std::size_t bytes, const PicturePlan& plan) {
   const std::uint64_t allowed = bytes_allowed();
-  if (needed <= allowed || bytes + bytes_of_samples(plan, 1) > allowed) return;
+  return bytes + bytes_of_samples(plan, plan.samples) > allowed &&
+         bytes + bytes_of_samples(plan, 1) <= allowed;
+}
+
+void throw_needs_fewer_samples(std::size_t bytes, const PicturePlan& plan,
+                               const std::string& what) {
   throw LimitReached(
       fmt::format("out of memory: {} needs at least {} bytes with {} x {} samples a pixel, and the "
                   "limit is {}: expected fewer, such as --samples 1",
-                  what, needed, plan.samples, plan.samples, allowed));
+                  what, bytes + bytes_of_samples(plan, plan.samples), plan.samples, plan.samples,
+                  bytes_allowed()));
 }
 
 WorkDone drawing_work(const PicturePlan& plan) {

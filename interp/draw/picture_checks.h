@@ -70,9 +70,12 @@ void require_drawn_by_rays(const PicturePlan& plan);
 /// The bytes of the colours of a picture with `samples` x `samples` samples a pixel, on a device or
 /// by a method that holds all of them; 0 if only a few rows are held.
 std::size_t bytes_of_samples(const PicturePlan& plan, int samples);
-/// Throws LimitReached if a picture of `bytes` bytes without its samples does not fit, but would
-/// with one sample a pixel.
-void require_samples_fit(std::size_t bytes, const PicturePlan& plan, const std::string& what);
+/// True if a picture of `bytes` bytes without its samples does not fit, but would with one sample a
+/// pixel.
+bool needs_fewer_samples(std::size_t bytes, const PicturePlan& plan);
+/// Throws LimitReached, which names the picture and --samples 1.
+[[noreturn]] void throw_needs_fewer_samples(std::size_t bytes, const PicturePlan& plan,
+                                            const std::string& what);
 /// The drawing's name in messages, and what to do instead.
 WorkDone drawing_work(const PicturePlan& plan);
 
@@ -86,9 +89,10 @@ Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& 
                                (options.with_ids ? sizeof(Picture::ids[0]) : 0) +
                                (options.with_depth ? sizeof(Picture::depth[0]) : 0);
   const auto what = [&] { return fmt::format("a picture of {} x {} pixels", options.width, rows); };
-  require_samples_fit(pixels * of_pixel, plan, what());
+  const std::size_t bytes = pixels * of_pixel;
+  if (needs_fewer_samples(bytes, plan)) throw_needs_fewer_samples(bytes, plan, what());
   return with_memory(
-      pixels * of_pixel + bytes_of_samples(plan, plan.samples), what,
+      bytes + bytes_of_samples(plan, plan.samples), what,
       [&] {
         const NamedWork named(drawing_work(plan));
         return draw();
@@ -105,7 +109,9 @@ void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
   const auto what = [&] {
     return fmt::format("{} of {} x {}", to.name(), options.width, options.height);
   };
-  require_samples_fit(bytes_of_scene, plan, what());
+  if (needs_fewer_samples(bytes_of_scene, plan)) {
+    throw_needs_fewer_samples(bytes_of_scene, plan, what());
+  }
   with_memory(bytes_of_scene + bytes_of_samples(plan, plan.samples), what, [&] {
     const NamedWork named(drawing_work(plan));
     draw();

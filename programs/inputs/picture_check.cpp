@@ -44,7 +44,7 @@ void PictureCheck::add_to(CLI::App& command) {
                   "meshes [flat]")
       ->type_name("flat|gouraud|phong")
       ->group(kPictureOptions);
-  background_.add_to(command);
+  background_.add_colour_to(command);
   command.add_option("--device", device_, "what draws pictures [software]")
       ->type_name(raster_device_words())
       ->group(kPictureOptions);
@@ -82,9 +82,6 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   if (has_size_) inputs.size.read(options_.width, options_.height);
   options_.samples = samples_.value_or(1);  // of one sample each pixel is decided at its centre
   options_.background = background_.background();
-  if (options_.background && options_.background->kind == Background::Kind::none) {
-    throw Error("--background none: golden pictures have no alpha: expected a colour");
-  }
   if (device_) options_.device = *device_;
   require_raster_device(options_.device);
   if (shading_) shading(*shading_);  // refuses

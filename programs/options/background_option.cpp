@@ -18,12 +18,24 @@ void BackgroundWord::add_to(CLI::App& command) {
       ->group(kPictureOptions);
 }
 
+void BackgroundWord::add_colour_to(CLI::App& command) {
+  may_be_none = false;
+  command
+      .add_option("--background", word,
+                  "background colour, overriding the programs' [white]: R,G,B, each 0 to 1, "
+                  "#rrggbb, white or black")
+      ->type_name("R,G,B|#rrggbb|white|black")
+      ->group(kPictureOptions);
+}
+
 std::optional<Background> BackgroundWord::background() const {
   if (word.empty()) return std::nullopt;
-  if (word == "none") return Background{Background::Kind::none};
+  if (may_be_none && word == "none") return Background{Background::Kind::none};
   if (const auto colour = colour_of(word)) return Background{Background::Kind::solid, *colour};
   throw Error("--background " + word +
-              ": expected R,G,B, each 0 to 1, #rrggbb, white, black, or none");
+              (may_be_none      ? ": expected R,G,B, each 0 to 1, #rrggbb, white, black, or none"
+               : word == "none" ? ": a picture without alpha: expected R,G,B or a colour's name"
+                                : ": expected R,G,B, each 0 to 1, #rrggbb, white or black"));
 }
 
 }  // namespace displayfile

@@ -11,8 +11,11 @@ namespace displayfile {
 /// The option --background, as a word.
 struct BackgroundWord {
   std::string word;
+  bool may_be_none = true;
 
   void add_to(CLI::App& command);
+  /// For pictures without alpha: a colour, not `none`.
+  void add_colour_to(CLI::App& command);
   /// None if it was not given. Throws Error for a word that is no background.
   std::optional<Background> background() const;
 };

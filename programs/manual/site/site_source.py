@@ -102,7 +102,8 @@ class Source:
 
     def __init__(self, prefix, out):
         self.prefix, self.out = prefix, out
-        self.names = list(documents.markdown_files())
+        is_document = lambda name: name.endswith(".md") and not name.startswith(".github")
+        self.names = list(documents.files_of_source(is_document))
         entries = re.findall(r"^(?:.*<)?/([\w./-]+?)>?$", (ROOT / INDEX).read_text(), re.MULTILINE)
         self.listed = set(entries)
 

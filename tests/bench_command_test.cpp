@@ -110,7 +110,7 @@ TEST_F(Bench, Refuses) {
   EXPECT_EQ(run("bench soup --threads none"), 2);
 }
 
-/// Of our sorts those alone that are chosen stand beside gl2ps's.
+/// Only the chosen sorts are compared with those of gl2ps.
 TEST_F(Bench, ComparesWithGl2psTheChosenSorts) {
   const std::string planes =
       "bench planes --polygons 12 --sizes 16 --rounds 1 --threads 1 --roundoff none "

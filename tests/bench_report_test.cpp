@@ -626,7 +626,7 @@ TEST_F(PageOfFigures, IsMadeByOneCommand) {
   for (const std::string& column : columns) {
     EXPECT_NE(methods.find("\n| " + column + " | "), methods.npos) << column;
   }
-  // Of one scene: its ratio below 1 or not.
+  // A single scene is counted by its ratio: below 1 or not.
   for (const Json& beside : report["beside"]) {
     if (beside["other"] != "gl2ps, best root" || beside["what"] != "depth-sort") continue;
     const double ratio = beside["times_faster"]["median"];

@@ -390,7 +390,7 @@ TEST_F(Command, VersionAndManualPagesHaveTheLicencesOfThisBuild) {
   }
 }
 
-/// What is under the GPL is in no file but the modules.
+/// The modules alone contain code under the GPL.
 TEST_F(Command, WithoutItsModulesTheCommandNamesThem) {
   const std::string folder = "DISPLAYFILE_MODULES=/nonexistent ";
   EXPECT_EQ(run("--version"), 0) << err_;

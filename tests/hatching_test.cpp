@@ -279,7 +279,7 @@ TEST(Darkness, CountsEachComponentByItsLuma) {
   EXPECT_NEAR(darkness.of({1, 0, 0}), 1.0 - 0.2126, 1e-12);
   EXPECT_NEAR(darkness.of({0, 1, 0}), 1.0 - 0.7152, 1e-12);
   EXPECT_NEAR(darkness.of({0, 0, 1}), 1.0 - 0.0722, 1e-12);
-  // Of a pen and a paper with colours, too.
+  // The same holds for a pen and a paper with colours.
   EXPECT_NEAR(Darkness(Colour(1.0), {0, 0, 1}).of({1, 0, 0}), (1.0 - 0.2126) / (1.0 - 0.0722),
               1e-12);
   EXPECT_NEAR(Darkness({0, 1, 0}, Colour(0.0)).of({1, 0, 0}), 1.0 - 0.2126 / 0.7152, 1e-12);

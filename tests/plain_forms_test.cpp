@@ -38,7 +38,7 @@ std::vector<std::int32_t> ids_by(DisplayFile& file, HiddenMethod method, const P
   return draw_with_software(file, request).ids;
 }
 
-/// What is seen of all sides, drawn or not.
+/// The visible parts of all sides, drawn or not.
 std::vector<VisiblePiece> lines_by(const DisplayFile& file, HiddenMethod method, int threads) {
   const ViewedScene scene(file);
   const std::vector<std::uint8_t> sides(scene.drawn_sides().size(), kDrawn);

@@ -351,7 +351,7 @@ TEST_F(SurfaceCommandTest, CommasAndComparisonsAreInExpressions) {
                 "--program s.draw"),
             0)
       << err_;
-  // Of x = -1, 0, 1 and y = -1, 1: true where x is not negative, or both are -1.
+  // True where x is not negative, or x and y are both -1; x is -1, 0 or 1, y is -1 or 1.
   EXPECT_NE(read(folder_ / "s.draw").find("surface-3 -1 1 3 -1 1 2 -1 0 1 7 1 1\n"),
             std::string::npos)
       << read(folder_ / "s.draw");

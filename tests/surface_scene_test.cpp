@@ -124,7 +124,7 @@ TEST(Contours, LeaveOutTheCellsOfAHole) {
     const SurfaceData surface = surface_of(3, 3, some);
     double sum = 0.0;
     for (const auto& line : contour_lines(surface.grid(), 0.0, 2.0, 3, 0.0)) sum += length(line);
-    // Of the heights 0.5, 1 and 1.5 each has a line as long as the grid; 0.5 and 1 pass the cells
+    // The heights 0.5, 1 and 1.5 each have a line as long as the grid; 0.5 and 1 pass the cells
     // at the left, 1.5 those at the right.
     EXPECT_EQ(sum, hole % 3 == 0 ? 6.0 : 7.5) << hole;
   }
@@ -396,7 +396,7 @@ std::vector<Colour> colours_of_cells(const std::vector<Call>& calls) {
 }
 
 TEST(SurfaceScene, ACellHasTheColourOfItsMeanHeight) {
-  // Of heights from 100 to 164, so that a step is 1 high.
+  // Heights from 100 to 164, so that a step is 1 high.
   const SurfaceData surface = surface_of(3, 3, {100, 100, 164, 100, 106, 164, 100, 118, 164});
   SurfaceLook look = bare();
   look.coloured = true;

@@ -278,7 +278,7 @@ TEST_F(Budgets, KeptTreesOfViewsReachALowerLimitOfPieces) {
             reached([&] { Renderer().draw(in_view(g, view), options); }));
 }
 
-/// Of several samples a pixel a drawing may have fewer.
+/// The message of a drawing with several samples a pixel names fewer.
 TEST_F(Budgets, DrawingSeveralSamplesNamesFewer) {
   GraphicsSystem g;
   g.set_line_style({LineStyle::Kind::none});

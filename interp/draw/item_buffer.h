@@ -21,7 +21,7 @@ ItemBufferIs item_buffer_of(const GraphicsSystem& system, const PicturePlan& pla
 /// in order of entry.
 DrawnLayers layers_of(const DisplayFile& drawn, const ViewedScene& scene, HiddenMethod method);
 
-/// Of a picture the one pixel's row, with ids and depths.
+/// Options for the row of one pixel, with ids and depths.
 DrawOptions row_of_pixel(const DrawOptions& options, const Picker::Pixel& at);
 
 }  // namespace displayfile

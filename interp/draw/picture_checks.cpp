@@ -140,7 +140,7 @@ std::string words_of(const Precision& precision) {
       what, asked, what, made, made, what));
 }
 
-/// Whether a picture that is so many times as wide as what was viewed for it is stretched, and not
+/// Whether a picture that is `wider` times as wide as its view is stretched, and not
 /// only in whole pixels.
 bool is_stretched(double wider, const DrawOptions& options) {
   constexpr double kRounded = 0.01;

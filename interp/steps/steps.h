@@ -166,7 +166,7 @@ std::string as_json(const Steps& steps);
 
 /// The methods that tell steps.
 std::vector<HiddenMethod> methods_with_steps();
-/// Plain forms that are told as the steps of those: other names of them.
+/// Plain forms, which name the same steps as these methods.
 std::vector<HiddenMethod> plain_forms_with_steps();
 
 }  // namespace displayfile

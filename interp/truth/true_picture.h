@@ -89,7 +89,7 @@ class CentreMarks {
 /// The polygon visible at each pixel centre, for polygons entered in order.
 class TruePicture {
  public:
-  /// `ties`, which outlives the picture, is told of the ties if it is not null.
+  /// `ties`, which outlives the picture, collects the ties if it is not null.
   TruePicture(int width, int height, DepthTies* ties = nullptr);
 
   /// A point given in device coordinates.

@@ -89,7 +89,7 @@ class RowFills {
   class Triangles;
   void make(const ViewedScene& scene, const PictureSize& size, const Batch& batch);
   void make(const ViewedScene& scene, const PictureSize& size, Fill fill);
-  /// Of depths in the rows and columns: their largest magnitude, and bounds of their errors.
+  /// The largest magnitude of depths in the rows and columns, and bounds of their errors.
   struct DepthRange {
     double largest, error;
   };

@@ -42,7 +42,7 @@ function frontBy(error, values) {
 const SKIPPED = "skipped";
 const OBJECT_SPACE = ["bsp", "depth-sort", "map"];
 const GL2PS = ["gl2ps", "gl2ps, best root", "gl2ps, best root, culled"];
-/** Of the report (bench_command.cpp). */
+/** The report's version (bench_command.cpp). */
 const FORMAT = 3;
 /** What is less than this part of another's time is clearly faster: two runs agree on it. */
 const CLEARLY = 0.9;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -35,9 +36,10 @@ namespace {
 
 static_assert(sizeof(Point3) == 3 * sizeof(double) && sizeof(Colour) == 3 * sizeof(double),
               "rows of them are rows of doubles");
-static_assert(DF_VERSION_MAJOR == DISPLAYFILE_VERSION_MAJOR &&
-                  DF_VERSION_MINOR == DISPLAYFILE_VERSION_MINOR &&
-                  DF_VERSION_PATCH == DISPLAYFILE_VERSION_PATCH,
+constexpr std::array kVersionOfHeader{DF_VERSION_MAJOR, DF_VERSION_MINOR, DF_VERSION_PATCH};
+constexpr std::array kVersion{DISPLAYFILE_VERSION_MAJOR, DISPLAYFILE_VERSION_MINOR,
+                              DISPLAYFILE_VERSION_PATCH};
+static_assert(kVersionOfHeader == kVersion,
               "the version of the C header is that of interp/displayfile.h");
 
 std::optional<Background> background_of(const df_options& options) {

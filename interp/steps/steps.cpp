@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "clip/base/error.h"
 #include "displayfile/segments/display_file.h"
@@ -83,6 +84,7 @@ void describe(const StepItems& scene, Steps& steps) {
 
 std::vector<HiddenMethod> plain_forms_with_steps() {
   std::vector<HiddenMethod> forms;
+  forms.reserve(std::size(kPlainForms));
   for (const PlainForm& form : kPlainForms) forms.push_back(form.plain);
   return forms;
 }

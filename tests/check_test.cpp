@@ -59,6 +59,16 @@ TEST_F(Check, MissingGoldenFileNamesTheOptionThatWritesIt) {
   expect_error("check tree.draw --golden gold --picture", "gold/tree.png: --update writes it");
 }
 
+TEST_F(Check, MissingInputIsNamedBeforeItsGoldenFile) {
+  expect_error("check missing.draw --golden gold", "displayfile: missing.draw: no such file\n");
+}
+
+TEST_F(Check, GoldenPictureNeedsTheOptionForPictures) {
+  EXPECT_EQ(run("draw tree.draw -o tree.png"), 0) << err_;
+  const std::string message = "tree.png: a picture: expected --picture too, or a dump";
+  expect_error("check tree.draw --golden tree.png", message);
+}
+
 TEST_F(Check, OneGoldenFileForAllInputs) {
   EXPECT_EQ(run("check a/house.draw --golden gold.txt --update"), 0) << err_;
   EXPECT_EQ(run("draw a/house.draw -o gold.png --size 20x10"), 0) << err_;

@@ -25,6 +25,7 @@
 #include "programs/inputs/output_paths.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
+#include "programs/options/picture_tolerance.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 
@@ -41,6 +42,9 @@ class InstructionCheck : public GoldenCheck {
 
   std::string_view extension() const override { return ".txt"; }
   void read_golden(const std::string& file) override {
+    if (is_picture_file(file)) {
+      throw Error(fmt::format("{}: a picture: expected --picture too, or a dump", file));
+    }
     if (is_drawing_program(file)) {
       golden_ = dumped(file);
     } else {
@@ -77,6 +81,7 @@ std::string flat_name(const std::string& input, std::string_view extension) {
 
 void require_golden(const std::string& file, const std::string& input) {
   if (fs::exists(file)) return;
+  if (input != "-" && !fs::exists(input)) throw Error(fmt::format("{}: no such file", input));
   throw Error(fmt::format("{}: there is no golden file {}: --update writes it", input, file));
 }
 

@@ -74,6 +74,17 @@ TEST_F(Command, CompareCountsWrongPixels) {
   EXPECT_NE(out_.find("64 wrong pixels of 64"), std::string::npos) << out_;
   EXPECT_EQ(run("draw u.draw -o c.png --size 9x8"), 0);
   EXPECT_EQ(run("compare b.png c.png"), 1);
+  EXPECT_EQ(out_, "the sizes differ: 8x8 and 9x8\n");
+}
+
+TEST_F(Command, CompareNamesTheFirstFileThatIsWrong) {
+  expect_error("compare no1.txt no2.txt", "displayfile: no1.txt: cannot be read");
+  expect_error("compare no1.png no2.png", "displayfile: no1.png: no such file");
+  for (const char* name : {"a.svg", "a.pdf", "a.eps"}) {
+    write(name, "");
+    const std::string message = std::string(name) + ": vectors are not compared: expected";
+    expect_error(fmt::format("compare {} {}", name, name), message);
+  }
 }
 
 TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
@@ -339,6 +350,7 @@ TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
   write("t.draw", kTriangle);
   expect_error("drew t.draw -o x.png", "unknown command 'drew': did you mean 'draw'? expected one");
   expect_error("frobnicate", "unknown command 'frobnicate': expected one of draw dump check");
+  expect_error("t.draw -o x.png", "unknown command 't.draw': it is a file: expected draw, dump, ");
   expect_error("draw t.draw --sise 5x5 -o x.png",
                "unknown option '--sise': did you mean '--size'?");
   expect_error("draw t.draw --sise=5x5 -o x.png",

@@ -19,8 +19,13 @@ namespace displayfile {
 
 namespace {
 
-std::string measures(const PictureDifference& d) {
-  if (!d.same_size) return "the sizes differ\n";
+/// Of two pictures or two arrays, `first` and `second`.
+template <class Pixels>
+std::string measures(const PictureDifference& d, const Pixels& first, const Pixels& second) {
+  if (!d.same_size) {
+    return fmt::format("the sizes differ: {}x{} and {}x{}\n", first.width, first.height,
+                       second.width, second.height);
+  }
   std::string text = fmt::format("{} wrong pixels of {}, largest difference {}\n", d.wrong_pixels,
                                  d.pixels, d.largest);
   if (d.background_and_polygon + d.polygon_and_polygon > 0) {
@@ -36,6 +41,14 @@ std::string measures(const PictureDifference& d) {
     text += fmt::format("  {} pixels finite in only one\n", d.finite_in_one);
   }
   return text;
+}
+
+void require_no_vectors(const std::string& name) {
+  const std::string extension = extension_of(name);
+  if (extension == ".svg" || extension == ".pdf" || extension == ".eps") {
+    throw Error(fmt::format(
+        "{}: vectors are not compared: expected a picture of pixels, a .npy file or a dump", name));
+  }
 }
 
 }  // namespace
@@ -56,6 +69,7 @@ CLI::App& CompareCommand::add_to(CLI::App& app) {
 }
 
 int CompareCommand::run() const {
+  for (const std::string& name : {a, b}) require_no_vectors(name);
   const auto is_npy = [](const std::string& name) { return extension_of(name) == ".npy"; };
   if (is_picture_file(a) != is_picture_file(b) || is_npy(a) != is_npy(b)) {
     throw Error(fmt::format("{} and {}: expected two pictures, two .npy files or two dumps", a, b));
@@ -66,8 +80,8 @@ int CompareCommand::run() const {
   if (a == "-" && b == "-") throw Error("-: standard input is read twice: expected it once");
   const std::array<std::string, 2> inputs{a, b};
   require_files_of_their_own({marks}, inputs);
-  const auto print = [](const PictureDifference& difference, bool passes) {
-    std::cout << measures(difference);
+  const auto print = [](const std::string& text, bool passes) {
+    std::cout << text;
     return passes ? 0 : 1;
   };
   tolerance.require_number();
@@ -75,7 +89,7 @@ int CompareCommand::run() const {
     const Picture first = read_picture(a), second = read_picture(b);
     const PictureDifference difference = displayfile::compare(first, second, tolerance.channel);
     if (!marks.empty()) write_png(marked(first, second, tolerance.channel), marks);
-    return print(difference, tolerance.passes(difference));
+    return print(measures(difference, first, second), tolerance.passes(difference));
   }
   if (tolerance.is_set()) {
     throw Error(fmt::format("{} and {}: --tolerance and --wrong-pixels apply to pictures", a, b));
@@ -84,11 +98,11 @@ int CompareCommand::run() const {
     const NpyArray first = read_npy(a), second = read_npy(b);
     const PictureDifference difference = displayfile::compare(first, second);
     if (!marks.empty()) write_png(marked(first, second), marks);
-    return print(difference, !difference.differs());
+    return print(measures(difference, first, second), !difference.differs());
   }
   if (!marks.empty()) throw Error(fmt::format("{} and {}: dumps have no pixels to mark", a, b));
-  const auto difference =
-      first_difference(read_text_file(a), read_text_file(b), input_name(a), input_name(b));
+  const std::string first = read_text_file(a), second = read_text_file(b);
+  const auto difference = first_difference(first, second, input_name(a), input_name(b));
   std::cout << (difference ? *difference : std::string("no difference")) << '\n';
   return difference ? 1 : 0;
 }

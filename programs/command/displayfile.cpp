@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -46,6 +48,10 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string_view name = argv[1];
   if (std::ranges::find(names, name) != names.end()) return;
+  if (std::error_code error; std::filesystem::is_regular_file(name, error)) {
+    throw Error(fmt::format("unknown command '{}': it is a file: expected {} before it", name,
+                            fmt::join(names, ", ")));
+  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   throw Error(fmt::format("unknown command '{}':{} expected one of {}", name,
                           did_you_mean(name, known), fmt::join(names, " ")));

@@ -83,9 +83,11 @@ std::vector<double> heights_of(const std::string& expression, const GridRange& g
       work.add(1);
     }
   } catch (const mu::Parser::exception_type& error) {
+    const char* const powers =
+        expression.find("**") != std::string::npos ? ", with ^ for powers" : "";
     throw Error(
-        fmt::format("expression '{}': at character {}: {}: expected an expression in x and y",
-                    expression, error.GetPos() + 1, without_position(error.GetMsg())));
+        fmt::format("expression '{}': at character {}: {}: expected an expression in x and y{}",
+                    expression, error.GetPos() + 1, without_position(error.GetMsg()), powers));
   }
   return heights;
 }

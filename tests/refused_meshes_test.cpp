@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -150,6 +152,16 @@ TEST_F(MeshTest, FilesThatAnnounceTooMuch) {
   }
   std::string stl(80, ' ');
   expect_refused(file("a.stl", stl + bytes(std::uint32_t{1000000000})), "1000000000 facets");
+}
+
+/// Root may read every file: for the length of the test it is another user.
+TEST_F(MeshTest, FileThatMayNotBeReadIsRefusedWithTheReason) {
+  const std::string path = file("a.obj", cube());
+  std::filesystem::permissions(folder_, std::filesystem::perms::all);
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  ASSERT_EQ(::geteuid() == 0 ? ::seteuid(65534) : 0, 0);
+  expect_refused(path, ": cannot be read: Permission denied");
+  ASSERT_EQ(::getuid() == 0 ? ::seteuid(0) : 0, 0);
 }
 
 TEST_F(MeshTest, FilesThatAreNoMesh) {

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -62,8 +64,10 @@ class InputFile {
     }
     constexpr std::uintmax_t kMost = std::numeric_limits<std::size_t>::max();
     size_ = static_cast<std::size_t>(std::min(std::filesystem::file_size(path, error), kMost));
+    errno = 0;
     in_.open(path, std::ios::binary);
-    if (error || !in_) fail();
+    if (!in_) throw Error(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    if (error) fail();
     if (size_ == 0) throw Error(fmt::format("{}: empty file: expected a mesh", path));
   }
 

@@ -7,6 +7,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/words.h"
+#include "clip/crease_angle.h"
 
 namespace displayfile {
 
@@ -32,14 +33,12 @@ constexpr LineKinds kEveryKind = [] {
 constexpr std::string_view kExpected = "expected";
 constexpr std::string_view kCrease = "crease=";
 
-bool is_in_range(double degrees) { return degrees >= 0.0 && degrees <= 180.0; }
-
 double degrees_of(std::string_view word) {
   const std::string_view digits = word.substr(kCrease.size());
   double degrees = 0.0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, degrees);
-  if (error == std::errc{} && stop == end && is_in_range(degrees)) return degrees;
+  if (error == std::errc{} && stop == end && is_crease_angle(degrees)) return degrees;
   throw Error("expected crease=DEGREES, a number from 0 to 180, not " + quoted(word));
 }
 
@@ -107,10 +106,7 @@ void require_selection(const LineSelection& selection) {
   if ((selection.kinds & kEveryKind) == 0 || (selection.kinds & ~kEveryKind) != 0) {
     throw Error("unknown kinds of lines: expected one or more of " + names_of(kEveryKind));
   }
-  if (!is_in_range(selection.crease_degrees)) {
-    throw Error("crease of " + std::to_string(selection.crease_degrees) +
-                " degrees: expected 0 to 180");
-  }
+  require_crease_angle(selection.crease_degrees);
 }
 
 }  // namespace displayfile

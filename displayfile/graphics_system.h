@@ -221,6 +221,7 @@ enum class Setting {
   hidden_method,
   back_face_removal,
   lines,
+  crease_angle,
 };
 
 /// Settings the application has set explicitly.
@@ -420,6 +421,12 @@ class GraphicsSystem {
   /// the OSMesa device use Gouraud shading instead. A shaded polygon of more than three sides is
   /// entered as triangles with invisible diagonals. All other polygons are shaded flat.
   void set_shading(Shading shading);
+  /// The angle in degrees above which smooth shading keeps a side between two facets sharp, of
+  /// meshes imported from now on whose vertices have no normals: a vertex then has a normal for
+  /// each group of facets around it that meet at no more. It is that of the lines of kind crease
+  /// (displayfile/segments/line_kinds.md). 180: one normal, the mean over all facets around the
+  /// vertex [180]. Errors: not 0 to 180.
+  void set_crease_angle(double degrees);
   /// Shadows (interp/raster/shadows.md): where there is light, solid polygons entered from now on
   /// get ambient light alone where a solid polygon hides the light from them, whether or not the
   /// occluder was entered with shadows on. Clipped parts and removed back faces cast no shadows.
@@ -462,6 +469,7 @@ class GraphicsSystem {
   void set_background(const Background& background);
 
   const Attributes& attributes() const;
+  double crease_degrees() const;
   const CutFaces& cut_faces() const;
   const SurfaceLooks& surface_looks() const;
   const Background& background() const;

@@ -88,6 +88,50 @@ TEST_F(MeshCommand, SaysWhyNothingIsSeenWithADisplayFileAndWithout) {
   EXPECT_EQ(err_, said);
 }
 
+TEST_F(MeshCommand, ACreaseAngleKeepsSidesSharp) {
+  write("m.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  EXPECT_EQ(run("draw m.obj -o flat.png"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o a.png --shading gouraud"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o v.png --shading gouraud --turntable 2"), 0) << err_;
+  EXPECT_EQ(run("draw m.obj -o c.png --shading gouraud --crease 20"), 0) << err_;
+  EXPECT_EQ(run("compare c.png flat.png"), 0);  // the pyramid has no other sides
+  EXPECT_EQ(run("import m.obj -o c.draw --shading gouraud --crease 20"), 0) << err_;
+  EXPECT_EQ(run("draw c.draw -o d.png"), 0) << err_;
+  EXPECT_EQ(run("compare c.png d.png"), 0);
+  EXPECT_EQ(run("draw m.obj -o s.png --shading gouraud --crease 180"), 0) << err_;
+  EXPECT_EQ(run("compare s.png a.png"), 0);
+  EXPECT_EQ(run("draw m.obj -o w.png --shading gouraud --turntable 2 --crease 20"), 0) << err_;
+  EXPECT_EQ(run("compare w-000.png v-000.png"), 1);
+  const std::string check = "check m.obj --golden gold --picture --shading gouraud";
+  EXPECT_EQ(run(check + " --crease 20 --update"), 0) << err_;
+  EXPECT_EQ(run(check + " --crease 20"), 0) << err_;
+  EXPECT_EQ(run(check), 1);
+  expect_error("check m.obj --golden gold --crease 20", "--crease is of pictures");
+}
+
+TEST_F(MeshCommand, ACreaseAngleThatIsNoneOrHasNoEffectIsRefusedOrWarnedOf) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  write("p.draw", "set-light 0 0 1\n");
+  write("smooth.draw", "set-shading phong\nset-crease-angle 40\n");
+  for (const char* bad : {"-1", "181", "nan", "inf", "sharp", "''", "30,"}) {
+    expect_error("draw m.obj -o a.png --shading gouraud --crease " + std::string(bad), "--crease");
+  }
+  for (const char* command : {"draw m.obj -o a.png", "import m.obj -o a.draw"}) {
+    expect_error(std::string(command) + " --crease 30",
+                 "--crease 30 has no effect: expected --shading gouraud or phong too");
+  }
+  expect_error("draw p.draw -o a.png --shading gouraud --crease 30",
+               "--crease 30 has no effect: expected a mesh");
+  EXPECT_EQ(run("draw smooth.draw m.obj -o a.png --crease 30"), 0);
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(run("draw p.draw m.obj -o a.png --crease 30"), 0);
+  EXPECT_EQ(err_, "m.obj: --crease has no effect: shading is flat where meshes are entered\n");
+  EXPECT_EQ(run("draw n.obj -o a.png --crease 30 --shading phong"), 0);
+  EXPECT_EQ(err_, "n.obj: the crease angle has no effect: the file has normals of all vertices\n");
+}
+
 TEST_F(MeshCommand, BadColoursAreRefused) {
   for (const char* bad :
        {"1", "1,0", "1,0,", "1,0,0,", "1,0,0,0", "1,0,0 ", "red", "1.5,0,0", "-0.1,0,0", "nan,0,0",

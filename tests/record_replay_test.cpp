@@ -211,6 +211,7 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     system.set_text_style({0.5, TextStyle::Alignment::right});
     system.set_light({0, 0, 1});
     system.set_shading(Shading::phong);
+    system.set_crease_angle(30.0);
     system.set_shadows(true);
     system.set_back_face_removal(true);
     system.set_pick_id(7);
@@ -229,8 +230,10 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
                Error);
   EXPECT_EQ(system.counts().solids_open, 0u);
   EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
+  EXPECT_EQ(system.crease_degrees(), 180.0);
   EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
   EXPECT_FALSE(system.explicit_settings().contains(Setting::light));
+  EXPECT_FALSE(system.explicit_settings().contains(Setting::crease_angle));
   EXPECT_EQ(system.cut_faces().kind, CutFaces::Kind::open);
   EXPECT_EQ(system.counts().transformations_saved, 1u);
   EXPECT_EQ(system.background(), Background());

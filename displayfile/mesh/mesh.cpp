@@ -287,7 +287,7 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
   for (const std::string& path : paths) {
     const bool smooth = system.attributes().shading != Shading::flat;
     meshes.push_back(read_mesh(path, smooth, options.import_limits));
-    if (smooth) complete_normals(meshes.back());
+    if (smooth) complete_normals(meshes.back(), system);
     require_free_names(meshes.back(), system, name);
     name += static_cast<std::int64_t>(meshes.back().objects.size());
   }

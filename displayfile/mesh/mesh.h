@@ -167,10 +167,16 @@ std::vector<std::string> left_out(const Mesh::Skipped& skipped);
 Mesh read_mesh(const std::string& path, bool with_normals = false, const ImportLimits& limits = {});
 
 /// Sets missing corner normals to the mean of the normals of the faces around the vertex, weighted
-/// by their angles there; vertices with equal positions count as one. Normals that cannot be
-/// computed stay zero. Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", J.
-/// Graphics Tools 3 (1998).
-void complete_normals(Mesh& mesh);
+/// by their angles there; vertices within entered_reach of each other count as one. With an angle
+/// of less than 180 degrees, only faces count that are connected around the vertex by sides at
+/// which they meet at no more than it (displayfile/looks/gouraud.md). Normals that cannot be
+/// computed, and those of the face itself, stay zero. Throws Error for an angle that is not 0 to
+/// 180. Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", J. Graphics Tools 3
+/// (1998).
+void complete_normals(Mesh& mesh, double crease_degrees = 180.0);
+/// The same with the system's crease angle. If the application has set one, and the mesh has all
+/// normals, mesh.skipped says that it has no effect.
+void complete_normals(Mesh& mesh, const GraphicsSystem& system);
 
 /// True if the mesh bounds solids with its light faces outward: in each object, or in all objects
 /// together, every edge is used exactly twice, once in each direction (vertices with equal

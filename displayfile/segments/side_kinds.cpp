@@ -11,27 +11,23 @@
 
 #include "clip/back_face.h"
 #include "clip/corners.h"
+#include "clip/crease_angle.h"
 #include "clip/point.h"
 #include "displayfile/segments/side_tiling.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/exact/plane.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/lines/side_table.h"
+#include "hidden/touching/needle.h"
 #include "hidden/touching/vertices_within_reach.h"
 
 namespace displayfile {
 
 namespace {
 
-/// Faces that meet at less [radians] count as coplanar, whatever crease is asked for: where a flat
-/// polygon was cut into triangles, or stored in single precision (clip/planarity.h).
-constexpr double kCoplanar = 1e-5;
-
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr LineKinds kAnyKind = 0xff;
 constexpr std::uint32_t kNoStretch = 0xffffffffu;
-/// Cosines that differ by more are those of different angles, in the same order.
-constexpr double kNearlyEqual = 1e-12;
 
 /// A vector of length 1, or 0. Scaled first, as squares of large numbers overflow.
 Point3 direction_of(const Point3& v) {
@@ -50,30 +46,6 @@ bool faces(const Eye& eye, const PointRow& polygon) {
   const bool turned =
       glm::dot(direction_of(plane.normal), direction_of(newell_normal(polygon))) < 0.0;
   return side_of_plane(eye, plane) * (turned ? -1 : 1) > 0;
-}
-
-/// Between two vectors, 0 to half a turn.
-double angle_between(const Point3& u, const Point3& v) {
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
-/// True if no corner is farther than reach from the line through two that are far apart.
-bool is_within_reach_of_line(const PointRow& polygon, double reach) {
-  const auto farthest_from = [&](const Point3& from) {
-    Point3 farthest = from;
-    double most = 0.0;
-    for (const Point3& p : polygon) {
-      const double distance = glm::distance(from, p);
-      if (distance > most) most = distance, farthest = p;
-    }
-    return farthest;
-  };
-  const Point3 from = farthest_from(polygon[0]), to = farthest_from(from);
-  const Point3 unit = direction_of(to - from);
-  return std::ranges::all_of(polygon, [&](const Point3& p) {
-    const Point3 off = p - from;
-    return glm::distance(off, glm::dot(off, unit) * unit) <= reach;
-  });
 }
 
 /// The segment's own primitives, corners and points, as the sorts have them.
@@ -106,8 +78,7 @@ class SideKinds::Finder {
       : scene_(scene),
         segment_(segment),
         wanted_(wanted),
-        least_crease_(std::max(wanted.crease_degrees * kHalfTurn / 180.0, kCoplanar)),
-        cosine_(std::cos(least_crease_)),
+        crease_(wanted.crease_degrees),
         found_(found),
         own_(scene, segment) {}
 
@@ -402,15 +373,8 @@ class SideKinds::Finder {
       if (normal != Point3(0.0)) around_.push_back(normal);
     }
     if (around_.size() < 2) return false;
-    if (around_.size() == 2) {
-      const double beyond = glm::dot(around_[0], around_[1]) + cosine_;
-      if (std::abs(beyond) > kNearlyEqual) return beyond > 0.0;
-      return turns_more(angle_between(around_[0], around_[1]));
-    }
-    return turns_more(smallest_angle_around());
-  }
-  bool turns_more(double between_normals) const {
-    return kHalfTurn - between_normals > least_crease_;
+    if (around_.size() == 2) return crease_.exceeded(around_[0], around_[1]);
+    return crease_.exceeded(smallest_angle_around());
   }
 
   /// Normals of polygons that share a side are all across it: directions around a circle. Polygons
@@ -445,8 +409,7 @@ class SideKinds::Finder {
   const RetainedScene& scene_;
   const RetainedScene::Segment& segment_;
   const LineSelection wanted_;
-  const double least_crease_;  // radians
-  const double cosine_;        // of it
+  const CreaseAngle crease_;
   SideKinds& found_;
   OwnPrimitives own_;
   std::vector<std::uint32_t> vertices_;  // of the points

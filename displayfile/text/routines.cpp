@@ -122,6 +122,10 @@ constexpr auto kAttributes = std::to_array<Routine>({
         "set-shading", "flat|gouraud|phong",
         "Shading where there is light: flat, one intensity per polygon; gouraud, intensities "
         "interpolated between vertices; phong, normals interpolated and each pixel lit [flat]."),
+    fixed<&G::set_crease_angle>(
+        "set-crease-angle", "degrees",
+        "Angle, 0 to 180 degrees, above which smooth shading keeps sides between facets of meshes "
+        "that follow sharp; 180: one mean normal at each vertex [180]."),
     varying<points<Point3, &G::set_vertex_normals>>(
         "set-vertex-normals", "a multiple of 3: x y z ...",
         "Vertex normals of the next polygon, in the order of its vertices, for smooth shading. 0 0 "

@@ -4,6 +4,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
+#include "clip/crease_angle.h"
 #include "clip/unit.h"
 #include "displayfile/user_routines/ranges.h"
 
@@ -81,6 +82,12 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
 void GraphicsSystem::set_shading(Shading shading) {
   state_->attributes_.shading = shading;
   state_->record("set-shading", {name_of(shading)});
+}
+
+void GraphicsSystem::set_crease_angle(double degrees) {
+  require_crease_angle(degrees);
+  state_->crease_degrees_ = degrees;
+  state_->record_setting(Setting::crease_angle, "set-crease-angle", {degrees});
 }
 
 void GraphicsSystem::set_shadows(bool on) {

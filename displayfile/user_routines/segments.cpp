@@ -127,6 +127,7 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .modelling = modelling_,
           .attributes = attributes_,
           .background = background_,
+          .crease_degrees = crease_degrees_,
           .vertex_normals = vertex_normals_,
           .cutting_planes = cutting_planes_,
           .cut_faces = cut_faces_,
@@ -152,6 +153,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   modelling_ = before.modelling;
   attributes_ = before.attributes;
   background_ = before.background;
+  crease_degrees_ = before.crease_degrees;
   vertex_normals_ = before.vertex_normals;
   cutting_planes_ = before.cutting_planes;
   cut_faces_ = before.cut_faces;

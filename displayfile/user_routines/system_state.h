@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/crease_angle.h"
 #include "clip/cutting_planes.h"
 #include "clip/transformation.h"
 #include "displayfile/files.h"
@@ -41,6 +42,7 @@ struct GraphicsSystem::State {
     ModellingTransformation modelling;
     Attributes attributes;
     Background background;
+    double crease_degrees;
     std::vector<Point3> vertex_normals;
     CuttingPlanes cutting_planes;
     CutFaces cut_faces;
@@ -128,6 +130,7 @@ struct GraphicsSystem::State {
   Pen pen_;
   Attributes attributes_;
   Background background_;
+  double crease_degrees_ = kNoCrease;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
   CuttingPlanes cutting_planes_;
   CutFaces cut_faces_;

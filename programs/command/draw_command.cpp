@@ -196,6 +196,11 @@ MeshWords DrawCommand::entering() const {
   return words;
 }
 
+StartingShading DrawCommand::starting_shading() const {
+  const bool has_meshes = !std::ranges::all_of(inputs, is_drawing_program);
+  return shading.starting(has_meshes, std::ranges::any_of(inputs, is_drawing_program));
+}
+
 std::string DrawCommand::draw_into(std::span<const std::string> drawn,
                                    const std::filesystem::path& file, const DrawOptions& drawing,
                                    MadeFolders* folders, NotInPicture& left_out) const {
@@ -205,16 +210,17 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
       folders->make_for(written);
     }
   };
+  const StartingShading starts_with = starting_shading();
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, entering(), shading.shading(), views_drawn(),
+    return draw_turntable(drawn, file, drawing, entering(), starts_with, views_drawn(),
                           {.explanation = explain, .statistics = stats}, left_out);
   }
   if (stats) reset_predicate_counts();
   const PictureKind kind = picture_kind(file, drawing);
   const bool picture_alone = kind == PictureKind::raster && !explain && !stats && !pick;
   const DrawnInputs entered(
-      drawn, drawing, entering(), shading.shading(),
+      drawn, drawing, entering(), starts_with,
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
@@ -355,7 +361,7 @@ int DrawCommand::run() {
   lists_ = input_lists(inputs);
   inputs = input_names(inputs);
   const DrawOptions drawing = all_options();
-  shading.shading();
+  starting_shading();
   hidden_surfaces.line_selection();
   hidden_surfaces.touching_in_force();
   views_drawn();

@@ -56,6 +56,7 @@ struct DrawCommand {
   void add_picture_options(CLI::App& command);
   DrawOptions all_options() const;
   MeshWords entering() const;
+  StartingShading starting_shading() const;
   ViewsDrawn views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.

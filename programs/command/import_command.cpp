@@ -34,7 +34,7 @@ int ImportCommand::run() {
   meshes = input_names(meshes);
   require_extension(output, ".draw", "a drawing program");
   require_files_of_their_own({output}, meshes, lists);
-  const Shading start_with = shading.shading();
+  const StartingShading start_with = shading.starting(true, false);
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();
   const auto in_force = touching ? std::optional(touching_of_option(*touching)) : std::nullopt;
@@ -47,7 +47,7 @@ int ImportCommand::run() {
   }
   options.start(system, aspect);
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
-  if (start_with != Shading::flat) system.set_shading(start_with);
+  start_with.start(system);
   if (in_force) system.set_hidden_surfaces({.touching = *in_force});
   const Progress progress("importing " + meshes.front());
   std::vector<Mesh::Skipped> skipped;

@@ -77,9 +77,7 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   CollectedText program;
   Recorder recorder(program);
   system.set_recorder(&recorder);
-  if (const Shading start_with = shading.shading(); start_with != Shading::flat) {
-    system.set_shading(start_with);
-  }
+  starting_shading().start(system);
   if (const auto lines = hidden_surfaces.line_selection())
     system.set_hidden_surfaces({.lines = *lines});
   if (const auto touching = hidden_surfaces.touching_in_force())
@@ -98,6 +96,11 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   return {title_or_name(title, name), text_of(data), draw_as(system, "svg", options)};
 }
 
+StartingShading PageCommand::starting_shading() const {
+  const bool has_meshes = !std::ranges::all_of(inputs, is_drawing_program);
+  return shading.starting(has_meshes, std::ranges::any_of(inputs, is_drawing_program));
+}
+
 DrawOptions PageCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
@@ -114,6 +117,7 @@ int PageCommand::run() {
   inputs = input_names(inputs);
   require_extension(output, ".html", "a page");
   require_files_of_their_own({output}, inputs, lists);
+  starting_shading();
   const PageFiles files(package);
   const DrawOptions options = drawing();
   const bool is_product = inputs.empty();

@@ -71,9 +71,9 @@ int turntable_views(const std::string& text) {
 }
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           const ViewsDrawn& views, const TurntableReport& report,
-                           NotInPicture& left_out) {
+                           const DrawOptions& options, const MeshWords& meshes,
+                           const StartingShading& shading, const ViewsDrawn& views,
+                           const TurntableReport& report, NotInPicture& left_out) {
   if (options.pens && options.pens->hatching) {
     throw Error(
         "a turntable's views are not hatched: expected --pens without --hatch, or no --turntable");
@@ -86,7 +86,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   GraphicsSystem system;
   RetainedScene scene;
   system.set_threads(options.surfaces.threads);
-  system.set_shading(shading);
+  shading.start(system);
   system.retain(&scene);
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;

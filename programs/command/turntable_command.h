@@ -9,6 +9,7 @@
 #include "interp/draw/turntable_renderer.h"
 #include "programs/inputs/not_in_picture.h"
 #include "programs/options/mesh_words.h"
+#include "programs/options/shading_word.h"
 
 namespace displayfile {
 
@@ -34,8 +35,8 @@ struct TurntableReport {
 ///
 /// Warns of contents that vectors omit. Returns the report.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
-                           const DrawOptions& options, const MeshWords& meshes, Shading shading,
-                           const ViewsDrawn& views, const TurntableReport& report,
-                           NotInPicture& left_out);
+                           const DrawOptions& options, const MeshWords& meshes,
+                           const StartingShading& shading, const ViewsDrawn& views,
+                           const TurntableReport& report, NotInPicture& left_out);
 
 }  // namespace displayfile

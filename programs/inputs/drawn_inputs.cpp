@@ -34,7 +34,7 @@ bool draws_views(const DrawOptions& options) {
 }  // namespace
 
 DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-                         const MeshWords& meshes, Shading shading, Use use)
+                         const MeshWords& meshes, const StartingShading& shading, Use use)
     : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
   if (!options_.surfaces.method && are_bare_meshes())
     options_.surfaces.method = HiddenMethod::automatic;
@@ -74,7 +74,7 @@ std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
 
 void DrawnInputs::enter(GraphicsSystem& system) const {
   system.set_threads(options_.surfaces.threads);
-  system.set_shading(shading_);
+  shading_.start(system);
   const double aspect = static_cast<double>(options_.width) / options_.height;
   enter_inputs(inputs_, system, meshes_, aspect, options_.surfaces);
 }

@@ -11,6 +11,7 @@
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/draw/draw.h"
 #include "programs/options/mesh_words.h"
+#include "programs/options/shading_word.h"
 
 namespace displayfile {
 
@@ -21,7 +22,7 @@ class DrawnInputs {
   enum class Use { picture, display_file };
   /// Throws Error as enter_inputs does. The inputs must outlive it.
   DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
-              const MeshWords& meshes, Shading shading, Use use = Use::display_file);
+              const MeshWords& meshes, const StartingShading& shading, Use use = Use::display_file);
   DrawnInputs(const DrawnInputs&) = delete;
   DrawnInputs& operator=(const DrawnInputs&) = delete;
 
@@ -50,7 +51,7 @@ class DrawnInputs {
   std::span<const std::string> inputs_;
   DrawOptions options_;
   MeshWords meshes_;
-  Shading shading_;
+  StartingShading shading_;
   RetainedScene scene_;  // of the system, if it retains
   GraphicsSystem system_;
 };

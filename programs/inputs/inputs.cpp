@@ -113,6 +113,10 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   GraphicsSystem ahead;
   ahead.retain(&drawn);
   ahead.set_shading(system.attributes().shading);
+  const bool crease_is_set = system.explicit_settings().contains(Setting::crease_angle);
+  const auto set_crease = [&] { ahead.set_crease_angle(system.crease_degrees()); };
+  crease_is_set ? set_crease() : SystemInside::by_default(ahead, Setting::crease_angle, set_crease);
+  bool any_smooth = false;
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
     if (is_drawing_program(input)) {
@@ -121,15 +125,20 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       continue;
     }
     const bool smooth = ahead.attributes().shading != Shading::flat;
+    any_smooth = any_smooth || smooth;
     const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
-    if (smooth) complete_normals(mesh);
+    if (smooth) complete_normals(mesh, ahead);
     enter_ahead(mesh, ahead);
     const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
     if (before.explicit_settings().contains(Setting::window)) continue;
     if (read.bare.empty()) read.before = {before.view(), before.explicit_settings()};
     append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
     read.upright.add(mesh, ahead.modelling_transformation());
+  }
+  if (crease_is_set && !read.meshes.empty() && !any_smooth) {
+    read.meshes.front().skipped.warnings.emplace_back(
+        "--crease has no effect: shading is flat where meshes are entered");
   }
   if (read.upright.differ()) {
     read.meshes.front().skipped.warnings.emplace_back(kStandDifferently);

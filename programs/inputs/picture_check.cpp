@@ -44,6 +44,7 @@ void PictureCheck::add_to(CLI::App& command) {
                   "meshes [flat]")
       ->type_name("flat|gouraud|phong")
       ->group(kPictureOptions);
+  ShadingWord::add_crease_to(command, crease_);
   background_.add_colour_to(command);
   command.add_option("--device", device_, "what draws pictures [software]")
       ->type_name(raster_device_words())
@@ -61,9 +62,10 @@ void PictureCheck::require_picture() const {
   if (tolerance_.is_set()) {
     throw Error("--tolerance and --wrong-pixels are of pictures: expected --picture too");
   }
-  const std::array<std::pair<const char*, bool>, 5> given{
+  const std::array<std::pair<const char*, bool>, 6> given{
       {{"--samples", samples_.has_value()},
        {"--shading", shading_.has_value()},
+       {"--crease", crease_.has_value()},
        {"--background", !background_.word.empty()},
        {"--device", device_.has_value()},
        {"--crumbs", crumbs_}}};
@@ -92,7 +94,8 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
 }
 
 Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
-  const Shading started = shading_ ? shading(*shading_) : Shading::flat;
+  const StartingShading started{shading_ ? shading(*shading_) : Shading::flat,
+                                crease_.value_or(kNoCrease)};
   const DrawnInputs entered(std::span(&input, 1), options, meshes_, started);
   std::vector<DrawWarning> warned;
   DrawOptions drawing = entered.options();

@@ -30,6 +30,7 @@ class PictureCheck : public GoldenCheckOption {
   bool asked_ = false;
   std::optional<int> samples_;
   std::optional<std::string> device_, shading_;
+  std::optional<double> crease_;
   BackgroundWord background_;
   bool crumbs_ = false;
   MeshWords meshes_;

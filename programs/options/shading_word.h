@@ -1,16 +1,35 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 
-#include "displayfile/looks/style.h"
+#include "clip/base/error.h"
+#include "clip/crease_angle.h"
+#include "displayfile/graphics_system.h"
+#include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 
 namespace displayfile {
 
-/// The option --shading, as a word.
+/// The shading that inputs start with; a program may set another.
+struct StartingShading {
+  Shading shading = Shading::flat;
+  double crease_degrees = kNoCrease;
+
+  /// Sets what is not the default.
+  void start(GraphicsSystem& system) const {
+    if (shading != Shading::flat) system.set_shading(shading);
+    if (crease_degrees != kNoCrease) system.set_crease_angle(crease_degrees);
+  }
+};
+
+/// The options --shading and --crease.
 struct ShadingWord {
   std::string word = "flat";
+  std::optional<double> crease;
 
   void add_to(CLI::App& command) {
     command
@@ -19,9 +38,28 @@ struct ShadingWord {
         ->type_name("flat|gouraud|phong")
         ->capture_default_str()
         ->group(kPictureOptions);
+    add_crease_to(command, crease);
   }
-  /// Throws Error for an unknown word.
-  Shading shading() const { return displayfile::shading(word); }
+  static void add_crease_to(CLI::App& command, std::optional<double>& crease) {
+    command
+        .add_option("--crease", crease,
+                    "of smooth meshes without normals: sides at which facets meet at more than "
+                    "DEGREES, 0 to 180, stay sharp [180: none]")
+        ->type_name("DEGREES")
+        ->transform(number_in(0.0, kNoCrease))
+        ->group(kPictureOptions);
+  }
+
+  /// Throws Error for an unknown word, or for a crease angle that can have no effect: with no mesh,
+  /// or with flat shading and no program that could set another.
+  StartingShading starting(bool has_meshes, bool has_programs) const {
+    const Shading starts = shading(word);
+    if (crease && !(has_meshes && (starts != Shading::flat || has_programs))) {
+      throw Error(fmt::format("--crease {} has no effect: expected {}", *crease,
+                              has_meshes ? "--shading gouraud or phong too" : "a mesh"));
+    }
+    return {starts, crease.value_or(kNoCrease)};
+  }
 };
 
 }  // namespace displayfile

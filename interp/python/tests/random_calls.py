@@ -20,6 +20,7 @@ COLOUR = ("r", "g", "b")
 
 # Where any numbers would nearly always be refused.
 SENSIBLE = {
+    "set_crease_angle": ["30", "0", "180", "45.5"],
     "set_cutting_plane": ["1, 1, 0, 0, 0.5", "6, 0, -1, 0.5, 1", "1, 'off'", "2, -1, 1, 1, 0.25"],
     "set_image_translation": ["1, 0.25, 0", "2, -0.5, 0.125"],
     "set_image_scale": ["1, 0.5, 2", "3, -1, 1"],

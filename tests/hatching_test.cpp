@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clip/unit.h"
+#include "interp/vector/pens/hatched_fills.h"
 #include "interp/vector/pens/hatching.h"
 
 namespace displayfile {
@@ -261,6 +262,28 @@ TEST(Hatching, ClosesGapsThatNoPenLeaves) {
     add(lines, box(10, 10, 20, 30), 1.0);
     add(lines, box(20 + gap, 10, 40, 30), 1.0);
     EXPECT_EQ(lines.strokes(0.0).size(), strokes) << gap;
+  }
+}
+
+/// A round surface in shade is of one tone from some facet on: its lines run on, and are not those
+/// of a large tone, which has a spacing of its own.
+TEST(HatchedFills, AToneIntoWhichAnotherRunsIsOnItsGrid) {
+  const Polygon left = box(0, 0, 60, 100), right = box(60, 0, 120, 100);
+  const auto strokes = [&](double where_they_meet, double apart) {
+    HatchedFills fills(Hatching{.spacing = 1.0, .angle = 0.0}, kSheet);
+    Polygon shade = right;
+    for (Point2& p : shade) p.x += apart;
+    const double least = 0.2;
+    fills.add(left, std::vector<double>{least, where_they_meet, where_they_meet, least}, true);
+    fills.add(shade, std::vector<double>(4, 0.7), true);
+    return fills.strokes();
+  };
+  const std::vector<Stroke> smooth = strokes(0.7, 0.0);
+  EXPECT_LE(smooth.size(), 75u);
+  for (const Stroke& s : smooth) EXPECT_EQ(std::max(s.from.x, s.to.x), 120'000);
+  EXPECT_EQ(strokes(0.7 + 1e-12, 0.0).size(), smooth.size());  // up to rounding
+  for (const auto& other : {strokes(0.65, 0.0), strokes(0.7, 1.0)}) {
+    EXPECT_GT(other.size(), 100u);
   }
 }
 

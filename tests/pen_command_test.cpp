@@ -145,6 +145,44 @@ TEST_F(PenCommand, HatchesFills) {
   EXPECT_NE(read(folder_ / "a.svg").find("#ff0000 0.5 mm"), std::string::npos);
 }
 
+/// How many strokes of the hatching: subpaths of its layer's paths.
+std::ptrdiff_t hatched_strokes(const std::string& svg) {
+  const std::size_t layer = svg.find("#000000 0.3 mm");
+  return layer == std::string::npos
+             ? 0
+             : std::count(svg.begin() + static_cast<std::ptrdiff_t>(layer), svg.end(), 'M');
+}
+
+/// Lines run on over the facets of what is round, as with Gouraud shading, and an edge stays one.
+TEST_F(PenCommand, HatchesRoundPartsOnOneGrid) {
+  const std::string view =
+      "set-light -0.5 1 0.7 0.2\nset-perspective 3 6 4\nset-view-up 0 0 1\n"
+      "set-view-plane-normal -3 -6 -4\nset-line-style none\nset-hidden-line-removal "
+      "on\nopen-segment 1\n";
+  for (const char* shape :
+       {"cylinder-3 0 0 -0.6 0.5 1.2 32", "torus-3 0 0 0 0.6 0.3 32",
+        "turn-3 32  0 -0.7  0.3 -0.7  0.5 -0.4  0.5 -0.1  0.25 0.3  0.2 0.5  0.35 0.7  0 0.7"}) {
+    write("round.draw", view + shape + "\nclose-segment\n");
+    const auto strokes = [&](const std::string& options) {
+      EXPECT_EQ(run("draw round.draw -o a.svg --hatch 1 --paper A4" + options), 0) << err_;
+      EXPECT_EQ(err_, "");
+      return hatched_strokes(read(folder_ / "a.svg"));
+    };
+    const auto smooth = strokes(" --shading gouraud");
+    EXPECT_GT(smooth, 50) << shape;
+    EXPECT_LE(static_cast<double>(strokes("")), 1.2 * static_cast<double>(smooth)) << shape;
+    EXPECT_GT(2 * strokes(" --shading flat"), 3 * smooth) << shape;
+  }
+  ASSERT_EQ(run("draw box.obj --hatch 2 -o a.svg"), 0) << err_;
+  const std::string box = read(folder_ / "a.svg");
+  ASSERT_EQ(run("draw box.obj --hatch 2 --shading flat -o a.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "a.svg"), box);
+  ASSERT_EQ(run("draw box.obj --hatch 2 --shading gouraud -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg"), box);
+  ASSERT_EQ(run("draw box.obj --hatch 2 --crease 120 -o b.svg"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "a.svg"), read(folder_ / "b.svg"));
+}
+
 TEST_F(PenCommand, PutsAnyVectorsOnPaper) {
   ASSERT_EQ(run("draw box.obj --paper a5-landscape -o a.svg"), 0) << err_;
   EXPECT_NE(read(folder_ / "a.svg").find("width=\"210mm\" height=\"148mm\""), std::string::npos);

@@ -95,7 +95,7 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
 
 Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
   const StartingShading started{shading_ ? shading(*shading_) : Shading::flat,
-                                crease_.value_or(kNoCrease)};
+                                crease_.value_or(kNoCrease), crease_.has_value()};
   const DrawnInputs entered(std::span(&input, 1), options, meshes_, started);
   std::vector<DrawWarning> warned;
   DrawOptions drawing = entered.options();

@@ -90,7 +90,8 @@ void PaperWords::add_to(CLI::App& command) {
           "--pens, with fills hatched by parallel lines: "
           "SPACING[,ANGLE][,cross][,width=MM][,COLOUR]. Lines are SPACING mm apart where a fill is "
           "as dark as the pen and farther apart for brighter fills, at ANGLE degrees [45]; cross "
-          "adds perpendicular lines to fills darker than the middle tone; the pen has a width "
+          "adds perpendicular lines to fills darker than the middle tone; lines run on over the "
+          "facets of what is round, unless --shading is set; the pen has a width "
           "[0.3] and colour [black; white on dark paper]. Methods are map and, only where no fill "
           "covers another, --hidden none or back-face")
       ->type_name("SPACING,...")

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "interp/vector/pens/hatching.h"
 
@@ -25,6 +27,17 @@ double area_of(std::span<const Point2> polygon) {
   return std::abs(twice) / 2.0;
 }
 
+bool comes_before(const Point3& a, const Point3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// True if one of the corners is there, and as dark up to rounding.
+bool is_among(std::span<const Point3> corners, const Point2& there, double dark) {
+  constexpr double kRounding = 1e-9;
+  const auto at = std::ranges::lower_bound(corners, Point3(there, dark - kRounding), comes_before);
+  return at != corners.end() && Point2(*at) == there && at->z <= dark + kRounding;
+}
+
 }  // namespace
 
 void HatchedFills::add(std::span<const Point2> polygon, std::span<const double> darkness,
@@ -37,16 +50,36 @@ void HatchedFills::add(std::span<const Point2> polygon, std::span<const double> 
   overlap_ = overlap_ || !overlaps_nothing;
 }
 
-/// In order of darkness.
-std::vector<double> HatchedFills::large_tones() const {
-  std::map<double, double> areas;
+/// Corners of the fills that are not as dark everywhere, each with its darkness, in order.
+std::vector<Point3> HatchedFills::corners_of_uneven() const {
+  std::vector<Point3> corners;
   for (const Fill& fill : fills_) {
-    if (fill.is_even && darkness(fill) > 0.0) areas[darkness(fill)] += area_of(polygon(fill));
+    for (std::size_t i = fill.first; !fill.is_even && i < fill.end; ++i) {
+      corners.emplace_back(points_[i], darkness_[i]);
+    }
+  }
+  std::ranges::sort(corners, comes_before);
+  return corners;
+}
+
+/// In order of darkness. A tone into which an uneven fill runs at a corner that both have is part
+/// of one smooth surface with it, and gets the lines of the common grid.
+std::vector<double> HatchedFills::large_tones() const {
+  const std::vector<Point3> uneven = corners_of_uneven();
+  std::map<double, double> areas;
+  std::set<double> running_on;
+  for (const Fill& fill : fills_) {
+    if (!fill.is_even || !(darkness(fill) > 0.0)) continue;
+    areas[darkness(fill)] += area_of(polygon(fill));
+    const bool runs_on = std::ranges::any_of(polygon(fill), [&](const Point2& corner) {
+      return is_among(uneven, corner, darkness(fill));
+    });
+    if (runs_on) running_on.insert(darkness(fill));
   }
   const double side = kLinesOfLargeTone * hatching_.spacing;
   std::vector<double> tones;
   for (const auto& [tone, area] : areas) {
-    if (area >= side * side) tones.push_back(tone);
+    if (area >= side * side && !running_on.contains(tone)) tones.push_back(tone);
   }
   return tones;
 }

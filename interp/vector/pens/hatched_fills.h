@@ -37,6 +37,7 @@ class HatchedFills {
     return std::span(points_).subspan(fill.first, fill.end - fill.first);
   }
   double darkness(const Fill& fill) const { return darkness_[fill.first]; }
+  std::vector<Point3> corners_of_uneven() const;
   std::vector<double> large_tones() const;
   void add_direction(double degrees, double factor, double less,
                      std::vector<Stroke>& strokes) const;

@@ -36,8 +36,13 @@ const kShadings = [[undefined, [kAsProgram, ['flat', 'flat'], ['gouraud', 'Goura
 
 /** As many along a pixel's side as a picture has where nothing is set. */
 const kUsualSamples = 4;
-const kSamples = [[undefined, [['', `${kUsualSamples} × ${kUsualSamples} a pixel, as is usual`],
-  ...[1, 2, 3].map((n) => [String(n), n === 1 ? 'one per pixel' : `${n} × ${n} per pixel`])]]];
+const words_of_samples = (n) => (n === 1 ? 'one per pixel' : `${n} × ${n} per pixel`);
+/** Where none are set, in words. A plain z-buffer holds all samples of a picture in memory, and has one. */
+function words_of_usual_samples(method) {
+  return `default: ${words_of_samples(/^(colour-rule=)?plain-z-buffer/.test(method) ? 1 : kUsualSamples)}`;
+}
+const kSamples = [[undefined, [['', words_of_usual_samples('')],
+  ...[1, 2, 3, 4].map((n) => [String(n), words_of_samples(n)])]]];
 
 const kBackgrounds = [[undefined, [kAsProgram, ['none', 'transparent'], ['1 1 1', 'white'], ['0 0 0', 'black']]]];
 

@@ -17,6 +17,14 @@ function calls(text, routine) {
   return new RegExp(`^[ \\t]*${routine}(?![a-z0-9-])`, 'm').test(text);
 }
 
+/** The hidden-surface method that a program's pictures have by its last calls; '' if it sets none. */
+function own_method(text) {
+  const last = (routine) =>
+    [...text.matchAll(new RegExp(`^[ \\t]*${routine}[ \\t]+([a-z0-9=-]+)`, 'gm'))].at(-1)?.[1];
+  if (last('set-z-buffer') === 'on') return 'z-buffer';
+  return last('set-hidden-line-removal') === 'on' ? last('set-hidden-method') ?? '' : '';
+}
+
 /** The program without the lines that call these, and with others before its first segment. */
 function replaced(text, is_left_out, lines) {
   const kept = text.split('\n').filter((line) => !is_left_out.has(routine_of(line)));

@@ -316,6 +316,9 @@ class Viewer {
     this.caption.textContent = words.join(' · ');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
     this.command.textContent = command_line(this);
+    const drawn = this.#settings.method || own_method(this.given.program ?? '');
+    const usual = this.#selects.get('samples').querySelector('option');
+    usual.textContent = words_of_usual_samples(drawn);
   }
 
   async #label() {

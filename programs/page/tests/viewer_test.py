@@ -8,6 +8,7 @@ from browser import COMMAND, PROGRAMS, PageTest, make_page, served, start_browse
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.select import Select
 
 GEARS = PROGRAMS / "gears.draw"
 SURFACE = PROGRAMS / "surface.draw"
@@ -56,6 +57,23 @@ class PicturesTest(PageTest):
         self.choose("samples", "3")
         self.assertEqual(self.pixels(), self.drawn(GEARS, "--hidden", "franklin", "--hidden-lines", "dashed", "--lines",
                                                    "outline,boundary,crease", "--samples", "3"))
+
+    def test_the_default_of_samples_is_that_of_the_method(self):
+        kept = self.folder / "plain.draw"
+        kept.write_text("set-hidden-method plain-z-buffer=24\nset-hidden-line-removal on\n" + GEARS.read_text())
+        for scene, methods in ((GEARS, {"": 4, "plain-z-buffer=24": 1, "plain-z-buffer=double": 1, "z-buffer": 4}),
+                               (kept, {"": 1, "bsp": 4})):
+            self.open_scene(scene)
+            for method, samples in methods.items():
+                with self.subTest(scene=scene.name, method=method):
+                    self.choose("samples", "")
+                    self.choose("method", method)
+                    choices = Select(self.find("select[id$='-samples']")).options
+                    one = next(choice for choice in choices if choice.get_attribute("value") == str(samples))
+                    self.assertEqual(choices[0].text, f"default: {one.text}")
+                    by_default = self.pixels()
+                    self.choose("samples", str(samples))
+                    self.assertEqual(self.pixels(), by_default)
 
     def test_methods_of_lines_draw_the_sides_of_a_mesh(self):
         mesh = self.folder / "mesh.obj"

@@ -26,8 +26,12 @@ myst_heading_anchors = 6
 myst_heading_slug_func = site_source.documents.slug
 myst_enable_extensions = ["deflist"]
 
-breathe_projects = {"displayfile": str(ROOT / "build" / "site" / "doxygen" / "xml")}
+breathe_projects = {
+    "displayfile": str(ROOT / "build" / "site" / "doxygen" / "xml"),
+    "displayfile_c": str(ROOT / "build" / "site" / "doxygen-c" / "xml"),
+}
 breathe_default_project = "displayfile"
+breathe_domain_by_file_pattern = {"*displayfile_c.h": "c"}
 breathe_default_members = ("members", "undoc-members")
 
 html_theme = "furo"

@@ -246,9 +246,8 @@ class Source:
             "[a first application](programs/manual/tutorials/first_application.md) uses it.\n"
         )
         self.write("cpp.md", text + toctree(pages))
-        header, types = "interp/c/displayfile_c.h", "interp/web/displayfile.d.ts"
-        page = self.reference_page("C: displayfile_c.h", header, "interp/c/README.md")
-        self.write("c.md", page)
+        self.write("c.md", c_page(self.prefix / "include" / "displayfile_c.h"))
+        types = "interp/web/displayfile.d.ts"
         page = self.reference_page("JavaScript", types, "interp/web/README.md")
         self.write("javascript.md", page)
 
@@ -272,6 +271,23 @@ def header_page(name, xml):
     directives = [f".. doxygen{kind}:: {name}\n{options}" for kind, name in classes]
     directives.append(f".. doxygenfile:: {name}\n   :sections: enum typedef var func\n")
     return f"# {name}\n\n```{{eval-rst}}\n" + "\n".join(directives) + "```\n"
+
+
+def c_page(header):
+    """The C header's own comment, and its groups."""
+    text = (
+        "# C: displayfile_c.h\n\n[interp/c/README.md](interp/c/README.md) introduces it.\n\n"
+        "```{eval-rst}\n.. doxygenfile:: displayfile_c.h\n   :project: displayfile_c\n"
+        "   :sections: briefdescription detaileddescription\n```\n"
+    )
+    groups = r"@defgroup (\w+) (.+)\n((?: \* [^@].*\n)*)"
+    for name, title, about in re.findall(groups, header.read_text(encoding="utf-8")):
+        text += (
+            f"\n## {title}\n\n{re.sub(r'^ [*] ', '', about, flags=re.MULTILINE)}\n```{{eval-rst}}\n"
+            f".. doxygengroup:: {name}\n   :project: displayfile_c\n   :content-only:\n"
+            "   :members:\n```\n"
+        )
+    return text
 
 
 def title_of(name):

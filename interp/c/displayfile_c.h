@@ -288,7 +288,7 @@ enum df_line_kind {
  * @return as df_draw() */
 DF_API int df_drawn_pieces(df_system* system, const df_options* options, df_pieces* pieces);
 
-/** What a place of a picture shows. */
+/** The item that is visible at a place of a picture. */
 typedef struct {
   size_t size;  /**< sizeof(df_seen), set by the caller */
   int is_seen;  /**< 0: nothing is visible, and the other members are unused */

@@ -18,6 +18,7 @@
 #include "interp/truth/truth.h"
 #include "tests/error_of.h"
 #include "tests/gallery.h"
+#include "tests/temporary_folder.h"
 #include "tests/truth_scenes.h"
 
 namespace displayfile {
@@ -241,6 +242,20 @@ TEST(Steps, TooManyAreAnErrorThatNamesTheLimit) {
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("--limit-steps"), std::string::npos);
     }
+  }
+}
+
+/// The file whose code runs is the file of the steps, or a file of the repository that it includes.
+TEST(Steps, NameTheFileWhoseCodeRuns) {
+  for (const HiddenMethod method : methods_with_steps()) {
+    const Steps told = tell_steps(surface_seen(0, false), {method, 8, 8});
+    std::string name(name_of(method));
+    std::ranges::replace(name, '-', '_');
+    const std::string file = fmt::format("interp/steps/{}_steps.cpp", name);
+    const std::string text = test::content(fmt::format("{}/{}", DISPLAYFILE_SOURCE_DIR, file));
+    if (told.code == file) continue;
+    EXPECT_FALSE(told.code.starts_with("interp/steps/")) << told.code;
+    EXPECT_NE(text.find(fmt::format("#include \"{}\"", told.code)), std::string::npos) << told.code;
   }
 }
 

@@ -17,6 +17,7 @@ struct SteppedAlgorithm {
   HiddenMethod method;
   std::string_view title;
   std::string_view source;
+  std::string_view code;
   std::span<const ListingLine> listing;
   std::span<const PanelEntry> panels;
   void (*run)(const StepItems& scene, StepRecord& record);

@@ -169,6 +169,7 @@ const SteppedAlgorithm kAppelSteps{
     HiddenMethod::appel,
     "Appel's quantitative invisibility",
     "Appel 1967; the chapter's section \"Hidden-line methods\"",
+    "hidden/lines/plain_appel.h",
     AppelSteps::kListing,
     AppelSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { AppelSteps(scene, record).run(); }};

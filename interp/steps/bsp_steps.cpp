@@ -244,6 +244,7 @@ const SteppedAlgorithm kBspSteps{
     HiddenMethod::bsp,
     "Binary space partition",
     "Fuchs, Kedem and Naylor 1980, as the chapter's algorithms 9.8 to 9.16 give it",
+    "hidden/sort/plain_bsp.h",
     BspSteps::kListing,
     BspSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { BspSteps(scene, record).run(); }};

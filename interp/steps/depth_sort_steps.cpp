@@ -285,6 +285,7 @@ const SteppedAlgorithm kDepthSortSteps{
     "Depth sort",
     "Newell, Newell and Sancha 1972, with the problem book's tests 0 to 5 (10.4) and the lecture's "
     "section 6",
+    "interp/steps/depth_sort_steps.cpp",
     DepthSortSteps::kListing,
     DepthSortSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { DepthSortSteps(scene, record).run(); }};

@@ -198,6 +198,7 @@ const SteppedAlgorithm kFranklinSteps{
     HiddenMethod::franklin,
     "Franklin's cells",
     "Franklin 1980; the chapter's section \"Franklin algorithm\"",
+    "hidden/lines/franklin_finder.h",
     FranklinSteps::kListing,
     FranklinSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { FranklinSteps(scene, record).run(); }};

@@ -231,6 +231,7 @@ const SteppedAlgorithm kPerimeterSteps{
     HiddenMethod::perimeter,
     "The perimeter method",
     "Wright 1973, as the problem book gives it (10.8)",
+    "hidden/lines/perimeter_method.h",
     PerimeterSteps::kListing,
     PerimeterSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { PerimeterSteps(scene, record).run(); }};

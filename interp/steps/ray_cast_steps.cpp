@@ -266,6 +266,7 @@ const SteppedAlgorithm kRayCastSteps{
     HiddenMethod::ray_cast,
     "Ray casting",
     "The lecture's section 5, in image space, through a tree of boxes",
+    "interp/steps/ray_cast_steps.cpp",
     RayCastSteps::kListing,
     RayCastSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { RayCastSteps(scene, record).run(); }};

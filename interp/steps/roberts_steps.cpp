@@ -144,6 +144,7 @@ const SteppedAlgorithm kRobertsSteps{
     HiddenMethod::roberts,
     "Roberts's hidden lines",
     "Roberts 1963; the chapter's section \"Hidden-line methods\"",
+    "hidden/lines/roberts_finder.h",
     RobertsSteps::kListing,
     RobertsSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { RobertsSteps(scene, record).run(); }};

@@ -151,6 +151,7 @@ const SteppedAlgorithm kScanLineSteps{
     HiddenMethod::scan_line,
     "Spanning scan line",
     "The lecture's section 4, with the flags of the problem book's 10.5",
+    "interp/visibility/plain_scan_line.h",
     ScanLineSteps::kListing,
     ScanLineSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { ScanLineSteps(scene, record).run(); }};

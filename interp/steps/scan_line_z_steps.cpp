@@ -91,6 +91,7 @@ const SteppedAlgorithm kScanLineZSteps{
     HiddenMethod::scan_line_z,
     "Scan line with a z-buffer of one row",
     "Carpenter 1976; the chapter's section \"Scan-line algorithms\"",
+    "interp/steps/scan_line_z_steps.cpp",
     ScanLineZSteps::kListing,
     ScanLineZSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { ScanLineZSteps(scene, record).run(); }};

@@ -97,6 +97,7 @@ Steps tell_steps(const DisplayFile& file, const StepsOptions& options) {
   steps.method = algorithm.method;
   steps.title = algorithm.title;
   steps.source = algorithm.source;
+  steps.code = algorithm.code;
   steps.listing = algorithm.listing;
   steps.panels = algorithm.panels;
   steps.width = options.width;

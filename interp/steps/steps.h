@@ -137,6 +137,7 @@ struct Steps {
   HiddenMethod method;
   std::string_view title;
   std::string_view source;  ///< where the algorithm is from
+  std::string_view code;    ///< the file whose code runs, a path in the repository
   std::span<const ListingLine> listing;
   std::span<const PanelEntry> panels;
   int width, height;

@@ -170,6 +170,7 @@ std::string as_json(const Steps& steps) {
   Text to(text);
   fmt::format_to(to, "{{\"displayfile_steps\":1,\"method\":\"{}\",\"title\":{},\"source\":{},",
                  name_of(steps.method), json_string(steps.title), json_string(steps.source));
+  fmt::format_to(to, "\"code\":{},", json_string(steps.code));
   fmt::format_to(to, "\"width\":{},\"height\":{},\"background\":{},\n\"listing\":", steps.width,
                  steps.height, hex(steps.background));
   write_list(to, steps.listing, [&](const ListingLine& line) {

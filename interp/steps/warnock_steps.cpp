@@ -194,6 +194,7 @@ const SteppedAlgorithm kWarnockSteps{
     HiddenMethod::warnock,
     "Warnock's area subdivision",
     "Warnock 1969; the chapter's section \"Warnock's algorithm\", the problem book's 10.6",
+    "interp/visibility/plain_warnock.h",
     WarnockSteps::kListing,
     WarnockSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { WarnockSteps(scene, record).run(); }};

@@ -135,6 +135,7 @@ const SteppedAlgorithm kZBufferSteps{
     "Catmull 1974; the chapter's section \"Z buffers\", the lecture's section 3, the problem "
     "book's "
     "10.2",
+    "interp/steps/z_buffer_steps.cpp",
     ZBufferSteps::kListing,
     ZBufferSteps::kPanels,
     [](const StepItems& scene, StepRecord& record) { ZBufferSteps(scene, record).run(); }};

@@ -12,10 +12,16 @@ class StepsPlayer {
     this.element('picture').style.aspectRatio = `${story.width} / ${story.height}`;
     this.element('title').textContent = `${story.data.title}: ${document.title}`;
     this.element('source').textContent = story.data.source;
+    this.element('code').textContent = story.data.code;
     this.buildListing();
     this.connect();
-    const asked = /^#step=(\d+)$/.exec(location.hash);
-    this.go(asked ? Number(asked[1]) - 1 : -1);
+    this.goToAddress();
+  }
+
+  /** The step that the address names (#step=N, 0 before the first); the last if it names none. */
+  goToAddress() {
+    const named = /^#step=(\d+)$/.exec(location.hash);
+    this.go(named ? Number(named[1]) - 1 : this.story.count - 1);
   }
 
   static kSpeeds = [['1 a second', 1000], ['4 a second', 250], ['15 a second', 66], ['60 a second', 16],
@@ -70,6 +76,10 @@ class StepsPlayer {
       this.element(id).addEventListener('change', () => this.go(this.at));
     }
     document.addEventListener('keydown', (event) => this.key(event, act));
+    window.addEventListener('hashchange', () => {
+      this.play(false);
+      this.goToAddress();
+    });
   }
 
   key(event, act) {

@@ -206,6 +206,7 @@ class Source:
         text = (
             "# Algorithms, step by step\n\nEach page runs an algorithm on a small scene: the "
             "picture so far, its data structure, and the listing with the line that is executed. "
+            "It opens at the finished picture; play begins at the first step. "
             "Pages of your own scenes: "
             "`displayfile steps SCENE.draw --hidden METHOD -o steps.html`.\n\n"
             "| algorithm | step by step | scene | described in |\n|---|---|---|---|\n"

@@ -58,7 +58,7 @@ class StepsPage(PageTest):
         for method in SURFACES:
             with self.subTest(method):
                 self.open_steps(plain, method)
-                self.assertEqual(self.js("return steps.step()"), 0)
+                self.js("steps.go(0)")
                 self.assertEqual(set(self.js("return steps.ids()")), {-1})
                 self.js("steps.go(steps.count)")
                 self.assertEqual(self.js("return steps.ids()"), int32_npy(ids))
@@ -95,10 +95,50 @@ class StepsPage(PageTest):
                 self.js("steps.go(0)")
                 self.assertEqual(self.js("return document.querySelectorAll('#overlay .drawn-lines *').length"), 0)
 
+    def test_it_opens_at_the_finished_picture_or_at_the_step_of_its_address(self):
+        page = self.open_steps(PROGRAMS / "cyclic-overlap.draw", "bsp")
+        step = lambda: self.js("return steps.step()")
+        slider = lambda: self.js("return Number(document.getElementById('slider').value)")
+        count = self.js("return steps.count")
+        self.assertEqual((step(), slider()), (count, count))
+        self.assertGreater(len(set(self.js("return steps.ids()"))), 3)
+        disabled = "return [...document.querySelectorAll('#controls button:disabled')].map((b) => b.id)"
+        self.assertEqual(self.js(disabled), ["next", "last"])
+        for address, shown in (("#step=0", 0), ("#step=12", 12), (f"#step={count + 5}", count), ("#else", count)):
+            self.open(page.as_uri() + address)
+            self.assertEqual((step(), slider()), (shown, shown), address)
+        for number in (7, 0, count):  # a link in the page, or an address typed over
+            self.js("location.hash = arguments[0]", f"#step={number}")
+            wait_for(lambda: step() == number, f"step {number}")
+        self.js("steps.go(9)")
+        self.assertTrue(self.js("return location.hash") == "#step=9")
+        self.browser.refresh()
+        wait_for(lambda: self.js("return document.documentElement.dataset.ready"), "the page")
+        self.assertEqual(step(), 9)
+
+    def test_play_at_the_end_begins_before_the_first_step(self):
+        self.open_steps(PROGRAMS / "cyclic-overlap.draw", "bsp")
+        self.js("document.getElementById('speed').value = '1000'; document.activeElement.blur()")
+        self.key(" ")
+        self.assertLess(self.js("return steps.step()"), 3)
+        self.key(" ")
+        self.assertEqual(self.js("return document.getElementById('play').getAttribute('aria-pressed')"), "false")
+
+    def test_each_listing_names_the_file_whose_code_runs(self):
+        for method, program in [*((method, "cyclic-overlap") for method in SURFACES + LINES), ("perimeter", "surface")]:
+            with self.subTest(method):
+                self.open_steps(PROGRAMS / f"{program}.draw", method, "8x8")
+                code = self.find("#code").text
+                self.assertTrue((PROGRAMS.parent / code).is_file(), code)
+                self.assertIn(method.replace("-", "_"), code)
+
     def test_keys_buttons_slider_and_listing_lead_to_steps(self):
         self.open_steps(PROGRAMS / "cyclic-overlap.draw", "bsp")
         step = lambda: self.js("return steps.step()")
         count = self.js("return steps.count")
+        self.key(Keys.ARROW_LEFT)
+        self.assertEqual(step(), count - 1)
+        self.key(Keys.HOME)
         self.key(Keys.ARROW_RIGHT)
         self.key(Keys.ARROW_RIGHT)
         self.assertEqual(step(), 2)

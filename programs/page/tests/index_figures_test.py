@@ -43,9 +43,8 @@ class FiguresTest(IndexTest):
             frame = wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "iframe.steps"), "the steps")[0]
             self.browser.switch_to.frame(frame)
             try:
-                last = wait_for(lambda: self.browser.find_elements(By.ID, "last"), "the steps' page")[0]
-                wait_for(lambda: self.find("#sentence").text, "the first sentence")
-                last.click()
+                wait_for(lambda: self.browser.find_elements(By.ID, "sentence"), "the steps' page")
+                wait_for(lambda: self.find("#sentence").text, "the last step's sentence")
                 self.assertEqual(self.find("#title").text, json.loads(file.read_text())["title"] + ": cyclic-overlap.draw")
                 count = len(json.loads(file.read_text())["steps"])
                 self.assertEqual(self.find("#count").text, f"{count} / {count}")

@@ -30,6 +30,7 @@ constexpr LineKinds kEveryKind = [] {
   return kinds;
 }();
 
+constexpr std::string_view kHiddenName = "hidden";
 constexpr std::string_view kExpected = "expected";
 constexpr std::string_view kCrease = "crease=";
 
@@ -51,10 +52,12 @@ std::string names_of(LineKinds kinds) {
   for (const auto& [kind, name] : kKinds) {
     if (contains(kinds, kind)) names.append(names.empty() ? "" : " ").append(name);
   }
+  if (is_hidden_line(kinds)) names.append(names.empty() ? "" : " ").append(kHiddenName);
   return names;
 }
 
 std::string_view first_name_of(LineKinds kinds) {
+  if (is_hidden_line(kinds)) return kHiddenName;
   const auto first =
       std::ranges::find_if(kKinds, [&](const auto& entry) { return contains(kinds, entry.kind); });
   return first == kKinds.end() ? std::string_view() : first->name;

@@ -178,11 +178,14 @@ enum class LineKind : std::uint8_t {
 using LineKinds = std::uint8_t;
 /// A drawn line whose kinds were not determined.
 inline constexpr LineKinds kDrawn = 1;
+/// Added to the kinds of a line that is drawn although it is hidden. Never in a selection.
+inline constexpr LineKinds kHiddenLine = 128;
 
 constexpr LineKinds kinds_of(LineKind kind) { return static_cast<LineKinds>(kind); }
 constexpr bool contains(LineKinds kinds, LineKind kind) { return (kinds & kinds_of(kind)) != 0; }
-/// True if the kinds were determined.
+/// True if the kinds were determined, or the line is hidden.
 constexpr bool has_kind(LineKinds kinds) { return kinds > kDrawn; }
+constexpr bool is_hidden_line(LineKinds kinds) { return (kinds & kHiddenLine) != 0; }
 
 struct LineKindEntry {
   LineKind kind;
@@ -190,9 +193,10 @@ struct LineKindEntry {
 };
 /// All kinds, in order.
 std::span<const LineKindEntry> line_kinds();
-/// The names of the kinds, in order, separated by blanks; empty for no kind.
+/// The names of the kinds, in order, then `hidden` for a hidden line, separated by blanks; empty
+/// for no kind.
 std::string names_of(LineKinds kinds);
-/// The name of the first kind; empty for no kind.
+/// `hidden` for a hidden line, otherwise the name of the first kind; empty for no kind.
 std::string_view first_name_of(LineKinds kinds);
 
 /// Which lines are drawn: those with at least one of these kinds.

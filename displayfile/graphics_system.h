@@ -408,8 +408,16 @@ class GraphicsSystem {
   // ---- Looks: attributes of the primitives that follow ------------------------------------------
 
   void set_fill_style(const FillStyle& style);  ///< Error: a colour outside of [0,1].
-  /// Errors: a colour outside of [0,1], width, dash or gap not positive.
+  /// Leaves the styles of kinds of lines unchanged. Errors: a colour outside of [0,1], width, dash
+  /// or gap not positive.
   void set_line_style(const LineStyle& style);
+  /// Sets the style of one kind of lines, sides of the polygons that follow, in place of the line
+  /// style; or that of the hidden parts of lines and sides that follow. A default style restores
+  /// the line style, and for hidden parts dashes, half as wide (hidden_line_style). Lines of
+  /// several kinds have the style of the first (displayfile/segments/line_kinds.md). Errors: those
+  /// of set_line_style; the kind none; a dash without a gap, a gap without a dash, either without
+  /// `dashed`.
+  void set_line_kind_style(StyledLines lines, const LineKindStyle& style);
   void set_text_style(const TextStyle& style);  ///< Error: a size not above 0, or above 1.
   /// Sets the light: a world direction toward it, of any non-zero length; ambient in [0,1]. A
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle

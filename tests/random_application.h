@@ -131,6 +131,15 @@ class RandomApplication {
     const double x = uniform(-1, 1), y = uniform(-1, 1);
     system_.surface_3({x, sum(x, uniform(-0.1, 1)), nx, y, sum(y, uniform(0, 1)), ny, heights});
   }
+  void line_kind_style() {
+    using enum LineStyle::Kind;
+    LineKindStyle style;
+    if (chance(60)) style.width = uniform(-0.1, 3);
+    if (chance(50)) style.kind = chance(50) ? dashed : solid;
+    if (chance(20)) style.dash = style.gap = uniform(-0.1, 5);
+    if (chance(30)) style.colour = Colour(uniform(0, 1), uniform(0, 1), uniform(-0.05, 1));
+    system_.set_line_kind_style(static_cast<StyledLines>(below(7)), style);
+  }
   void lower_line_style() {
     if (chance(40)) return system_.set_lower_line_style(std::nullopt);
     system_.set_lower_line_style(line_style());
@@ -189,6 +198,7 @@ class RandomApplication {
       case 24: return lower_line_style();
       case 25: return cutting_plane();
       case 26: return cut_faces();
+      case 27: return line_kind_style();
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }

@@ -25,6 +25,11 @@ void Instructions::set_style(const FillStyle& fill) {
 
 void Instructions::set_style(const LineStyle& line) {
   if (line_ == line) return;
+  if (line.of_kinds != (line_ ? line_->of_kinds : LineKindStyles())) {
+    op_.insert(op_.end(),
+               {op::line_kind_styles, static_cast<std::int32_t>(line_kind_styles_.size())});
+    line_kind_styles_.push_back(line.of_kinds);
+  }
   switch (line.kind) {
     case LineStyle::Kind::none: op_.push_back(op::line_none); break;
     case LineStyle::Kind::solid: op_.push_back(op::line_solid); break;
@@ -155,7 +160,8 @@ std::size_t Instructions::bytes() const {
          flat_points_.size() * sizeof(flat_points_[0]) +
          style_operands_.size() * sizeof(style_operands_[0]) +
          intensities_.size() * sizeof(intensities_[0]) + normals_.size() * sizeof(normals_[0]) +
-         side_kinds_.size() + texts_.size() * sizeof(texts_[0]) + characters_.size() +
+         side_kinds_.size() + line_kind_styles_.size() * sizeof(line_kind_styles_[0]) +
+         texts_.size() * sizeof(texts_[0]) + characters_.size() +
          (as_entered_ ? as_entered_->bytes() : 0);
 }
 
@@ -177,6 +183,7 @@ void Instructions::free_room() {
   displayfile::free_room(intensities_);
   displayfile::free_room(normals_);
   displayfile::free_room(side_kinds_);
+  displayfile::free_room(line_kind_styles_);
   displayfile::free_room(texts_);
   displayfile::free_room(characters_);
   if (as_entered_) as_entered_->free_room();

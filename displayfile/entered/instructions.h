@@ -28,6 +28,9 @@ inline constexpr std::int32_t line = 2;
 inline constexpr std::int32_t line_solid = -1;
 inline constexpr std::int32_t line_dashed = -2;
 inline constexpr std::int32_t line_none = -3;
+/// The next code is the index of the styles of kinds of lines, in line styles that follow;
+/// initially they have none.
+inline constexpr std::int32_t line_kind_styles = -4;
 inline constexpr std::int32_t fill_solid = -16;
 inline constexpr std::int32_t fill_hollow = -17;
 inline constexpr std::int32_t fill_shadowed = -18;  ///< solid, with a FillShadow
@@ -196,6 +199,7 @@ class Instructions {
   std::vector<double> intensities_;
   std::vector<Point3> normals_;
   std::vector<LineKinds> side_kinds_;  // of the polygons that have them, one after another
+  std::vector<LineKindStyles> line_kind_styles_;
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
   std::vector<SurfaceMark> surfaces_;
@@ -227,6 +231,7 @@ void Instructions::walk(Visitor&& visit) const {
   const Point3* next_normal = normals_.data();
   Light light{};
   const LineKinds* next_kinds = side_kinds_.data();
+  LineKindStyles of_kinds;
   std::size_t next_text = 0;
   Picks picks;
   const auto take = [&](std::size_t n) -> std::span<const Point3> {
@@ -255,9 +260,13 @@ void Instructions::walk(Visitor&& visit) const {
           style.dash = *operand++;
           style.gap = *operand++;
         }
+        style.of_kinds = of_kinds;
         visit.line_style(style);
         break;
       }
+      case op::line_kind_styles:
+        of_kinds = line_kind_styles_[static_cast<std::size_t>(op_[++i])];
+        break;
       case op::line_none: visit.line_style(LineStyle{LineStyle::Kind::none}); break;
       case op::fill_solid: visit.fill(FillStyle{FillStyle::Kind::solid, take_colour()}); break;
       case op::fill_shadowed: {

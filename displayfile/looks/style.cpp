@@ -1,7 +1,5 @@
 #include "displayfile/looks/style.h"
 
-#include <algorithm>
-
 #include "clip/base/words.h"
 
 namespace displayfile {
@@ -24,14 +22,5 @@ std::string_view name_of(TextStyle::Alignment alignment) { return word_of(kAlign
 
 Shading shading(std::string_view text) { return value_of(kShadings, text, "shading is"); }
 std::string_view name_of(Shading shading) { return word_of(kShadings, shading); }
-
-LineStyle hidden_line_style(const LineStyle& line) {
-  LineStyle hidden = line;
-  hidden.kind = LineStyle::Kind::dashed;
-  hidden.width = std::min(line.width, std::max(0.5, line.width / 2.0));
-  hidden.dash *= std::max(1.0, hidden.width);
-  hidden.gap *= std::max(1.0, hidden.width);
-  return hidden;
-}
 
 }  // namespace displayfile

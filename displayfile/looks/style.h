@@ -2,11 +2,14 @@
 
 /// Looks: colours, styles of fills, lines and texts, light and shading, and the background.
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "clip/point.h"
+#include "clip/surfaces.h"
 
 namespace displayfile {
 
@@ -32,6 +35,38 @@ struct FillStyle {
   bool operator==(const FillStyle&) const = default;
 };
 
+/// Lines that may have a style of their own: a kind of lines (displayfile/segments/line_kinds.md),
+/// or the hidden parts of lines.
+enum class StyledLines : std::uint8_t {
+  outline,
+  boundary,
+  crease,
+  material,
+  intersection,
+  all,
+  hidden,
+};
+
+/// Reads the name of a kind of lines, or `hidden`; throws Error for anything else.
+StyledLines styled_lines(std::string_view text);
+std::string_view name_of(StyledLines lines);
+
+struct LineKindStyle;
+
+/// The styles of lines by kind. Copies share one table, which does not change.
+class LineKindStyles {
+ public:
+  bool empty() const { return table_ == nullptr; }
+  const LineKindStyle& of(StyledLines lines) const;
+  /// These styles with another one for `lines`.
+  LineKindStyles with(StyledLines lines, const LineKindStyle& style) const;
+  bool operator==(const LineKindStyles& other) const;
+
+ private:
+  struct Table;
+  std::shared_ptr<const Table> table_;  // null: every style is the default
+};
+
 /// How lines, and the edges of polygons, are drawn. Width and dashes are in pixels.
 struct LineStyle {
   enum class Kind { solid, dashed, none };
@@ -39,12 +74,27 @@ struct LineStyle {
   Colour colour{0.0, 0.0, 0.0};
   double width = 1.0;
   double dash = 6.0, gap = 4.0;  ///< lengths drawn and skipped, if dashed
+  LineKindStyles of_kinds{};     ///< of kinds with styles of their own
   bool operator==(const LineStyle&) const = default;
 };
 
-/// The style of the hidden parts of a line, following drafting practice: dashed, half as wide but
-/// at least half a pixel, in the line's colour. Dashes have the lengths of `line`, scaled by its
-/// width if that is more than a pixel.
+/// The style of lines of one kind, in place of the line style in force; members without a value are
+/// those of the line style. Lengths are in pixels.
+struct LineKindStyle {
+  std::optional<double> width{};
+  std::optional<LineStyle::Kind> kind{};  ///< solid or dashed
+  std::optional<double> dash{}, gap{};    ///< both or neither, with `dashed`
+  std::optional<Colour> colour{};
+  bool operator==(const LineKindStyle&) const = default;
+};
+
+/// The style of a polygon's side, or of a line of intersection, of these kinds: `line` with what
+/// the first of its kinds has instead. A side whose kinds were not determined counts as `all`.
+LineStyle side_line_style(const LineStyle& line, LineKinds kinds);
+
+/// The style of the hidden parts of a line: what `hidden` has in `line.of_kinds`, by default
+/// following drafting practice: dashed, half as wide but at least half a pixel, in the line's
+/// colour. Dashes have the lengths of `line`, scaled by the width if that is more than a pixel.
 LineStyle hidden_line_style(const LineStyle& line);
 
 /// How texts are drawn: in the system's "sans-serif" font and the line style's colour, black if the

@@ -70,7 +70,8 @@ std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const Foun
     if (part.from != 0.0) piece.from += part.from * length;
     const LineEnds ends(items, {piece.item, piece.corner});
     const Point2 from(ends.at(piece.from)), to(ends.at(piece.to));
-    const double width = scene.line_style(piece.item).width;
+    const LineKinds kinds = scene.side_kinds(piece.item, piece.corner);
+    const double width = style_of_stroke(scene, piece.item, kinds).width;
     if (part.is_alone && is_shorter_than_wide(from, to, pixels, width)) continue;
     if (piece.from < piece.to) drawn.push_back(piece);
   }

@@ -40,7 +40,14 @@ class DrawnItems {
 }  // namespace
 
 std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene) {
-  std::map<std::array<double, 8>, std::uint32_t> numbers;
+  std::map<std::array<double, 9>, std::uint32_t> numbers;
+  std::vector<LineKindStyles> of_kinds_met;
+  const auto number_of = [&](const LineKindStyles& of_kinds) {
+    const auto met = std::ranges::find(of_kinds_met, of_kinds);
+    const auto number = met - of_kinds_met.begin();
+    if (met == of_kinds_met.end()) of_kinds_met.push_back(of_kinds);
+    return static_cast<double>(number);
+  };
   std::vector<std::uint32_t> of_items(scene.items());
   const auto styles = scene.line_styles();
   const auto segments = scene.segments();
@@ -51,16 +58,17 @@ std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene) {
     ViewedScene::Item end = scene.items();
     if (style + 1 < styles.size()) end = std::min(end, styles[style + 1].first);
     if (segment + 1 < segments.size()) end = std::min(end, segments[segment + 1].first);
-    const auto& [style_kind, colour, width, dash, gap] = styles[style].style;
+    const auto& [style_kind, colour, width, dash, gap, of_kinds] = styles[style].style;
     const LineStyle::Kind kind = style_kind;
-    const std::array<double, 8> look{static_cast<double>(segment),
+    const std::array<double, 9> look{static_cast<double>(segment),
                                      static_cast<double>(kind),
                                      colour.r,
                                      colour.g,
                                      colour.b,
                                      width,
                                      dash,
-                                     gap};
+                                     gap,
+                                     number_of(of_kinds)};
     const auto number = static_cast<std::uint32_t>(numbers.size());
     std::fill(of_items.begin() + item, of_items.begin() + end,
               numbers.try_emplace(look, number).first->second);
@@ -68,6 +76,11 @@ std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene) {
   }
   if (numbers.size() < 2) of_items.clear();
   return of_items;
+}
+
+LineStyle style_of_stroke(const ViewedScene& scene, ViewedScene::Item item, LineKinds kinds) {
+  const LineStyle& line = scene.line_style(item);
+  return scene.kind(item) == Primitives::Kind::line ? line : side_line_style(line, kinds);
 }
 
 std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene) {

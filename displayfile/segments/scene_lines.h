@@ -15,6 +15,9 @@ std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
 /// For each item a number of its segment and line style, since one stroke does not join different
 /// ones. Empty if there is one.
 std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
+/// The style of a stroke of an item, not hidden: of a line, or of a polygon's side, or line of
+/// intersection, of these kinds.
+LineStyle style_of_stroke(const ViewedScene& scene, ViewedScene::Item item, LineKinds kinds);
 /// Throws Error for a plan whose method finds no lines.
 FoundLines find_lines(const ViewedScene& scene, const SurfacePlan& plan);
 

@@ -70,14 +70,14 @@ struct SortedScene {
   /// SAVE-POLYGONS-IN-ORDER (algorithm 9.16): calls the visitor for each instruction, back to
   /// front, as Instructions::walk does; styles, pick identifiers and segments where they change,
   /// and, if the visitor has them, line_kinds(LineKinds), line_pick(int) and line_cuts(LineCuts)
-  /// for the lines that follow, initially kDrawn, -1 and none; and corner_cuts(span<const uint8_t>)
-  /// before a polygon with a cut drawn side: 1 for each corner at a cut. A visitor that draws a
-  /// picture has is_crumb(Point3, Point3), which returns whether a stroke in the line style in
-  /// force is shorter than its pen is wide: it gets strokes as drawn in pictures
-  /// (OrderedScene::strokes_of_picture), without crumbs. disjoint_polygons(true), if the visitor
-  /// has it, precedes the polygons of a map, which do not overlap, and disjoint_polygons(false)
-  /// follows them: a segment named in between has then ended. Texts come last. A fill with known
-  /// shadows has its colour in light or in shadow, and no shadow.
+  /// for the lines that follow, initially kDrawn, -1 and none, with kHiddenLine for hidden ones;
+  /// and corner_cuts(span<const uint8_t>) before a polygon with a cut drawn side: 1 for each corner
+  /// at a cut. A visitor that draws a picture has is_crumb(Point3, Point3), which returns whether a
+  /// stroke in the line style in force is shorter than its pen is wide: it gets strokes as drawn in
+  /// pictures (OrderedScene::strokes_of_picture), without crumbs. disjoint_polygons(true), if the
+  /// visitor has it, precedes the polygons of a map, which do not overlap, and
+  /// disjoint_polygons(false) follows them: a segment named in between has then ended. Texts come
+  /// last. A fill with known shadows has its colour in light or in shadow, and no shadow.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -183,14 +183,10 @@ class PieceWriter {
     const bool is_line = scene().kind(piece.item) == Primitives::Kind::line;
     if (is_line || is_stroke_) {
       assert(points.size() == 2);
-      const LineStyle& style = scene().line_style(piece.item);
-      check_line_style(is_hidden_ ? hidden_line_style(style) : style);
-      if (!is_line) {
-        check_pick(ordered_->pieces.pick_item(piece));
-        check_line_kinds(ordered_->pieces.visible[piece.first + 1]);
-      } else {
-        check_line_kinds(kDrawn);
-      }
+      const LineKinds kinds = is_line ? kDrawn : ordered_->pieces.visible[piece.first + 1];
+      check_stroke_style(piece.item, kinds);
+      if (!is_line) check_pick(ordered_->pieces.pick_item(piece));
+      check_line_kinds(is_hidden_ ? static_cast<LineKinds>(kinds | kHiddenLine) : kinds);
       check_line_pick(is_line ? piece.item : ordered_->pieces.pick_item(piece));
       if constexpr (kDrawsPicture) {
         if (part_.is_alone && visit_.is_crumb(points[0], points[1])) return;
@@ -220,6 +216,15 @@ class PieceWriter {
     line_known_ = true;
     line_ = style;
     visit_.line_style(style);
+  }
+
+  /// A line's, or that of a polygon's side of these kinds.
+  void check_stroke_style(std::uint32_t item, LineKinds kinds) {
+    const LineStyle& line = scene().line_style(item);
+    const bool is_line = scene().kind(item) == Primitives::Kind::line;
+    if (!is_hidden_ && (is_line || line.of_kinds.empty())) return check_line_style(line);
+    const LineStyle visible = is_line ? line : side_line_style(line, kinds);
+    check_line_style(is_hidden_ ? hidden_line_style(visible) : visible);
   }
 
   void check_line_kinds(LineKinds kinds) {

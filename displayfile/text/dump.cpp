@@ -7,10 +7,12 @@
 #include <ostream>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "clip/base/collected_text.h"
 #include "clip/base/round_to_nearest.h"
+#include "displayfile/entered/styled_sides.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/text/characters.h"
 
@@ -54,6 +56,11 @@ class Dumper {
                light.w);
   }
   void line_style(const LineStyle& style) {
+    line_ = style;
+    line_is_written_ = true;
+    write_style(style);
+  }
+  void write_style(const LineStyle& style) {
     const Colour& c = style.colour;
     switch (style.kind) {
       case LineStyle::Kind::none: return write_line(FMT_COMPILE("line-style none"));
@@ -69,6 +76,7 @@ class Dumper {
                style.always ? " always" : "");
   }
   void text(const Point3& p, std::string_view characters) {
+    check_line_style();
     write_line(FMT_COMPILE("text {} {} {} {}"), p.x, p.y, p.z, in_quotation_marks(characters));
   }
   void segment(int name, bool visible = true) {
@@ -79,7 +87,11 @@ class Dumper {
   }
   void pick(int id) { write_line(FMT_COMPILE("pick {}"), id); }
   void move(const Point3& p) { write_line(FMT_COMPILE("move {} {} {}"), p.x, p.y, p.z); }
-  void line(const Point3& p) { write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z); }
+  void line(const Point3& p) {
+    check_line_style();
+    write_line(FMT_COMPILE("line {} {} {}"), p.x, p.y, p.z);
+  }
+  void side_kinds(std::span<const LineKinds> kinds) { kinds_ = kinds; }
   void intensities(std::span<const double> values) {
     if (!fills_) write_line(FMT_COMPILE("intensities {}"), fmt::join(values, " "));
   }
@@ -95,19 +107,58 @@ class Dumper {
     write_line(FMT_COMPILE("normals {}"), fmt::join(components_, " "));
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const auto kinds = std::exchange(kinds_, {});
+    check_line_style();
+    if (line_.kind == LineStyle::Kind::none || line_.of_kinds.empty()) {
+      return write_polygon(vertices, sides);
+    }
+    own_.assign(sides.size(), op::move);
+    styled_.for_each(line_, kinds, sides, [&](const LineStyle& style, const auto& of_style) {
+      if (style == line_) own_.assign(of_style.begin(), of_style.end());
+    });
+    write_polygon(vertices, own_);
+    styled_.for_each(line_, kinds, sides, [&](const LineStyle& style, const auto& of_style) {
+      if (style != line_) write_sides(style, vertices, of_style);
+    });
+  }
+
+ private:
+  void write_polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     const Point3& start = vertices.back();
     write_line(FMT_COMPILE("polygon {} {} {} {}"), vertices.size(), start.x, start.y, start.z);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       sides[i] == op::line ? line(vertices[i]) : move(vertices[i]);
     }
   }
+  /// As lines after the polygon. The pen returns to its last vertex.
+  void write_sides(const LineStyle& style, std::span<const Point3> vertices,
+                   std::span<const std::int32_t> sides) {
+    write_style(style);
+    line_is_written_ = true;  // this one, for its lines
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (sides[i] != op::line) continue;
+      move(vertices[i == 0 ? sides.size() - 1 : i - 1]);
+      line(vertices[i]);
+    }
+    move(vertices.back());
+    line_is_written_ = false;
+  }
+  void check_line_style() {
+    if (line_is_written_) return;
+    line_is_written_ = true;
+    write_style(line_);
+  }
 
- private:
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16;
   std::ostream& out_;
-  std::optional<Colour> fills_;  // of all that is solid
-  bool fills_written_ = false;   // and in force
-  std::optional<Light> light_;   // in force
+  std::optional<Colour> fills_;         // of all that is solid
+  bool fills_written_ = false;          // and in force
+  std::optional<Light> light_;          // in force
+  LineStyle line_;                      // in force
+  bool line_is_written_ = true;         // not that of a polygon's sides
+  std::span<const LineKinds> kinds_{};  // of the sides of the polygon that follows
+  StyledSides styled_;
+  std::vector<std::int32_t> own_;  // sides in the line style
   std::vector<double> components_;
   fmt::memory_buffer buffer_;
   std::unordered_set<int> met_;  // segments

@@ -47,6 +47,39 @@ void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routin
   system.set_line_style(take_line_style(line, routine));
 }
 
+/// KIND width|same [solid | dashed [dash gap]] [r g b]
+void line_kind_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  const std::size_t count = line.arguments();
+  if (count < 2) wrong_count(line, routine);
+  const StyledLines lines = understood(line.take_word(), styled_lines);
+  LineKindStyle style;
+  std::size_t used = 2;
+  if (line.argument(1) == "same") {
+    line.take_word();
+  } else {
+    style.width = line.take<double>();
+  }
+  const auto is = [&](std::string_view word) {
+    return used < count && line.argument(used) == word;
+  };
+  if (is("solid") || is("dashed")) {
+    style.kind = line.take<LineStyle::Kind>();
+    ++used;
+  }
+  const std::size_t numbers = count - used;
+  const bool has_dashes = numbers == 2 || numbers == 5;
+  if ((numbers != 0 && numbers != 3 && !has_dashes) ||
+      (has_dashes && style.kind != LineStyle::Kind::dashed)) {
+    wrong_count(line, routine);
+  }
+  if (has_dashes) {
+    style.dash = line.take<double>();
+    style.gap = line.take<double>();
+  }
+  if (numbers >= 3) style.colour = line.take<Point3>();
+  system.set_line_kind_style(lines, style);
+}
+
 void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   if (line.arguments() == 1 && line.argument(0) == "same") {
     line.take_word();

@@ -12,6 +12,7 @@ namespace displayfile::routine_calls {
 
 void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void line_kind_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine);

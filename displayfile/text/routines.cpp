@@ -111,6 +111,13 @@ constexpr auto kAttributes = std::to_array<Routine>({
                         "solid r g b [width] | dashed r g b [width [dash gap]] | none",
                         "Style of the lines and polygon sides that follow [solid 0 0 0 1]. Width, "
                         "dash and gap are in pixels."),
+    varying<line_kind_style>(
+        "set-line-kind-style",
+        "outline|boundary|crease|material|intersection|all|hidden width|same [solid|dashed [dash "
+        "gap]] [r g b]",
+        "Style of polygon sides of one kind of set-lines, or of hidden lines (kind hidden), in "
+        "place of the line style, for primitives that follow. Lengths are in pixels; same alone "
+        "restores the default [same; hidden: dashed and half as wide, at least 0.5]."),
     varying<text_style>("set-text-style", "size [left|centre|right] [always]",
                         "Size of the letters of texts that follow, as a fraction of the picture's "
                         "height, and the point of the base line at the current position [0.03 "

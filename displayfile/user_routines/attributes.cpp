@@ -2,13 +2,50 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/crease_angle.h"
 #include "clip/unit.h"
 #include "displayfile/user_routines/ranges.h"
+#include "displayfile/user_routines/system_inside.h"
 
 namespace displayfile {
+
+namespace {
+
+void require_line_length(double length) {
+  if (length > 0.0 && length <= 1e6) return;
+  throw Error(
+      fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6", length));
+}
+
+void require_line_kind_style(const LineKindStyle& style) {
+  if (style.kind == LineStyle::Kind::none) {
+    throw Error("style of a kind of lines: expected solid or dashed, not none");
+  }
+  if (style.dash.has_value() != style.gap.has_value() ||
+      (style.dash && style.kind != LineStyle::Kind::dashed)) {
+    throw Error("style of a kind of lines: expected dash and gap together, with dashed");
+  }
+  for (const auto& length : {style.width, style.dash, style.gap}) {
+    if (length) require_line_length(*length);
+  }
+  if (style.colour) require_colour(*style.colour);
+}
+
+/// As set-line-kind-style has it, after the kind.
+std::string words_of(const LineKindStyle& style) {
+  std::string words = style.width ? fmt::format("{}", *style.width) : "same";
+  if (style.kind) words += *style.kind == LineStyle::Kind::solid ? " solid" : " dashed";
+  if (style.dash) words += fmt::format(" {} {}", *style.dash, *style.gap);
+  if (const auto& c = style.colour) words += fmt::format(" {} {} {}", c->r, c->g, c->b);
+  return words;
+}
+
+}  // namespace
 
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
   state_->attributes_changed();
@@ -26,7 +63,9 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
 void GraphicsSystem::set_line_style(const LineStyle& style) {
   const LineStyle checked = state_->require_line_style(style);
   state_->attributes_changed();
-  state_->attributes_.line = checked;
+  LineStyle& line = state_->attributes_.line;
+  line = {checked.kind, checked.colour, checked.width, checked.dash, checked.gap, line.of_kinds};
+  state_->replace_width(line);
   state_->explicit_.insert(Setting::line_style);
   state_->record_line_style("set-line-style", checked);
 }
@@ -35,13 +74,9 @@ void GraphicsSystem::set_line_style(const LineStyle& style) {
 LineStyle GraphicsSystem::State::require_line_style(const LineStyle& style) {
   if (style.kind == LineStyle::Kind::none) return {LineStyle::Kind::none};
   require_colour(style.colour);
-  for (const double length : {style.width, style.dash, style.gap}) {
-    if (length > 0.0 && length <= 1e6) continue;
-    throw Error(
-        fmt::format("line width or dash {}: expected more than 0 pixels and at most 1e6", length));
-  }
-  if (style.kind == LineStyle::Kind::dashed) return style;
-  return {style.kind, style.colour, style.width};
+  for (const double length : {style.width, style.dash, style.gap}) require_line_length(length);
+  if (style.kind != LineStyle::Kind::dashed) return {style.kind, style.colour, style.width};
+  return {style.kind, style.colour, style.width, style.dash, style.gap};
 }
 
 void GraphicsSystem::State::record_line_style(std::string_view routine, const LineStyle& style) {
@@ -52,6 +87,38 @@ void GraphicsSystem::State::record_line_style(std::string_view routine, const Li
     case LineStyle::Kind::dashed:
       return record(routine, {"dashed", c.r, c.g, c.b, style.width, style.dash, style.gap});
   }
+}
+
+void GraphicsSystem::set_line_kind_style(StyledLines lines, const LineKindStyle& style) {
+  require_line_kind_style(style);
+  if (!state_->has_replaced_style(lines)) state_->change_line_kind_style(lines, style);
+  state_->record("set-line-kind-style", {name_of(lines), std::string_view(words_of(style))});
+}
+
+void GraphicsSystem::State::change_line_kind_style(StyledLines lines, const LineKindStyle& style) {
+  attributes_changed();
+  LineKindStyles& of_kinds = attributes_.line.of_kinds;
+  of_kinds = of_kinds.with(lines, style);
+}
+
+void GraphicsSystem::State::replace_width(LineStyle& line) const {
+  if (line.kind != LineStyle::Kind::none) line.width = width_replaced_.value_or(line.width);
+}
+
+void SystemInside::replace_line_width(GraphicsSystem& system, double pixels) {
+  require_line_length(pixels);
+  GraphicsSystem::State& s = *system.state_;
+  s.attributes_changed();
+  s.width_replaced_ = pixels;
+  s.replace_width(s.attributes_.line);
+  if (auto& lower = s.surface_looks_.lower_line) s.replace_width(*lower);
+}
+
+void SystemInside::replace_line_kind_style(GraphicsSystem& system, StyledLines lines,
+                                           const LineKindStyle& style) {
+  require_line_kind_style(style);
+  system.state_->change_line_kind_style(lines, style);
+  system.state_->styles_replaced_ |= 1u << static_cast<unsigned>(lines);
 }
 
 void GraphicsSystem::set_text_style(const TextStyle& style) {

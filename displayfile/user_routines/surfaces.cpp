@@ -49,6 +49,7 @@ void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style)
   const LineStyle checked = state_->require_line_style(*style);
   state_->record_line_style("set-lower-line-style", checked);
   state_->surface_looks_.lower_line = checked;
+  state_->replace_width(*state_->surface_looks_.lower_line);
 }
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
@@ -94,12 +95,13 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
 /// again.
 void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
                                         Segment& segment) {
-  constexpr LineStyle kNotDrawn{LineStyle::Kind::none};
+  const LineStyle not_drawn{LineStyle::Kind::none};
   const LineStyle in_force = attributes_.line;
-  const LineStyle upper = surface_looks_.sides == SurfaceSides::lower ? kNotDrawn : in_force;
-  const LineStyle lower = surface_looks_.sides == SurfaceSides::upper
-                              ? kNotDrawn
-                              : surface_looks_.lower_line.value_or(in_force);
+  const LineStyle upper = surface_looks_.sides == SurfaceSides::lower ? not_drawn : in_force;
+  LineStyle lower = surface_looks_.sides == SurfaceSides::upper
+                        ? not_drawn
+                        : surface_looks_.lower_line.value_or(in_force);
+  lower.of_kinds = upper.of_kinds;
   if (upper != lower) {
     attributes_.line = upper;
     attributes_.dark_line = lower;

@@ -37,6 +37,13 @@ class SystemInside {
   /// The same for the selection of lines.
   static void replace_lines(GraphicsSystem& system, const LineSelection& selection);
 
+  /// The same for the width of line styles, in pixels, but not of those of kinds of lines. Error: a
+  /// width that is not above 0 or exceeds 1e6.
+  static void replace_line_width(GraphicsSystem& system, double pixels);
+  /// The same for the style of one kind of lines.
+  static void replace_line_kind_style(GraphicsSystem& system, StyledLines lines,
+                                      const LineKindStyle& style);
+
   static const CuttingPlanes& cutting_planes(const GraphicsSystem& system);
 
   /// Adds a comment line to the recorded program.

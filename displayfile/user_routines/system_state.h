@@ -63,6 +63,11 @@ struct GraphicsSystem::State {
   }
   static LineStyle require_line_style(const LineStyle& style);
   void record_line_style(std::string_view routine, const LineStyle& style);
+  void change_line_kind_style(StyledLines lines, const LineKindStyle& style);
+  void replace_width(LineStyle& line) const;
+  bool has_replaced_style(StyledLines lines) const {
+    return (styles_replaced_ >> static_cast<unsigned>(lines) & 1u) != 0;
+  }
   void discard_solid();
   void require_open() const;
   void require_view_may_change() const;
@@ -149,6 +154,8 @@ struct GraphicsSystem::State {
   HiddenSurfaces surfaces_;
   SurfacePlan as_closed_;  // of close_segment: threads and progress
   bool lines_replaced_ = false;
+  unsigned styles_replaced_ = 0;          // a bit for each StyledLines
+  std::optional<double> width_replaced_;  // of line styles
   Recorder* recorder_ = nullptr;
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // the system's, for world_ray_cast and set_lines

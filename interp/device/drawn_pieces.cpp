@@ -1,12 +1,17 @@
 #include "interp/device/output_device.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/round_to_nearest.h"
+#include "clip/corners.h"
 #include "clip/surfaces.h"
 #include "displayfile/entered/intensity_plane.h"
+#include "displayfile/entered/styled_sides.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "displayfile/segments/display_file.h"
@@ -47,17 +52,11 @@ class PieceGatherer {
     pen_ = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
-    const bool solid = fill_.kind == FillStyle::Kind::solid;
     const bool has_lines = line_.kind != LineStyle::Kind::none;
-    if (solid || has_lines) {
-      pieces_.points.insert(pieces_.points.end(), vertices.begin(), vertices.end());
-      for (std::size_t i = 0; i < sides.size(); ++i) {
-        const LineKinds kinds = of_sides_.empty() ? kDrawn : of_sides_[i];
-        pieces_.sides.push_back(has_lines && sides[i] == op::line ? kinds : LineKinds{0});
-        const bool is_cut = has_lines && !of_corners_.empty() && of_corners_[i] != 0;
-        pieces_.cuts.push_back(is_cut ? 1 : 0);
-      }
-      end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
+    if (!has_lines || line_.of_kinds.empty()) {
+      polygon_piece(vertices, sides);
+    } else {
+      polygon_and_sides(vertices, sides);
     }
     of_sides_ = {};
     of_corners_ = {};
@@ -66,6 +65,43 @@ class PieceGatherer {
   }
 
  private:
+  void polygon_piece(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    const bool solid = fill_.kind == FillStyle::Kind::solid;
+    const bool has_lines = line_.kind != LineStyle::Kind::none;
+    if (!solid && !has_lines) return;
+    pieces_.points.insert(pieces_.points.end(), vertices.begin(), vertices.end());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      pieces_.sides.push_back(has_lines && sides[i] == op::line ? kinds_of_side(i) : LineKinds{0});
+      pieces_.cuts.push_back(has_lines && is_cut(i) ? 1 : 0);
+    }
+    end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
+  }
+  /// Sides in other styles than the polygon's are lines after it.
+  void polygon_and_sides(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
+    own_.assign(sides.size(), op::move);
+    styled_.for_each(line_, of_sides_, sides, [&](const LineStyle& style, const auto& of_style) {
+      if (style == line_) own_.assign(of_style.begin(), of_style.end());
+    });
+    const bool has_own = std::ranges::find(own_, op::line) != own_.end();
+    if (fill_.kind == FillStyle::Kind::solid || has_own) polygon_piece(vertices, own_);
+    styled_.for_each(line_, of_sides_, sides, [&](const LineStyle& style, const auto& of_style) {
+      if (style == line_) return;
+      for (std::size_t i = 0; i < of_style.size(); ++i) {
+        if (of_style[i] == op::line) side_piece(vertices, i, style);
+      }
+    });
+  }
+  void side_piece(std::span<const Point3> vertices, std::size_t side, const LineStyle& style) {
+    const std::size_t before = previous_corner(side, vertices.size());
+    pieces_.points.insert(pieces_.points.end(), {vertices[before], vertices[side]});
+    pieces_.sides.insert(pieces_.sides.end(), {std::uint8_t{0}, kinds_of_side(side)});
+    pieces_.cuts.insert(pieces_.cuts.end(),
+                        {std::uint8_t{is_cut(before)}, std::uint8_t{is_cut(side)}});
+    steps_.step();
+    pieces_.end_piece({Kind::line, style.colour, style, pick_, segment_});
+  }
+  LineKinds kinds_of_side(std::size_t i) const { return of_sides_.empty() ? kDrawn : of_sides_[i]; }
+  bool is_cut(std::size_t i) const { return !of_corners_.empty() && of_corners_[i] != 0; }
   Colour even_colour() {
     const auto shades = vertex_intensities(of_vertices_, intensities_);
     return (shades.empty() ? fill_ : lit(fill_, mean_intensity(shades))).colour;
@@ -86,6 +122,8 @@ class PieceGatherer {
   std::span<const std::uint8_t> of_corners_{};  // likewise
   VertexShading of_vertices_{};                 // likewise
   std::vector<double> intensities_;
+  StyledSides styled_;
+  std::vector<std::int32_t> own_;  // sides in the polygon's style
   Point3 pen_{0.0};
   WorkSteps steps_;
 };

@@ -5,6 +5,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/intensity.h"
 #include "displayfile/entered/instructions.h"
+#include "displayfile/entered/styled_sides.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "hidden/lines/strokes_once.h"
@@ -27,6 +28,18 @@ FillStyle even_fill(const DrawnPolygon& polygon) {
 
 namespace {
 
+/// Passes the drawn sides to the device, those of each style together. `line` is not scaled.
+void draw_sides(const DrawnPolygon& polygon, const LineStyle& line, double line_scale,
+                StyledSides& styled, OutputDevice& device) {
+  styled.for_each(line, polygon.kinds, polygon.sides,
+                  [&](const LineStyle& style, std::span<const std::int32_t> sides) {
+                    const LineStyle as_drawn = scaled(style, line_scale);
+                    device.edges({polygon.vertices, sides, polygon.fill, as_drawn, polygon.pick,
+                                  polygon.intensities, polygon.kinds, polygon.normals,
+                                  polygon.light, polygon.cuts});
+                  });
+}
+
 /// Instructions in order, with the styles and the pen position in force.
 struct Interpretation {
   OutputDevice& device;
@@ -43,6 +56,8 @@ struct Interpretation {
   LineCuts cuts_of_lines{};                            // likewise
   bool in_segment = false, in_segment_before = false;  // before disjoint polygons
   std::vector<double> of_normals{};                    // intensities, of one polygon
+  LineStyle style_as_set{};                            // `style`, not scaled
+  StyledSides styled_sides{};
   WorkSteps steps{};
 
   void segment(int name) {
@@ -55,7 +70,10 @@ struct Interpretation {
     in_segment = false;
   }
   void fill(const FillStyle& s) { fill_style = s; }
-  void line_style(const LineStyle& s) { style = scaled(s, line_scale); }
+  void line_style(const LineStyle& s) {
+    style = scaled(s, line_scale);
+    style_as_set = s;
+  }
   void pick(int id) { pick_id = id; }
   void intensities(std::span<const double> values) { of_vertices = {.intensities = values}; }
   void normals(std::span<const Point3> values, const Light& light) {
@@ -92,11 +110,15 @@ struct Interpretation {
                                of_sides,          of_vertices.normals,
                                of_vertices.light, of_corners};
     if (pass != Pass::lines && fill_style.kind == FillStyle::Kind::solid) device.fill(polygon);
-    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) device.edges(polygon);
+    if (pass != Pass::fills && style.kind != LineStyle::Kind::none) edges(polygon);
     of_vertices = {};
     of_sides = {};
     of_corners = {};
     pen = vertices.back();
+  }
+  void edges(const DrawnPolygon& polygon) {
+    if (style.of_kinds.empty()) return device.edges(polygon);
+    draw_sides(polygon, style_as_set, line_scale, styled_sides, device);
   }
 };
 
@@ -121,17 +143,27 @@ void interpret(const DisplayFile& display_file, OutputDevice& device, Pass pass,
 void interpret_lines(const ViewedScene& scene, OutputDevice& device, double line_scale) {
   const FillStyle fill;
   std::vector<std::int32_t> sides;
-  for_each_outlined(scene, line_scale, [&](ViewedScene::Item item, const LineStyle& style) {
+  std::vector<LineKinds> kinds;
+  StyledSides styled;
+  for_each_outlined(scene, [&](ViewedScene::Item item, const LineStyle& style) {
     const PointRow points = scene.points(item);
     if (scene.kind(item) == Primitives::Kind::line) {
-      return device.line({points[0], points[1], style});
+      const LineStyle as_drawn = scaled(style, line_scale);
+      return device.line({points[0], points[1], as_drawn});
     }
     sides.clear();
+    kinds.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      sides.push_back(scene.edge_visible(item, i) ? op::line : op::move);
+      kinds.push_back(scene.side_kinds(item, i));
+      sides.push_back(kinds.back() != 0 ? op::line : op::move);
     }
-    device.edges({std::span<const Point3>(points.data(), points.size()), sides, fill, style,
-                  scene.pick_of_item(item)});
+    const std::span<const Point3> vertices(points.data(), points.size());
+    if (style.of_kinds.empty()) {
+      const LineStyle as_drawn = scaled(style, line_scale);
+      return device.edges({vertices, sides, fill, as_drawn, scene.pick_of_item(item)});
+    }
+    draw_sides({vertices, sides, fill, style, scene.pick_of_item(item), {}, kinds}, style,
+               line_scale, styled, device);
   });
 }
 

@@ -12,15 +12,14 @@ namespace displayfile {
 /// A style with its width and dashes multiplied by `by`.
 LineStyle scaled(LineStyle style, double by);
 
-/// Calls visit(item, style) for the items of a scene that draw lines, in order of entry; the style
-/// has scaled width and dashes.
+/// Calls visit(item, style) for the items of a scene that draw lines, in order of entry, with the
+/// line style of each, which is not scaled.
 template <class Visit>
-void for_each_outlined(const ViewedScene& scene, double line_scale, Visit&& visit) {
+void for_each_outlined(const ViewedScene& scene, Visit&& visit) {
   const auto runs = scene.line_styles();
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    LineStyle style = runs[k].style;
+    const LineStyle& style = runs[k].style;
     if (style.kind == LineStyle::Kind::none) continue;
-    style = scaled(style, line_scale);
     const ViewedScene::Item end = k + 1 < runs.size() ? runs[k + 1].first : scene.items();
     for (ViewedScene::Item item = runs[k].first; item < end; ++item) visit(item, style);
   }

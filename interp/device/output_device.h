@@ -116,7 +116,8 @@ struct DrawnPieces {
   /// Device coordinates: x and y in [0,1] over the picture, y up, larger z nearer to the viewer.
   std::vector<Point3> points;
   /// For each point 1, or the kinds of line (clip/surfaces.h), if the side that ends at it is
-  /// drawn; 0 if not, as for sides made by cuts.
+  /// drawn; 0 if not, as for sides made by cuts. kHiddenLine is added for a line that is drawn
+  /// although it is hidden. Sides of a kind with a style of its own are lines after their polygon.
   std::vector<std::uint8_t> sides;
   /// For each point 1 if a line, or a drawn side, is cut there: it continues, but its rest may be
   /// hidden. A thick line has no cap there.

@@ -262,12 +262,15 @@ DrawnPieces found(const PiecesRequest& request) {
 }
 
 /// Points, the first of each piece, what it is of, its sides, which lines are hidden, and which
-/// points are cuts.
+/// points are cuts. Kinds of sides are without kHiddenLine.
 py::tuple arrays_found(const PiecesRequest& request) {
   DrawnPieces pieces = without_interpreter([&] { return found(request); });
   std::vector<std::uint8_t> is_hidden(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    is_hidden[k] = pieces.line_kinds[k] == DrawnPieces::Line::dashed;
+    if (pieces.kinds[k] != DrawnPieces::Kind::line) continue;
+    LineKinds& kinds = pieces.sides[pieces.first[k] + 1];
+    is_hidden[k] = is_hidden_line(kinds) ? 1 : 0;
+    kinds = static_cast<LineKinds>(kinds & ~kHiddenLine);
   }
   return py::make_tuple(owned(std::move(pieces.points)), owned(std::move(pieces.first)),
                         owned(std::move(pieces.picks)), owned(std::move(pieces.sides)),

@@ -47,7 +47,7 @@ class LinePainter {
   void edges(const DrawnPolygon& polygon, Plot&& plot) {
     if (!may_reach_rows(polygon.vertices, polygon.line.width)) return;
     outline(
-        polygon.vertices, polygon.line,
+        polygon.vertices, [&](std::size_t) -> const LineStyle& { return polygon.line; },
         [&](std::size_t side) { return polygon.sides[side] == op::line; },
         [](std::size_t) { return WholeLine(); }, plot);
   }
@@ -75,18 +75,24 @@ class LinePainter {
       }
       return SeenOfLine(pieces.subspan(first, next - first));
     };
-    for_each_outlined(scene, line_scale, [&](Item item, const LineStyle& style) {
+    for_each_outlined(scene, [&](Item item, const LineStyle& line) {
       while (next < pieces.size() && pieces[next].item < item) ++next;
       if (scene.kind(item) == Primitives::Kind::line) {
         const PointRow points = scene.points(item);
+        const LineStyle style = scaled(line, line_scale);
         return draw_line({points[0], points[1], style}, pieces_of(item, 1), plot);
       }
       if (next == pieces.size() || pieces[next].item != item) return;
       const PointRow points = scene.points(item);
       const std::span<const Point3> vertices(points.data(), points.size());
-      if (!may_reach_rows(vertices, style.width)) return;
+      LineStyle style = scaled(line, line_scale);
+      const auto style_of = [&](std::size_t side) -> const LineStyle& {
+        if (line.of_kinds.empty()) return style;
+        return style = scaled(side_line_style(line, scene.side_kinds(item, side)), line_scale);
+      };
+      if (line.of_kinds.empty() && !may_reach_rows(vertices, style.width)) return;
       outline(
-          vertices, style, [&](std::size_t side) { return scene.edge_visible(item, side); },
+          vertices, style_of, [&](std::size_t side) { return scene.edge_visible(item, side); },
           [&](std::size_t side) { return pieces_of(item, side); }, plot);
     });
   }
@@ -99,15 +105,15 @@ class LinePainter {
     dash_end_ = pixel(line.to);
   }
 
-  /// The sides that are drawn, each where seen_of(side) says.
-  template <class IsDrawn, class SeenOf, class Plot>
-  void outline(std::span<const Point3> vertices, const LineStyle& style, const IsDrawn& is_drawn,
+  /// The sides that are drawn, each in style_of(side) and where seen_of(side) says.
+  template <class StyleOf, class IsDrawn, class SeenOf, class Plot>
+  void outline(std::span<const Point3> vertices, const StyleOf& style_of, const IsDrawn& is_drawn,
                const SeenOf& seen_of, Plot&& plot) {
     DashPhase phase;
     Point3 from = vertices.back();
     for (std::size_t side = 0; side < vertices.size(); ++side) {
       if (is_drawn(side)) {
-        scan_convert({from, vertices[side], style}, phase, seen_of(side), plot);
+        scan_convert({from, vertices[side], style_of(side)}, phase, seen_of(side), plot);
       } else {
         phase = {};
       }

@@ -19,7 +19,8 @@ void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
   for (std::size_t k = 0; k < order.pieces.size(); ++k) {
     const SortedPiece& piece = order.pieces[k];
     const Point3 &from = order.points[piece.first], &to = order.points[piece.first + 1];
-    const LineStyle& style = group.scene->line_style(piece.item);
+    const LineStyle style =
+        style_of_stroke(*group.scene, piece.item, order.visible[piece.first + 1]);
     if (order.is_hidden(k)) {
       group.hidden.push_back({from, to, hidden_line_style(style)});
     } else {

@@ -28,6 +28,7 @@ constexpr std::size_t kLongestPath = 1000;
 /// True if the lines drawn along the polygon's edges cover its seams.
 bool edges_cover_seams(const DrawnPolygon& polygon) {
   return polygon.line.kind == LineStyle::Kind::solid && polygon.line.width >= kSeamWidth &&
+         polygon.line.of_kinds.empty() &&
          std::ranges::all_of(polygon.sides, [](std::int32_t side) { return side == op::line; });
 }
 

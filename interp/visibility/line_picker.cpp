@@ -8,6 +8,7 @@
 
 #include "clip/corners.h"
 #include "clip/rectangle.h"
+#include "displayfile/segments/scene_lines.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/support_plane.h"
 
@@ -73,6 +74,12 @@ PixelBox LinePicker::box_of(const Point2& low, const Point2& high, double margin
           pixel(low.y, size_.height, -beyond), pixel(high.y, size_.height, beyond) + 1};
 }
 
+/// In pixels.
+double LinePicker::half_width(const Entry& entry) const {
+  const LineKinds kinds = scene_.side_kinds(entry.item, entry.to);
+  return style_of_stroke(scene_, entry.item, kinds).width / 2.0;
+}
+
 void LinePicker::enter_lines(int threads) {
   Fill next = 1;
   for (Item item = 0; item < scene_.items(); ++item) {
@@ -92,7 +99,7 @@ void LinePicker::enter_lines(int threads) {
         const auto points = scene_.points(entry.item);
         const Point2 to(points[entry.to]);
         const Point2 from(points[previous_corner<std::size_t>(entry.to, points.size())]);
-        const double margin = scene_.line_style(entry.item).width / 2.0;
+        const double margin = half_width(entry);
         return DeepPixelBox{box_of(glm::min(from, to), glm::max(from, to), margin), 0.0F};
       },
       threads);
@@ -285,7 +292,7 @@ std::optional<LinePicker::Found> LinePicker::nearest(const Point2& at, double re
     const std::uint32_t number = lines_.order()[position];
     const Entry& entry = entries_[number];
     const Line line = line_of(entry);
-    const double far = std::max(reach, scene_.line_style(entry.item).width / 2.0);
+    const double far = std::max(reach, half_width(entry));
     const auto stretch = stretch_within(line, at, far);
     if (!stretch) return false;
     const Point2 from = pixel(line.stored[0]), along = pixel(line.stored[1]) - from;

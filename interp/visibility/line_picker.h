@@ -53,6 +53,7 @@ class LinePicker {
   void enter_fills(int threads);
   PixelBox box_of(const Point2& low, const Point2& high, double margin) const;
   Line line_of(const Entry& entry) const;
+  double half_width(const Entry& entry) const;
   Point2 pixel(const Point3& device) const {
     return {device.x * size_.width, device.y * size_.height};
   }

@@ -122,6 +122,14 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   background.add_to(command);
   paper.add_to(command);
   command
+      .add_option(
+          "--line-width", line_width,
+          "width of lines, overriding programs, except for kinds with a width of their own "
+          "(--lines): in pixels, in mm with --paper or --pens, or with a unit (0.35mm, 1pt, "
+          "2px)")
+      ->type_name("WIDTH")
+      ->group(kPictureOptions);
+  command
       .add_option("--turntable", turntable,
                   "N views at equal angles around the up axis: OUT.png becomes OUT-000.png, "
                   "OUT-001.png, ..., --ids and --depth likewise. All are drawn from one BSP tree, "
@@ -185,9 +193,22 @@ ViewsDrawn DrawCommand::views_drawn() const {
   return {all, range.first, range.end};
 }
 
+/// On the paper of the options, if they set one.
+PixelSize DrawCommand::pixel_size() const {
+  const DrawOptions all = all_options();
+  std::optional<Paper> sheet = all.vectors.paper;
+  if (!sheet && all.pens) sheet.emplace();
+  if (!sheet) return {};
+  return {fit_on_paper(*sheet, all.width, all.height).pixel, true};
+}
+
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
-  words.lines = hidden_surfaces.line_selection();
+  if (const auto lines = hidden_surfaces.line_words()) {
+    words.lines = lines->selection();
+    words.line_styles = lines->styles(pixel_size());
+  }
+  if (line_width) words.line_width = line_width_of_option(*line_width, pixel_size());
   words.touching = hidden_surfaces.touching_in_force();
   const bool for_pens = paper.pens || !paper.hatch.empty();
   if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
@@ -367,7 +388,7 @@ int DrawCommand::run() {
   inputs = input_names(inputs);
   const DrawOptions drawing = all_options();
   starting_shading();
-  hidden_surfaces.line_selection();
+  entering();
   hidden_surfaces.touching_in_force();
   views_drawn();
   if (pick) pick_option(*pick);

@@ -37,9 +37,10 @@ struct DrawCommand {
   ShadingWord shading;  ///< that the inputs start with
   MeshWords meshes;
   bool stats = false;
-  bool quiet = false;                    ///< no warnings; inputs not drawn are listed at the end
-  bool explain = false;                  ///< what `auto` picked, and why
-  std::optional<std::string> pick;       ///< where (programs/options/pick_option.h)
+  bool quiet = false;                     ///< no warnings; inputs not drawn are listed at the end
+  bool explain = false;                   ///< what `auto` picked, and why
+  std::optional<std::string> line_width;  ///< in words (programs/options/line_words.h)
+  std::optional<std::string> pick;        ///< where (programs/options/pick_option.h)
   std::optional<std::string> turntable;  ///< number of views (programs/command/turntable_command.h)
   std::optional<std::string> views;      ///< which of them
   std::optional<std::string> rows;       ///< which of the picture
@@ -57,6 +58,7 @@ struct DrawCommand {
   DrawOptions all_options() const;
   MeshWords entering() const;
   StartingShading starting_shading() const;
+  PixelSize pixel_size() const;
   ViewsDrawn views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.

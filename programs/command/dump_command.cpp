@@ -28,7 +28,10 @@ int DumpCommand::run() {
   inputs = input_names(inputs);
   require_files_of_their_own({output}, inputs, lists);
   MeshWords entering = meshes;
-  entering.lines = hidden_surfaces.line_selection();
+  if (const auto lines = hidden_surfaces.line_words()) {
+    entering.lines = lines->selection();
+    entering.line_styles = lines->styles({});
+  }
   entering.touching = hidden_surfaces.touching_in_force();
   const DrawnFile drawn =
       as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());

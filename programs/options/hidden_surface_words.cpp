@@ -31,8 +31,11 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
           "kinds of polygon sides drawn as lines, overriding programs, for every method; separated "
           "by commas: all (those that the line style shows), outline, boundary (sides of one "
           "polygon), crease or crease=DEGREES (sides between polygons that meet at a greater "
-          "angle; 30), intersection, material (sides between different fills)")
-      ->type_name("KIND,...")
+          "angle; 30), intersection, material (sides between different fills), and hidden (hidden "
+          "parts of lines). KIND=WIDTH sets a width, in pixels, in mm with --paper, or with a unit "
+          "(0.35mm, 1pt, 2px); after it, separated by blanks, solid or dashed [DASH GAP], and a "
+          "colour: outline=0.5,hidden='0.13 dashed'. crease=NUMBER is a width below 5")
+      ->type_name("KIND[=STYLE],...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--hidden-lines", hidden_lines,
@@ -79,15 +82,28 @@ HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
   if (!scope.empty()) read.scope = hidden_scope(scope);
   if (!precision.empty()) read.precision = displayfile::precision(precision);
   if (!hidden_lines.empty()) read.hidden_lines = displayfile::hidden_lines(hidden_lines);
+  if (const auto words = line_words(); words && words->draws_hidden()) {
+    if (read.hidden_lines == HiddenLines::none) {
+      throw Error("--lines " + *lines + ": hidden lines are not drawn with --hidden-lines none");
+    }
+    read.hidden_lines = HiddenLines::dashed;
+  }
   return read;
 }
 
 LineSelection line_selection_of_option(const std::string& words) {
-  try {
-    return line_selection(words);
-  } catch (const Error& error) {
-    throw Error("--lines: " + std::string(error.what()));
+  const LineWords read(words);
+  if (read.has_styles() || !read.selection()) {
+    throw Error("--lines " + words +
+                ": styles of kinds and hidden lines are options of draw and dump: expected kinds "
+                "alone");
   }
+  return *read.selection();
+}
+
+std::optional<LineWords> HiddenSurfaceWords::line_words() const {
+  if (!lines) return std::nullopt;
+  return LineWords(*lines);
 }
 
 std::optional<LineSelection> HiddenSurfaceWords::line_selection() const {

@@ -6,6 +6,7 @@
 
 #include "clip/surfaces.h"
 #include "displayfile/segments/sorted_display_file.h"
+#include "programs/options/line_words.h"
 
 namespace displayfile {
 
@@ -17,7 +18,10 @@ struct HiddenSurfaceWords {
   void add_to(CLI::App& command);
   /// Throws Error for an unknown word.
   HiddenSurfaceOptions options(int threads) const;
-  /// Which lines are drawn; nothing if the programs say it. Throws Error likewise.
+  /// What --lines sets; nothing if the programs set it. Throws Error likewise.
+  std::optional<LineWords> line_words() const;
+  /// The same for commands that select lines but give kinds no styles of their own: throws Error
+  /// for a style, too.
   std::optional<LineSelection> line_selection() const;
   /// Within which distance polygons touch; nothing if the programs say it. Throws Error likewise.
   std::optional<Touching> touching_in_force() const;
@@ -27,7 +31,7 @@ struct HiddenSurfaceWords {
 void add_touching_option(CLI::App& command, std::optional<std::string>& touching);
 /// Throws Error, naming the option, for an unknown word.
 Touching touching_of_option(const std::string& word);
-/// What --lines says. Throws Error, naming the option, for an unknown word.
+/// What --lines selects. Throws Error, naming the option, for an unknown word, or a style.
 LineSelection line_selection_of_option(const std::string& words);
 
 }  // namespace displayfile

@@ -38,6 +38,10 @@ MeshOptions MeshWords::options() const {
 void MeshWords::start(GraphicsSystem& system, double aspect) const {
   CameraWords::start(system, aspect);
   if (lines) SystemInside::replace_lines(system, *lines);
+  if (line_width) SystemInside::replace_line_width(system, *line_width);
+  for (const auto& [kind, style] : line_styles) {
+    SystemInside::replace_line_kind_style(system, kind, style);
+  }
   if (touching) SystemInside::replace_touching(system, *touching);
   // Lines are selected among what is retained, also after a program's segments.
   if (lines_of_meshes) system.retain();

@@ -3,11 +3,13 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clip/surfaces.h"
 #include "displayfile/mesh/mesh.h"
 #include "programs/options/camera_options.h"
 #include "programs/options/import_words.h"
+#include "programs/options/line_words.h"
 
 namespace displayfile {
 
@@ -16,7 +18,9 @@ namespace displayfile {
 struct MeshWords : CameraWords {
   std::string colour;
   ImportWords import;
-  std::optional<LineSelection> lines;  ///< no option: what --lines selects of all inputs
+  std::optional<LineSelection> lines;    ///< no option: what --lines selects of all inputs
+  std::optional<double> line_width;      ///< no option: that of --line-width, in pixels
+  std::vector<StyleOfKind> line_styles;  ///< no option: those that --lines sets
   /// No option: what --touching sets of all inputs.
   std::optional<Touching> touching;
   /// No option: the lines of meshes, where neither --lines nor a program selects any.

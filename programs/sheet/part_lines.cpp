@@ -140,7 +140,8 @@ struct LineCollector {
 
   Point2 on_paper(const Point3& p) const { return corner + side * Point2(p); }
   void fill(const FillStyle&) {}
-  void line_style(const LineStyle& style) { hidden = style.kind == LineStyle::Kind::dashed; }
+  void line_style(const LineStyle&) {}
+  void line_kinds(LineKinds kinds) { hidden = is_hidden_line(kinds); }
   void pick(int) {}
   /// Which lines are shorter than their pen is wide is known where the scale is.
   bool is_crumb(const Point3&, const Point3&) const {

@@ -21,9 +21,9 @@ namespace displayfile {
 namespace {
 
 constexpr double kLetterHeight = 0.026;  // of the picture's height, where that is not narrow
-constexpr LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
-constexpr LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
-constexpr LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
+const LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
+const LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
+const LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
 
 /// What a box around the surfaces is.
 struct SurfaceBox {

@@ -38,6 +38,7 @@ def test_programs(program):
 def entered(system: PicklableSystem) -> PicklableSystem:
     system.set_perspective(3, 2, 6)
     system.set_line_style("solid", 0, 0, 0, 2.0)
+    system.set_line_kind_style("outline", 3, "dashed", 4, 2, 1, 0, 0)
     system.open_segment(1)
     system.set_fill_style("solid", 0.9, np.float64(0.4), 0.2)
     system.set_pick_id(7)

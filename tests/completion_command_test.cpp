@@ -70,10 +70,10 @@ class Completion : public Command {
 
 /// The words that a message says it expected.
 Words Completion::words_expected(const std::string& message) const {
-  static const Words kSentence{"a",    "after",  "and",     "as",         "blue",     "cases",
-                               "each", "family", "green",   "hard",       "in",       "it",
-                               "of",   "one",    "or",      "red",        "some",     "such",
-                               "to",   "with",   "without", "-landscape", "-portrait"};
+  static const Words kSentence{"a",    "after",  "and",   "as",      "blue",       "cases",
+                               "each", "family", "green", "hard",    "in",         "it",
+                               "name", "of",     "one",   "or",      "red",        "some",
+                               "such", "to",     "with",  "without", "-landscape", "-portrait"};
   std::smatch found;
   Words words;
   const std::regex sentence("(expected|[a-z] is|[a-z] are) (.*?)(, not '.*)?\n");
@@ -167,6 +167,8 @@ TEST_F(Completion, OffersWhatMayStandAtThePlace) {
   EXPECT_EQ(offered("truth --hidden ''"),
             (Words{"appel", "franklin", "perimeter", "plain-appel", "roberts"}));
   EXPECT_EQ(offered("draw --samples ''"), Words{});
+  EXPECT_EQ(offered("help dr"), Words{"draw"});
+  EXPECT_EQ(offered("help draw ''"), Words{});
 }
 
 TEST_F(Completion, LeavesFilesToTheShell) {

@@ -30,6 +30,9 @@ TEST_F(MeshCommand, ColourIsThatOfAllMeshes) {
   EXPECT_EQ(err_, "");
   EXPECT_EQ(run("draw plain.obj -o a.png --colour 1,0,0"), 0) << err_;
   EXPECT_EQ(run("compare red.png a.png"), 0) << out_;
+  EXPECT_EQ(run("draw plain.obj -o a.png --colour red"), 0) << err_;
+  EXPECT_EQ(run("compare red.png a.png"), 0) << out_;
+  expect_error("draw plain.obj -o b.png --colour read", "--colour read: did you mean 'red'?");
   EXPECT_EQ(run("draw plain.obj -o grey.png"), 0) << err_;
   EXPECT_EQ(run("compare red.png grey.png"), 1);
   EXPECT_EQ(run("draw m.obj -o blue.png --colour 0,0,1"), 0) << err_;

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "clip/base/words.h"
+#include "displayfile/looks/colour_words.h"
 #include "displayfile/text/characters.h"
 
 namespace displayfile {
@@ -64,16 +65,32 @@ std::string_view hint_at(std::string_view word) {
 void ProgramLine::split(std::string_view text) {
   words_.clear();
   taken_ = 1;
+  append_words(text);
+}
+
+void ProgramLine::append_words(std::string_view text) {
   const char* p = text.data();
   const char* const end = p + text.size();
   for (;;) {
     while (p != end && !in_word(*p) && *p != '#') ++p;
-    if (p == end || *p == '#') return;
+    if (p == end || *p == '#') {
+      comment_ = {p, static_cast<std::size_t>(end - p)};
+      return;
+    }
     const char* const start = p;
     if (*p == '"') p = end_of_quoted(p, end);
     while (p != end && in_word(*p)) ++p;
     words_.emplace_back(start, static_cast<std::size_t>(p - start));
   }
+}
+
+void ProgramLine::expect_colour() {
+  if (taken_ < words_.size()) return;
+  const std::string_view comment = comment_;
+  const std::string_view word = comment.substr(0, comment.find_first_of(" \t\r"));
+  if (!is_hexadecimal_colour(word)) return;
+  words_.push_back(word);
+  append_words(comment.substr(word.size()));
 }
 
 template <>

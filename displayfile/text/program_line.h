@@ -51,12 +51,19 @@ class ProgramLine {
   template <class Point>
   std::span<const Point> take_points();
   std::string_view take_word() { return words_[taken_++]; }
+  /// To be called where the next argument may be a colour. If the words end here with a comment
+  /// that begins with #rrggbb or #rgb and then a blank or the line's end, that colour becomes a
+  /// word, as do the words behind it. Everywhere else `#` begins a comment.
+  void expect_colour();
 
  private:
+  void append_words(std::string_view text);
+
   std::vector<std::string_view> words_;
-  std::size_t taken_ = 0;  // words
+  std::size_t taken_ = 0;     // words
   std::string characters_;
   std::tuple<std::vector<Point2>, std::vector<Point3>> points_;
+  std::string_view comment_;  // from its #
 };
 
 template <>

@@ -1,5 +1,7 @@
 #include "displayfile/text/routine_calls.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <limits>
 #include <optional>
@@ -9,32 +11,67 @@
 
 #include "clip/base/words.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/colour_words.h"
 
 namespace displayfile::routine_calls {
+
+namespace {
+
+constexpr std::size_t kNumbers = 3;  // of a colour
+
+/// How many words the colour is that begins with the argument: one, or three numbers.
+std::size_t words_of_colour(ProgramLine& line, std::size_t argument) {
+  line.expect_colour();
+  if (argument >= line.arguments()) return kNumbers;
+  const std::string_view word = line.argument(argument);
+  const bool is_name = (word[0] >= 'a' && word[0] <= 'z') || (word[0] >= 'A' && word[0] <= 'Z');
+  const bool has_three = line.arguments() - argument >= kNumbers;
+  return colour_of_word(word) || (is_name && !has_three) ? 1 : kNumbers;
+}
+
+/// `besides`: what else the message about an unknown name says is expected.
+Colour take_colour(ProgramLine& line, std::size_t words, std::string_view besides = "") {
+  if (words == kNumbers) return line.take<Point3>();
+  const std::string_view word = line.take_word();
+  if (const auto colour = colour_of_word(word)) return *colour;
+  throw ErrorAt(
+      word.data(),
+      fmt::format("unknown colour {}:{} expected r g b, each 0 to 1, #rrggbb, a CSS name{}",
+                  quoted(word), nearest_colour_name(word), besides));
+}
+
+}  // namespace
 
 void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   if (line.arguments() == 0) wrong_count(line, routine);
   const auto kind = line.take<FillStyle::Kind>();
-  const bool solid = kind == FillStyle::Kind::solid;
-  if (line.arguments() != (solid ? 4 : 1)) wrong_count(line, routine);
-  system.set_fill_style(solid ? FillStyle{kind, line.take<Point3>()} : FillStyle{kind});
+  if (kind != FillStyle::Kind::solid) {
+    if (line.arguments() != 1) wrong_count(line, routine);
+    return system.set_fill_style({kind});
+  }
+  const std::size_t of_colour = words_of_colour(line, 1);
+  if (line.arguments() != 1 + of_colour) wrong_count(line, routine);
+  system.set_fill_style({kind, take_colour(line, of_colour)});
 }
 
 namespace {
 
 LineStyle take_line_style(ProgramLine& line, const Routine& routine) {
   if (line.arguments() == 0) wrong_count(line, routine);
-  const std::size_t count = line.arguments();
   const auto kind = line.take<LineStyle::Kind>();
   if (kind == LineStyle::Kind::none) {
-    if (count != 1) wrong_count(line, routine);
+    if (line.arguments() != 1) wrong_count(line, routine);
     return {kind};
   }
   const bool dashed = kind == LineStyle::Kind::dashed;
-  if (count != 4 && count != 5 && !(dashed && count == 7)) wrong_count(line, routine);
-  LineStyle style{kind, line.take<Point3>()};
-  if (count >= 5) style.width = line.take<double>();
-  if (count == 7) {
+  const std::size_t of_colour = words_of_colour(line, 1);
+  const std::size_t before = 1 + of_colour;
+  const std::size_t behind = line.arguments() < before ? 0 : line.arguments() - before;
+  const bool fits = behind <= 1 || (dashed && behind == 3);
+  if (line.arguments() < before || !fits) wrong_count(line, routine);
+  LineStyle style{kind, take_colour(line, of_colour)};
+  if (behind >= 1) style.width = line.take<double>();
+  if (behind == 3) {
     style.dash = line.take<double>();
     style.gap = line.take<double>();
   }
@@ -89,15 +126,12 @@ void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& 
 }
 
 void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
-  if (line.arguments() != 1 && line.arguments() != 3) wrong_count(line, routine);
-  if (line.arguments() == 3) {
-    return system.set_background({Background::Kind::solid, line.take<Point3>()});
+  const std::size_t of_colour = words_of_colour(line, 0);
+  if (line.arguments() != of_colour) wrong_count(line, routine);
+  if (line.argument(0) == "none" || line.argument(0) == "transparent") {
+    return system.set_background({Background::Kind::none});
   }
-  if (line.argument(0) != "none") {
-    throw ErrorAt(line.argument(0).data(),
-                  "expected none, or three numbers: r g b, not " + quoted(line.argument(0)));
-  }
-  system.set_background({Background::Kind::none});
+  system.set_background({Background::Kind::solid, take_colour(line, of_colour, " or none")});
 }
 
 void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {

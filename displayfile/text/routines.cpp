@@ -105,8 +105,10 @@ constexpr auto kAttributes = std::to_array<Routine>({
         "set-pick-id", "n",
         "The pick identifier of the polygons and lines that follow, 0 or more. -1 restores the "
         "default: each polygon's ordinal in the program, and none for lines."),
-    varying<fill_style>("set-fill-style", "solid r g b | hollow",
-                        "Fill style of the polygons that follow [solid 0.8 0.8 0.8]."),
+    varying<fill_style>(
+        "set-fill-style", "solid r g b | hollow",
+        "Fill style of the polygons that follow [solid 0.8 0.8 0.8]. A colour r g b may be "
+        "one word: #rrggbb, #rgb or a CSS name, such as darkorange."),
     varying<line_style>("set-line-style",
                         "solid r g b [width] | dashed r g b [width [dash gap]] | none",
                         "Style of the lines and polygon sides that follow [solid 0 0 0 1]. Width, "
@@ -147,7 +149,8 @@ constexpr auto kAttributes = std::to_array<Routine>({
                        "The faces made where planes cut closed solids that follow. Spacing is in "
                        "world units, the angle in degrees [open]."),
     varying<background>("set-background", "r g b | none",
-                        "Background colour of pictures, shared by all segments [1 1 1]."),
+                        "Background colour of pictures, shared by all segments; transparent is "
+                        "another word for none [1 1 1]."),
     fixed<&G::set_surface_curves>("set-surface-curves", "x|y|both",
                                   "Curves drawn on the surfaces that follow [both]."),
     fixed<&G::set_surface_sides>(

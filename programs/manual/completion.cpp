@@ -151,10 +151,12 @@ void print_completions(const CLI::App& app, std::span<const std::string> words,
   if (words.empty()) return;
   const std::string& last = words.back();
   Completions completions(last, out);
-  if (words.size() == 1) {
+  const bool is_helped = words.size() == 2 && words.front() == "help";
+  if (words.size() == 1 || is_helped) {
     for (const CLI::App* command : app.get_subcommands({})) {
       completions.offer({command->get_name(), brief(command->get_description())});
     }
+    if (is_helped) return;
     if (last.starts_with('-')) completions.offer_names(app, nullptr);
     return;
   }

@@ -7,7 +7,8 @@
 
 namespace displayfile {
 
-/// The colour that a word says: R,G,B, each 0 to 1; #rrggbb; white or black. None for any other.
+/// The colour of a word: R,G,B, each 0 to 1, or a word of drawing programs (colour_of_word in
+/// displayfile/looks/colour_words.h). None for any other.
 std::optional<Colour> colour_of(std::string_view word);
 
 }  // namespace displayfile

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "clip/base/error.h"
+#include "displayfile/looks/colour_words.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/options/colour_word.h"
 #include "programs/options/option_groups.h"
@@ -17,7 +18,7 @@ void MeshWords::add_to(CLI::App& command) {
   command
       .add_option("--colour", colour,
                   "colour of all mesh faces, overriding files and a program's fill style: R,G,B, "
-                  "each 0 to 1, #rrggbb, white or black")
+                  "each 0 to 1, #rrggbb or a CSS name")
       ->type_name("R,G,B|#rrggbb|white|black")
       ->group(kPictureOptions);
 }
@@ -28,9 +29,9 @@ MeshOptions MeshWords::options() const {
   options.colour = colour_of(colour);
   if (!options.colour) {
     throw Error(fmt::format(
-        "--colour {}: expected red, green and blue, each 0 to 1, such as 0.8,0.2,0.1; #rrggbb, "
-        "white or black",
-        colour));
+        "--colour {}:{} expected red, green and blue, each 0 to 1, such as 0.8,0.2,0.1; #rrggbb or "
+        "a CSS name",
+        colour, nearest_colour_name(colour)));
   }
   return options;
 }

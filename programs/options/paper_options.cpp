@@ -25,13 +25,13 @@ std::optional<double> number_of(std::string_view word) {
   return value;
 }
 
-/// SPACING[,ANGLE][,cross][,width=MM][,#rrggbb|black|white]
+/// SPACING[,ANGLE][,cross][,width=MM][,#rrggbb|NAME]
 Hatching hatching_of(const std::string& text) {
   Hatching hatching;
   const auto fail = [&] {
     throw Error(
         fmt::format("--hatch {}: expected SPACING[,ANGLE][,cross][,width=MM][,COLOUR], in mm and "
-                    "degrees, COLOUR #rrggbb, black or white, such as 0.8,45,cross",
+                    "degrees, COLOUR #rrggbb or a CSS name, such as 0.8,45,cross",
                     text));
   };
   const auto number = [&](std::string_view word) {

@@ -69,13 +69,37 @@ TEST_F(Camera, TurntableTurnsAboutTheUpAxis) {
   EXPECT_EQ(run("compare a-001.npy b.npy"), 0) << out_;
 }
 
+/// STL has z up, which is said once a call; not where another axis is set.
+TEST_F(Camera, StlStandsUpright) {
+  write("m.stl",
+        "solid m\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 4\n"
+        "endloop\nendfacet\nendsolid m\n");
+  write("n.STL", read(folder_ / "m.stl"));
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 4\nf 1 2 3\n");
+  write("view.draw", "set-view-up 0 1 0\nset-view-plane-normal 0 0 -1\nset-window -5 5 -5 5\n");
+  const std::string note = ": STL has z up: --up sets another axis\n";
+  EXPECT_EQ(run("draw m.stl -o up.png"), 0);
+  EXPECT_EQ(err_, "m.stl" + note);
+  EXPECT_EQ(run("draw m.stl m.obj -o up.png"), 0);
+  EXPECT_EQ(err_, "m.stl" + note);
+  EXPECT_EQ(run("draw m.stl n.STL -o '{name}.png' --threads 1"), 0);
+  EXPECT_EQ(err_, "m.stl" + note);
+  for (const char* set : {"m.stl --up z", "m.stl --up y", "view.draw m.stl", "m.obj",
+                          "m.stl --quiet", "m.obj --up auto"}) {
+    draw(set + std::string(" -o z.png"));
+    EXPECT_EQ(err_, "") << set;
+  }
+}
+
 TEST_F(Camera, UpAutoIsTheCustomOfAFormat) {
   write("m.stl",
         "solid m\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 4\n"
         "endloop\nendfacet\nendsolid m\n");
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 4\nf 1 2 3\n");
-  draw("m.stl -o y.png");
+  draw("m.stl -o y.png --up y");
+  EXPECT_EQ(run("draw m.stl -o usual.png"), 0);
   draw("m.stl -o z.png --up z");
+  same("usual.png", "z.png");
   draw("m.stl -o auto.png --up auto");
   draw("m.obj -o in-y.png --up auto");
   same("auto.png", "z.png");
@@ -296,7 +320,7 @@ TEST_F(Camera, Background) {
   write("none.draw", "set-background none\n" + kSquare);
   write("blue.draw", "set-background 0 0 1\n" + kSquare);
   draw("t.draw -o white.png");
-  for (const char* white : {"white", "1,1,1", "'#ffffff'", "'#FFFFFF'"}) {
+  for (const char* white : {"white", "1,1,1", "'#ffffff'", "'#FFFFFF'", "'#fff'"}) {
     draw(std::string("none.draw -o a.png --background ") + white);
     EXPECT_EQ(read(folder_ / "a.png"), read(folder_ / "white.png")) << white;
   }
@@ -305,7 +329,9 @@ TEST_F(Camera, Background) {
   same("none.png", "own.png");
   differ("none.png", "white.png");
   draw("blue.draw -o blue.png");
-  for (const char* blue : {"0,0,1", "'#0000ff'"}) {
+  draw("t.draw -o transparent.png --background transparent");
+  same("transparent.png", "none.png");
+  for (const char* blue : {"0,0,1", "'#0000ff'", "blue"}) {
     draw(std::string("t.draw -o a.png --background ") + blue);
     same("a.png", "blue.png");
   }
@@ -326,9 +352,14 @@ TEST_F(Camera, Background) {
   expect_error("draw none.draw -o x.ppm --turntable 2", ".ppm files have no alpha");
   draw("none.draw -o x.ppm --background black");
   for (const char* bad :
-       {"red", "1,1", "0,0,1.5", "0,0,-1", "'#12345'", "'#12345g'", "1,1,1,1", "nan,0,0", "None"}) {
+       {"Red", "1,1", "0,0,1.5", "0,0,-1", "'#12345'", "'#12345g'", "1,1,1,1", "nan,0,0", "None"}) {
     expect_error(std::string("draw t.draw -o y.png --background ") + bad, "--background");
   }
+  expect_error(
+      "draw t.draw -o y.png --background bleu",
+      "--background bleu: did you mean 'blue'? expected R,G,B, each 0 to 1, #rrggbb, a CSS "
+      "name, none or transparent");
+  expect_error("draw t.draw -o x.ppm --background transparent", "x.ppm: .ppm files have no alpha");
 }
 
 }  // namespace

@@ -54,8 +54,7 @@ TEST_F(UpAxis, OfFormatsReadHereNothingIsSaidAndPrintersHaveZUp) {
       read_mesh(file("A.STL",
                      "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                      "vertex 0 1 4\nendloop\nendfacet\nendsolid\n"));
-  EXPECT_FALSE(stl.upright);
-  EXPECT_EQ(stl.usual_upright, upright("z"));
+  EXPECT_EQ(stl.upright, upright("z"));
 }
 
 TEST_F(UpAxisOfImported, OfFormatsThatLayItDown) {

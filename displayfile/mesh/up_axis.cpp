@@ -47,10 +47,10 @@ constexpr FormatUpright kUprightFormats[] = {
     {".ogex", "z", true, upright_in_opengex},
     {".scn", "z", true},   // trueSpace
     {".smd", "z", true},   // Valve's engines
+    {".stl", "z", true},   // Burns, "Automated Fabrication", 6.5: z away from the printer's plate
     {".amf", "z", false},  // printed, as STL
     {".q3o", "z", false},  // Quick3D
     {".q3s", "z", false},
-    {".stl", "z", false},
 };
 
 const FormatUpright* format_named(std::string_view extension) {

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <variant>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -21,6 +23,7 @@
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
+#include "programs/inputs/mistaken_words.h"
 #include "programs/process/keep_freed_memory.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -176,6 +179,21 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   append_drawn(shared, drawn, fitted, read.bare);
 }
 
+/// Notes, once a call of the command, that an STL file, which does not state its up axis, has set
+/// that of the picture.
+void note_up_axis_of_stl(std::span<const std::string> inputs, const InputsRead& read,
+                         const Camera& camera) {
+  const auto is_stl = [](const std::string& input) { return extension_of(input) == ".stl"; };
+  const auto* const by = std::get_if<UprightBy>(&camera.upright);
+  const bool is_set = by == nullptr || *by != UprightBy::file ||  // by --up, or by a program
+                      read.before.settings.contains(Setting::camera);
+  if (is_set || read.upright.upright() == Upright{}) return;
+  const auto stl = std::ranges::find_if(inputs, is_stl);
+  static std::atomic<bool> is_noted = false;
+  if (stl == inputs.end() || is_noted.exchange(true)) return;
+  warnings() << fmt::format("{}: STL has z up: --up sets another axis\n", *stl);
+}
+
 /// While it lives, what close-segment looks at is told to a Progress.
 class ToldOfClosing {
  public:
@@ -222,6 +240,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     append_axes(inputs, system, read);
     fit_view(read.bare, system, read.upright.camera(), read.before);
   });
+  if (!read.bare.empty()) note_up_axis_of_stl(inputs, read, options.camera);
   Progress progress("entering " + inputs.front() + (inputs.size() > 1 ? " and others" : ""));
   const ToldOfClosing told(system, progress);
   auto program = read.programs.begin();
@@ -248,6 +267,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
 std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
                                  const MeshOptions& options,
                                  const std::optional<LineSelection>& lines_of_meshes) {
+  for (const std::string& input : inputs) require_no_folder_or_pattern(input);
   const std::int64_t empty_before = system.counts().empty_solids;
   const std::optional<Upright> upright = enter_each(inputs, system, options, lines_of_meshes);
   if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {

@@ -119,6 +119,51 @@ TEST_F(Batch, NamesStayBelowWhatStandsBeforeThem) {
   EXPECT_TRUE(fs::exists(folder_ / "out/..draw/picture.png"));
 }
 
+/// --with is entered before each input: its view holds for meshes, its styles for programs.
+TEST_F(Batch, ACommonProgram) {
+  write("view.draw", "set-background 0 0 1\nset-perspective 3 1 6\nset-fill-style solid gold\n");
+  write("plain.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  const std::string size = " --size 40x30";
+  ASSERT_EQ(run("draw view.draw mesh.obj -o 1.png" + size), 0) << err_;
+  ASSERT_EQ(run("draw view.draw plain.draw -o 2.png" + size), 0) << err_;
+  ASSERT_EQ(run("draw view.draw plain.draw mesh.obj -o both.png" + size), 0) << err_;
+  EXPECT_EQ(run("draw --with view.draw mesh.obj plain.draw -o 'with-{name}.png'" + size), 0)
+      << err_;
+  EXPECT_EQ(read(folder_ / "with-mesh.png"), read(folder_ / "1.png"));
+  EXPECT_EQ(read(folder_ / "with-plain.png"), read(folder_ / "2.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "with-view.png"));
+  EXPECT_EQ(run("draw --with view.draw plain.draw mesh.obj -o with.png" + size), 0) << err_;
+  EXPECT_EQ(read(folder_ / "with.png"), read(folder_ / "both.png"));
+  expect_error("draw --with - mesh.obj -o x.png", "--with -: is read for each input");
+  expect_error("draw --with none.draw mesh.obj -o x.png", "none.draw: cannot be read");
+  fs::create_directory(folder_ / "out");
+  fs::create_symlink("../view.draw", folder_ / "out/mesh.png");
+  expect_error("draw --with view.draw mesh.obj -o 'out/{name}.png'", "and an input");
+}
+
+/// A line of a list that names several inputs is one figure.
+TEST_F(Batch, AFigureOfSeveralInputs) {
+  write("view.draw", "set-perspective 3 1 6\nset-fill-style solid 0 0.5 0\n");
+  write("my part.obj", kMesh);
+  write("list.txt", "view.draw mesh.obj\nred.draw\n\nview.draw\t\"my part.obj\"\nmy part.obj\n");
+  const std::string size = " --size 40x30";
+  ASSERT_EQ(run("draw view.draw mesh.obj -o mesh.png" + size), 0) << err_;
+  expect_error("draw @list.txt -o '{name}.png'", "the output of my part.obj and of my part.obj");
+  EXPECT_EQ(run("draw @list.txt -o 'f-{number}-{name}.png'" + size), 0) << err_;
+  EXPECT_EQ(read(folder_ / "f-000-mesh.png"), read(folder_ / "mesh.png"));
+  expect_picture_of("red.draw", "f-001-red.png");
+  EXPECT_EQ(read(folder_ / "f-002-my part.png"), read(folder_ / "mesh.png"));
+  expect_picture_of("my part.obj", "f-003-my part.png");
+  write("one.txt", "view.draw none.obj\nno part.obj\n");
+  EXPECT_EQ(run("draw @one.txt -o 'g-{name}.png'" + size), 2);
+  EXPECT_NE(err_.find("none.obj: no such file"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("no part.obj: no such file"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw red.draw view.draw mesh.obj -o all.png" + size), 0) << err_;
+  write("two.txt", "red.draw\nview.draw mesh.obj\n");
+  EXPECT_EQ(run("draw @two.txt -o list.png" + size), 0) << err_;
+  EXPECT_EQ(read(folder_ / "list.png"), read(folder_ / "all.png")) << "one picture of all";
+}
+
 TEST_F(Batch, OddNames) {
   const std::vector<std::string> names{"with space", "üñï",   "semi;colon", "quote\"",
                                        "new\nline",  "-dash", "{brace}",    "a.b.c",

@@ -77,8 +77,8 @@ TEST_F(Check, OneGoldenFileForAllInputs) {
     const std::string options = std::string(" --golden ") + golden;
     EXPECT_EQ(run("check a/house.draw a/house.draw" + options), 0) << out_ << err_;
     EXPECT_EQ(run("check a/house.draw b/house.draw tree.draw" + options), 1) << err_;
-    EXPECT_NE(out_.find("b/house.draw: "), std::string::npos) << out_;
-    EXPECT_NE(out_.find("tree.draw: "), std::string::npos) << out_;
+    EXPECT_NE(out_.find("b/house.draw:"), std::string::npos) << out_;
+    EXPECT_NE(out_.find("tree.draw:"), std::string::npos) << out_;
     EXPECT_NE(out_.find("3 inputs: 1 passed, 2 differ, 0 bad\n"), std::string::npos) << out_;
   }
   expect_error("check a/house.draw b/house.draw --golden gold.txt --update", "expected a folder");
@@ -133,7 +133,7 @@ TEST_F(Check, SummaryOfAllInputs) {
       "passed   a/house.draw\n"
       "bad      bad.draw      2:1: unknown routine 'fly': expected a user routine, such as "
       "open-segment or polygon-abs-3\n"
-      "differs  b/house.draw  segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected "
+      "differs  b/house.draw  3: segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected "
       "1\n"
       "3 inputs: 1 passed, 1 differ, 1 bad\n");
   EXPECT_EQ(run(all), 2);
@@ -141,13 +141,71 @@ TEST_F(Check, SummaryOfAllInputs) {
             "displayfile: bad.draw:2:1: unknown routine 'fly': expected a user routine, such as "
             "open-segment or polygon-abs-3\n");
   EXPECT_EQ(out_,
-            "b/house.draw: segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected 1\n"
+            "b/house.draw:3: segment 1, instruction 1 (fill solid 0 1 0): red is 0, expected 1\n"
             "3 inputs: 1 passed, 1 differ, 1 bad\n");
   EXPECT_EQ(run("check a/house.draw --golden a/house.draw --summary"), 0) << err_;
   EXPECT_EQ(out_, "passed   a/house.draw\n1 input: 1 passed, 0 differ, 0 bad\n");
   EXPECT_EQ(run("check tree.draw bad.draw --golden gold --update"), 2);
   EXPECT_TRUE(fs::exists(folder_ / "gold/tree.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "gold/bad.txt"));
+}
+
+/// The line of the input that the first instruction that differs comes from.
+TEST_F(Check, ADifferenceNamesTheLineOfTheProgram) {
+  const std::string right =
+      "# solution\nset-fill-style solid 1 0 0\nset-line-style solid 0 0 0\nopen-segment 1\n"
+      "move-abs-3 0 0 0\nline-abs-3 1 0 0\n\npolygon-abs-3 0 0 0  1 0 0  0 1 0\n"
+      "box-3 0 0.5 0 0.5 0 0.5\nset-fill-style solid 0 0 1\n"
+      "polygon-abs-3 0 0 0.5  1 0 0.5  0 1 0.5\nclose-segment\n"
+      "open-segment 2\npolygon-abs-3 0 0 0  -1 0 0  0 -1 0\nclose-segment\n";
+  write("solution.draw", right);
+  const auto line_of = [&](const std::string& from, const std::string& to,
+                           const std::string& options = "") {
+    std::string program = right;
+    program.replace(program.find(from), from.size(), to);
+    write("a.draw", program);
+    EXPECT_EQ(run("check a.draw --golden solution.draw" + options), 1) << to << err_;
+    return out_.substr(0, out_.find(" "));
+  };
+  EXPECT_EQ(line_of("line-abs-3 1 0", "line-abs-3 1 0.5"), "a.draw:6:");
+  EXPECT_EQ(line_of("0.5  0 1 0.5", "0.5  0 0.9 0.5"), "a.draw:11:");
+  EXPECT_EQ(line_of("solid 0 0 1", "solid 0 0 0.5"), "a.draw:10:");
+  EXPECT_EQ(line_of("solid 1 0 0", "solid 0 0 1"), "a.draw:2:");
+  EXPECT_EQ(line_of("box-3 0 0.5", "box-3 0 0.25"), "a.draw:9:");
+  EXPECT_EQ(line_of("-1 0 0  0 -1", "-1 0 0  0 -0.5"), "a.draw:14:");
+  EXPECT_EQ(line_of("0 -1 0\nclose-segment\n",
+                    "0 -1 0\nmove-abs-3 0 0 0\nline-abs-3 1 1 0\n"
+                    "close-segment\n"),
+            "a.draw:16:");
+  EXPECT_EQ(line_of("polygon-abs-3 0 0 0  -1 0 0  0 -1 0\n", ""), "a.draw:14:") << "its end";
+  EXPECT_EQ(line_of("open-segment 2", "open-segment 3"), "a.draw:13:");
+  EXPECT_EQ(line_of("open-segment 2\npolygon-abs-3 0 0 0  -1 0 0  0 -1 0\nclose-segment\n", ""),
+            "a.draw:")
+      << "what is missing has no line";
+  for (const char* sorted : {" --hidden depth-sort", " --hidden bsp --scope all"}) {
+    EXPECT_EQ(line_of("0.5  0 1 0.5", "0.5  0 0.9 0.5", sorted), "a.draw:11:") << sorted;
+  }
+  write("view.draw", "set-perspective 3 1 6\n");
+  EXPECT_EQ(line_of("solid 0 0 1", "solid 0 0 0.5", " --with view.draw"), "a.draw:10:");
+}
+
+/// --with is entered before each input, and before the one that they are compared with.
+TEST_F(Check, ACommonProgramAndFiguresOfSeveralInputs) {
+  write("view.draw", "set-viewport 0 0.5 0 0.5\n");
+  write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(run("dump view.draw tree.draw -o tree.txt"), 0) << err_;
+  EXPECT_EQ(run("check --with view.draw tree.draw mesh.obj --golden gold --update"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "gold/tree.txt"), read(folder_ / "tree.txt"));
+  EXPECT_TRUE(fs::exists(folder_ / "gold/mesh.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "gold/view.txt"));
+  EXPECT_EQ(run("check tree.draw --golden gold"), 1);
+  EXPECT_EQ(run("check --with view.draw tree.draw --golden tree.draw"), 0) << out_;
+  EXPECT_EQ(run("check --with view.draw tree.draw --golden tree.draw --picture"), 0) << out_;
+  write("list.txt", "view.draw tree.draw\nmesh.obj\n");
+  EXPECT_EQ(run("check @list.txt --golden gold --summary"), 1) << err_;
+  EXPECT_NE(out_.find("passed   tree.draw\n"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("differs  mesh.obj"), std::string::npos) << out_;
+  expect_error("check --with tree.txt tree.draw --golden . --update", "./tree.txt: is an input");
 }
 
 TEST_F(Check, QuietTellsOnlyWhatDoesNotPass) {

@@ -8,7 +8,6 @@
 #include <functional>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -28,42 +27,6 @@ struct RoutineCase {
   std::string line;
   std::function<void(GraphicsSystem&)> call;
 };
-
-std::string recorded(const std::string& program) {
-  GraphicsSystem system;
-  std::ostringstream calls;
-  Recorder recorder(calls);
-  system.set_recorder(&recorder);
-  EXPECT_EQ(error_of_program(program, system), "") << program;
-  return calls.str();
-}
-
-/// A colour may be one word; its # begins a comment everywhere but where a colour is expected.
-TEST(DrawingProgram, ColoursInOneWord) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"set-fill-style solid #ff0033", "set-fill-style solid 1 0 0.2"},
-      {"set-fill-style solid #F03\r", "set-fill-style solid 1 0 0.2"},
-      {"set-fill-style solid #f03\t# comment", "set-fill-style solid 1 0 0.2"},
-      {"set-fill-style solid #f03 #fff", "set-fill-style solid 1 0 0.2"},
-      {"set-fill-style solid 1 0 0 #fff", "set-fill-style solid 1 0 0"},
-      {"set-fill-style solid 1 0 0#ffffff", "set-fill-style solid 1 0 0"},
-      {"set-fill-style solid yellow#ffffff", "set-fill-style solid 1 1 0"},
-      {"set-fill-style hollow #ffffff", "set-fill-style hollow"},
-      {"set-fill-style solid rebeccapurple", "set-fill-style solid 0.4 0.2 0.6"},
-      {"set-line-style solid #333333", "set-line-style solid 0.2 0.2 0.2"},
-      {"set-line-style solid #333 2", "set-line-style solid 0.2 0.2 0.2 2"},
-      {"set-line-style dashed blue 2 6 4", "set-line-style dashed 0 0 1 2 6 4"},
-      {"set-line-style none #333333", "set-line-style none"},
-      {"set-lower-line-style solid red 3", "set-lower-line-style solid 1 0 0 3"},
-      {"set-lower-line-style same #ff0000", "set-lower-line-style same"},
-      {"set-background #ff0033 # paper", "set-background 1 0 0.2"},
-      {"set-background white #ff0000", "set-background 1 1 1"},
-      {"set-background none #ff0000", "set-background none"},
-      {"set-background transparent", "set-background none"},
-      {"set-view-distance 2 #ff0000", "set-view-distance 2"},
-  };
-  for (const auto& [word, numbers] : cases) EXPECT_EQ(recorded(word), recorded(numbers)) << word;
-}
 
 /// Every routine of a drawing program is the application's call of that name, with its
 /// arguments in order: seen by recording both.
@@ -366,22 +329,6 @@ TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
       {"set-fill-style hollow 1\n", "1:24: set-fill-style: 2 arguments, expected"},
       {"set-fill-style solid 1 0 x\n", "1:26: expected a number, not 'x'"},
       {"set-window-fit shrink\n", "1:16: window fit is widen or stretch, not 'shrink'"},
-      {"set-background whit\n",
-       "1:16: unknown colour 'whit': did you mean 'white'? expected r g b, each 0 to 1, #rrggbb, "
-       "a CSS name or none"},
-      {"set-background 0\n", "1:17: set-background: 1 argument, expected r g b | none"},
-      {"set-background # none\n", "1:15: set-background: 0 arguments, expected r g b | none"},
-      {"set-fill-style solid reed\n",
-       "1:22: unknown colour 'reed': did you mean 'red'? expected r g b, each 0 to 1, #rrggbb, "
-       "a CSS name"},
-      {"set-fill-style solid none\n", "1:22: unknown colour 'none'"},
-      {"set-fill-style solid red 0\n", "1:27: set-fill-style: 3 arguments, expected"},
-      {"set-fill-style solid #12345\n", "1:21: set-fill-style: 1 argument, expected"},
-      {"set-fill-style solid #ff0000ff\n", "1:21: set-fill-style: 1 argument, expected"},
-      {"set-fill-style solid #ff000g\n", "1:21: set-fill-style: 1 argument, expected"},
-      {"set-fill-style solid #fff#\n", "1:21: set-fill-style: 1 argument, expected"},
-      {"set-fill-style solid #ff0000 0\n", "1:31: set-fill-style: 3 arguments, expected"},
-      {"set-line-style solid #ff0000 1 2 3\n", "1:35: set-line-style: 5 arguments, expected"},
       {"set-background 1 1\n", "1:19: set-background: 2 arguments, expected r g b | none"},
       {"set-line-style dotted 0 0 0\n", "1:16: expected solid, dashed or none, not 'dotted'"},
       {"set-line-style dashed 0 0 0 1 2\n",

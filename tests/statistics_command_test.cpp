@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
 #include "tests/command_fixture.h"
@@ -22,6 +23,17 @@ TEST_F(Command, StatisticsCountWhatTouches) {
   ASSERT_EQ(run("draw rug.draw -o rug.ppm --stats --touching off"), 0) << err_;
   EXPECT_NE((out_ + err_).find("touching           2 polygons, in 1 plane\n"), std::string::npos)
       << out_ << err_;
+}
+
+TEST_F(Command, StatisticsHaveTimes) {
+  write("t.draw", kTriangle);
+  const std::regex times(
+      "times              [0-9]+\\.[0-9]{3} s to read and enter, [0-9]+\\.[0-9]{3} s to draw and "
+      "write\n");
+  for (const char* options : {"-o a.png", "-o a.svg", "-o a.png --turntable 2"}) {
+    ASSERT_EQ(run(std::string("draw t.draw --stats ") + options), 0) << err_;
+    EXPECT_TRUE(std::regex_search(out_, times)) << options << "\n" << out_;
+  }
 }
 
 /// A stack of sheets, entered from the farthest on: with the root entered last, or first, the tree

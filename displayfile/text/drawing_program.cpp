@@ -15,6 +15,7 @@
 #include "clip/base/work_budget.h"
 #include "displayfile/text/characters.h"
 #include "displayfile/text/program_line.h"
+#include "displayfile/text/replayed_lines.h"
 #include "displayfile/text/routines.h"
 
 namespace displayfile {
@@ -84,6 +85,11 @@ void require_text(std::string_view text, std::string_view file_name) {
 }  // namespace
 
 void replay(std::string_view text, std::string_view file_name, GraphicsSystem& system) {
+  replay_lines(text, file_name, system, nullptr);
+}
+
+void replay_lines(std::string_view text, std::string_view file_name, GraphicsSystem& system,
+                  const AfterLine& after_line) {
   const RoundToNearest nearest;
   text = without_byte_order_mark(text);
   require_text(text, file_name);
@@ -92,7 +98,9 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
   const std::size_t solids_before = system.counts().solids_open;
   ProgramLine line;
   WorkSteps lines;
+  std::size_t number = 0;
   for (std::string_view rest = text; !rest.empty();) {
+    ++number;
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     line.split(rest.substr(0, length));
     rest.remove_prefix(std::min(length + 1, rest.size()));
@@ -100,6 +108,7 @@ void replay(std::string_view text, std::string_view file_name, GraphicsSystem& s
     try {
       lines.step();
       call_routine(line, system);
+      if (after_line) after_line(number, line.name());
     } catch (const ErrorAt& error) {
       throw error_at(file_name, text, error.at, error.what());
     } catch (const LimitReached& reached) {

@@ -104,31 +104,43 @@ std::string segment_difference(std::string_view actual, std::string_view expecte
   return fmt::format("segment {} in the place of segment {}", name, expected_name);
 }
 
-std::optional<std::string> first_difference_of_dumps(std::string_view actual,
-                                                     std::string_view expected) {
+DumpDifference whole_segment(std::string_view actual, std::size_t at, const std::string& text) {
+  if (!starts_segment(actual) || text.ends_with("is missing")) return {text};
+  return {text, std::string(segment_name(actual)), at};
+}
+
+std::optional<DumpDifference> first_difference_of_dumps(std::string_view actual,
+                                                        std::string_view expected) {
+  const char* const begin = actual.data();
   std::string_view segment;
+  std::size_t segment_at = 0;
   std::size_t instruction = 0;  // the last one that was the same
   while (!actual.empty() || !expected.empty()) {
     const std::string_view actual_from = actual, expected_from = expected;
     const std::string_view a = take_line(actual), e = take_line(expected);
+    const auto at = static_cast<std::size_t>(actual_from.data() - begin);
     if (a == e) {
       ++instruction;
       if (starts_segment(a)) {
         segment = segment_name(a);
+        segment_at = at;
         instruction = 0;
       }
       continue;
     }
     if (ends_segment(a) && ends_segment(e)) {
-      return segment_difference(a, e, actual_from, expected_from);
+      return whole_segment(a, at, segment_difference(a, e, actual_from, expected_from));
     }
     const std::string place = fmt::format("segment {}, instruction {}", segment, instruction + 1);
-    if (ends_segment(a)) return fmt::format("{} is missing, expected {}", place, e);
+    const auto there = [&](const std::string& text) {
+      return DumpDifference{text, std::string(segment), segment_at, instruction + 1};
+    };
+    if (ends_segment(a)) return there(fmt::format("{} is missing, expected {}", place, e));
     if (ends_segment(e)) {
-      return fmt::format("{} ({}) is not expected: expected {} instructions", place, a,
-                         instruction);
+      return there(
+          fmt::format("{} ({}) is not expected: expected {} instructions", place, a, instruction));
     }
-    return instruction_difference(place, a, e);
+    return there(instruction_difference(place, a, e));
   }
   return std::nullopt;
 }
@@ -146,19 +158,27 @@ void require_dump(std::string_view text, std::string_view name) {
   }
 }
 
-std::optional<std::string> first_difference(std::string_view actual, std::string_view expected,
-                                            std::string_view actual_name,
-                                            std::string_view expected_name) {
+std::optional<DumpDifference> find_difference(std::string_view actual, std::string_view expected,
+                                              std::string_view actual_name,
+                                              std::string_view expected_name) {
   require_dump(actual, actual_name);
   require_dump(expected, expected_name);
   return first_difference_of_dumps(actual, expected);
+}
+
+std::optional<std::string> first_difference(std::string_view actual, std::string_view expected,
+                                            std::string_view actual_name,
+                                            std::string_view expected_name) {
+  const auto difference = find_difference(actual, expected, actual_name, expected_name);
+  if (!difference) return std::nullopt;
+  return difference->text;
 }
 
 std::optional<std::string> check_golden(const DisplayFile& display_file,
                                         const std::string& golden_file) {
   const std::string golden = read_text_file(golden_file);
   require_dump(golden, golden_file);
-  return first_difference_of_dumps(dump(display_file), golden);
+  return first_difference(dump(display_file), golden);
 }
 
 void update_golden(const DisplayFile& display_file, const std::string& golden_file,

@@ -21,8 +21,10 @@
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/inputs.h"
 #include "programs/inputs/made_folders.h"
+#include "programs/inputs/mistaken_words.h"
 #include "programs/inputs/output_name.h"
 #include "programs/inputs/output_paths.h"
+#include "programs/inputs/program_place.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 #include "programs/options/picture_tolerance.h"
@@ -41,33 +43,36 @@ class InstructionCheck : public GoldenCheck {
   explicit InstructionCheck(const CheckedInputs& inputs) : inputs_(inputs) {}
 
   std::string_view extension() const override { return ".txt"; }
-  void read_golden(const std::string& file) override {
+  void read_golden(const std::string& file, const std::string& with) override {
     if (is_picture_file(file)) {
       throw Error(fmt::format("{}: a picture: expected --picture too, or a dump", file));
     }
     if (is_drawing_program(file)) {
-      golden_ = dumped(file);
+      const DrawnFile of_program = drawn(with_common(with, {{file}}).front());
+      golden_ = dump(of_program.file, of_program.fills);
     } else {
       golden_ = read_text_file(file);
       require_dump(golden_, file);
     }
   }
-  std::optional<std::string> difference(const std::string& input) const override {
-    return first_difference(dumped(input), golden_);
+  std::optional<GoldenDifference> difference(const Figure& figure) const override {
+    const DrawnFile of_figure = drawn(figure);
+    const std::string dumped = dump(of_figure.file, of_figure.fills);
+    const auto found = find_difference(dumped, golden_);
+    if (!found) return std::nullopt;
+    const auto line =
+        program_line_of(*found, {figure, of_figure.file, dumped}, inputs_.meshes, aspect());
+    return GoldenDifference{found->text, line.value_or(0)};
   }
-  void update(const std::string& input, const std::string& golden) const override {
-    const DrawnFile of_input = drawn(input);
-    update_golden(of_input.file, golden, of_input.fills);
+  void update(const Figure& figure, const std::string& golden) const override {
+    const DrawnFile of_figure = drawn(figure);
+    update_golden(of_figure.file, golden, of_figure.fills);
   }
 
  private:
-  std::string dumped(const std::string& input) const {
-    const DrawnFile of_input = drawn(input);
-    return dump(of_input.file, of_input.fills);
-  }
-  DrawnFile drawn(const std::string& input) const {
-    const double aspect = inputs_.size.size.empty() ? 1.0 : inputs_.size.aspect();
-    return as_drawn(std::span(&input, 1), inputs_.hidden_surfaces, inputs_.meshes, aspect);
+  double aspect() const { return inputs_.size.size.empty() ? 1.0 : inputs_.size.aspect(); }
+  DrawnFile drawn(const Figure& figure) const {
+    return as_drawn(figure, inputs_.hidden_surfaces, inputs_.meshes, aspect());
   }
 
   const CheckedInputs& inputs_;
@@ -133,6 +138,14 @@ std::string without_name(const std::string& message, const std::string& input) {
   return rest.starts_with(' ') ? rest.substr(1) : rest;
 }
 
+/// A difference as it follows the input's name and a colon: with the line in the input, if it is
+/// known. Empty if there is none.
+std::string after_name(const std::optional<GoldenDifference>& difference) {
+  if (!difference) return "";
+  return difference->line == 0 ? " " + difference->text
+                               : fmt::format("{}: {}", difference->line, difference->text);
+}
+
 }  // namespace
 
 CLI::App& CheckCommand::add_to(CLI::App& app) {
@@ -140,6 +153,7 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
                                           "Compare each input's dump with a golden file; on a "
                                           "difference report the first one and exit with 1");
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
+  add_with(command, with);
   command
       .add_option("--golden", golden,
                   "folder of golden files, NAME.txt for NAME.draw, or FOLDER/NAME.txt where inputs "
@@ -202,7 +216,8 @@ std::vector<std::string> CheckCommand::golden_files(std::string_view extension) 
 
 int CheckCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
-  inputs = input_names(inputs);
+  const std::vector<Figure> figures = with_common(with, input_figures(inputs));
+  inputs = figure_names(figures);
   CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
   checked.meshes.lines = hidden_surfaces.line_selection();
   checked.meshes.touching = hidden_surfaces.touching_in_force();
@@ -223,14 +238,14 @@ int CheckCommand::run() {
   }
   const std::vector<std::string> files =
       one_file ? std::vector(inputs.size(), golden) : golden_files(check.extension());
-  if (update) require_files_of_their_own(files, inputs, lists);
+  if (update) require_files_of_their_own(files, inputs_of(figures), lists);
   if (quiet) Progress::show_none();
   if (one_file && !update) {
     require_golden(golden, inputs.front());
     std::ostringstream unheard;
     std::optional<CollectedWarnings> collected;
     if (quiet) collected.emplace(unheard);
-    check.read_golden(golden);
+    check.read_golden(golden, with);
   }
   const bool in_a_table = summary || quiet;
   MadeFolders folders;
@@ -238,16 +253,17 @@ int CheckCommand::run() {
   for_each_input(
       inputs, 1, "checking",
       [&](std::size_t k) -> std::string {
+        for (const std::string& input : figures[k]) require_no_folder_or_pattern(input);
         if (update) {
           folders.make_for(files[k]);
-          check.update(inputs[k], files[k]);
+          check.update(figures[k], files[k]);
           return "";
         }
         if (!one_file) {
           require_golden(files[k], inputs[k]);
-          check.read_golden(files[k]);
+          check.read_golden(files[k], with);
         }
-        return check.difference(inputs[k]).value_or("");
+        return after_name(check.difference(figures[k]));
       },
       [&](std::size_t k, const InputResult& result) {
         if (!quiet) std::cerr << result.warnings;
@@ -258,10 +274,11 @@ int CheckCommand::run() {
                                                 : Kind::differs;
         if (bad && !in_a_table) std::cerr << "displayfile: " << result.error << '\n';
         if (kind == Kind::differs && !in_a_table) {
-          std::cout << inputs[k] << ": " << result.text << '\n';
+          std::cout << inputs[k] << ':' << result.text << '\n';
         }
+        const std::string what = bad ? result.error : inputs[k] + ':' + result.text;
         rows.push_back(
-            {kind, inputs[k], bad ? without_name(result.error, inputs[k]) : result.text});
+            {kind, inputs[k], result.text.empty() && !bad ? "" : without_name(what, inputs[k])});
       });
   const bool any_bad = std::ranges::find(rows, Kind::bad, &Row::kind) != rows.end();
   const bool any_differs = std::ranges::find(rows, Kind::differs, &Row::kind) != rows.end();

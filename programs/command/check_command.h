@@ -15,6 +15,7 @@ namespace displayfile {
 /// drawing order. It draws nothing, except for another kind of check.
 struct CheckCommand {
   std::vector<std::string> inputs;
+  std::string with;  ///< a drawing program before each input, and before one for all to be equal to
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size{""};  ///< of the pictures, or of those that windows are made for
   MeshWords meshes;

@@ -13,6 +13,7 @@
 #include <set>
 #include <span>
 #include <sstream>
+#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/input_file.h"
@@ -35,6 +36,7 @@
 #include "programs/options/pick_option.h"
 #include "programs/options/picture_words.h"
 #include "programs/process/progress.h"
+#include "programs/process/stopwatch.h"
 #include "programs/process/warnings.h"
 
 namespace displayfile {
@@ -56,6 +58,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("draw", "Draw drawing programs and meshes");
   add_inputs(command, "INPUT", inputs,
              "drawing programs (.draw, or - for standard input) and meshes");
+  add_with(command, with);
   add_output_options(command);
   add_picture_options(command);
   meshes.add_to(command);
@@ -244,10 +247,12 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   }
   if (stats) reset_predicate_counts();
   const PictureKind kind = picture_kind(file, drawing);
+  Stopwatch watch;
   const bool picture_alone = kind == PictureKind::raster && !explain && !stats && !pick;
   const DrawnInputs entered(
       drawn, drawing, entering(), starts_with,
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
+  const double entering_took = watch.lap();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
@@ -256,10 +261,13 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
       pick ? picked(system, pick_option(*pick), entered.options(), kind) : std::string();
   SortedDisplayFile sorted;
   std::vector<DrawWarning> warned;
+  double drawing_took = 0.0;
   {
     Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
     make_folders();
+    watch.lap();
     warned = entered.draw(file, sorted, progress.told());
+    drawing_took = watch.lap();
   }
   left_out.note(system, entered.options(), kind);
   left_out.note(warned);
@@ -271,7 +279,10 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     }
   }
   text += pick_found;
-  if (stats) text += drawing_statistics(system, sorted.display_file(), entered.options(), kind);
+  if (stats) {
+    text += drawing_statistics(system, sorted.display_file(), entered.options(), kind) +
+            times_of_drawing(entering_took, drawing_took);
+  }
   return text;
 }
 
@@ -296,30 +307,31 @@ std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions
       if (const auto file = input_at(name)) read.insert(*file);
     }
   }
+  const std::vector<std::string> names = figure_names(figures_);
   const auto name = [&](const std::filesystem::path& pattern, std::size_t k) {
     if (pattern.empty()) return std::filesystem::path();
-    std::filesystem::path file = output_name(pattern.string(), inputs[k], k, inputs.size());
+    std::filesystem::path file = output_name(pattern.string(), names[k], k, names.size());
     for (const std::string& written : files_written(file)) {
       const auto leads_to = output_at(written);
       if (!leads_to) continue;
       if (read.contains(*leads_to)) {
         throw Error(fmt::format("{}: the output of {} and an input: expected another name", written,
-                                input_name(inputs[k])));
+                                input_name(names[k])));
       }
       const auto [other, is_new] = made.emplace(*leads_to, k);
       if (is_new) continue;
       if (other->second == k) {
         throw Error(fmt::format("{}: two outputs of {} are one file: expected a file for each",
-                                written, input_name(inputs[k])));
+                                written, input_name(names[k])));
       }
       throw Error(
           fmt::format("{}: the output of {} and of {}: expected a name for each, by {{name}}, "
                       "{{ext}}, {{folder}} or {{number}}",
-                      written, input_name(inputs[other->second]), input_name(inputs[k])));
+                      written, input_name(names[other->second]), input_name(names[k])));
     }
     return file;
   };
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
     of_each.push_back({name(output, k), name(drawing.ids, k), name(drawing.depth, k)});
   }
   return of_each;
@@ -351,41 +363,45 @@ void require_drawable_names(const std::string& output, const DrawOptions& option
 
 int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) const {
   const std::vector<Outputs> outputs = outputs_of_each(drawing);
+  const std::vector<std::string> names = figure_names(figures_);
   require_drawable_names(output, drawing, outputs[0].picture, outputs[0].ids, outputs[0].depth);
   // llvmpipe has threads of its own, and the exact stage counts for the whole process.
   const bool several = drawing.device == raster_devices().front().name && !stats;
   const int at_a_time =
       several
           ? static_cast<int>(std::min<std::size_t>(
-                inputs.size(), static_cast<std::size_t>(useful_threads(drawing.surfaces.threads))))
+                names.size(), static_cast<std::size_t>(useful_threads(drawing.surfaces.threads))))
           : 1;
   MadeFolders folders;
   std::vector<std::string> bad;
   for_each_input(
-      inputs, at_a_time, fmt::format("drawing {} pictures", inputs.size()),
+      names, at_a_time, fmt::format("drawing {} pictures", names.size()),
       [&](std::size_t k) {
         DrawOptions of_one = drawing;
         of_one.surfaces.threads = std::max(1, drawing.surfaces.threads / at_a_time);
         of_one.ids = outputs[k].ids;
         of_one.depth = outputs[k].depth;
-        return draw_into(std::span(&inputs[k], 1), outputs[k].picture, of_one, &folders, left_out);
+        return draw_into(figures_[k], outputs[k].picture, of_one, &folders, left_out);
       },
       [&](std::size_t k, const InputResult& result) {
         if (!quiet) std::cerr << result.warnings;
-        if (!result.text.empty()) std::cout << inputs[k] << ":\n" << result.text;
+        if (!result.text.empty()) std::cout << names[k] << ":\n" << result.text;
         if (result.error.empty()) return;
         if (!quiet) std::cerr << "displayfile: " << result.error << '\n';
-        bad.push_back(quiet ? result.error : input_name(inputs[k]));
+        bad.push_back(quiet ? result.error : input_name(names[k]));
       });
   if (bad.empty()) return 0;
   std::cerr << fmt::format("displayfile: {} of {} inputs not drawn:\n  {}\n", bad.size(),
-                           inputs.size(), fmt::join(bad, "\n  "));
+                           names.size(), fmt::join(bad, "\n  "));
   return 2;
 }
 
 int DrawCommand::run() {
   lists_ = input_lists(inputs);
-  inputs = input_names(inputs);
+  std::vector<Figure> figures = input_figures(inputs);
+  if (!is_name_pattern(output)) figures = {inputs_of(figures)};
+  figures_ = with_common(with, std::move(figures));
+  inputs = inputs_of(figures_);
   const DrawOptions drawing = all_options();
   starting_shading();
   entering();

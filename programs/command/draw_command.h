@@ -9,6 +9,7 @@
 
 #include "interp/draw/draw.h"
 #include "programs/command/turntable_command.h"
+#include "programs/inputs/input_names.h"
 #include "programs/inputs/made_folders.h"
 #include "programs/inputs/not_in_picture.h"
 #include "programs/options/background_option.h"
@@ -27,6 +28,7 @@ namespace displayfile {
 /// if its input, an option or an output is wrong.
 struct DrawCommand {
   std::vector<std::string> inputs;
+  std::string with;     ///< a drawing program before each input, or before all of one picture
   std::string output;   ///< with fields (programs/inputs/output_name.h): a picture of each input
   DrawOptions options;  ///< except options kept as words
   PictureSizeWord size;
@@ -69,6 +71,7 @@ struct DrawCommand {
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInPicture& left_out) const;
 
+  std::vector<Figure> figures_;     ///< of each picture, with their common program
   std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)
 };
 

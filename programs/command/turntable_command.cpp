@@ -5,9 +5,11 @@
 #include <charconv>
 
 #include "clip/base/error.h"
+#include "programs/inputs/drawing_statistics.h"
 #include "programs/inputs/inputs.h"
 #include "programs/inputs/nothing_by_pens.h"
 #include "programs/process/progress.h"
+#include "programs/process/stopwatch.h"
 
 namespace displayfile {
 
@@ -88,12 +90,14 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   system.set_threads(options.surfaces.threads);
   shading.start(system);
   system.retain(&scene);
+  Stopwatch watch;
   const double aspect = static_cast<double>(options.width) / options.height;
   MeshWords turning = meshes;
   turning.turning = true;
   const std::optional<Upright> fitted = enter_inputs(
       inputs, system, turning, aspect,
       {.method = options.surfaces.method, .hidden_lines = options.surfaces.hidden_lines});
+  const double entering_took = watch.lap();
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system, options, picture_kind(output, options));
   const Camera looking = meshes.camera();
@@ -115,7 +119,8 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   }
   std::string text = report.explanation ? explanation(turntable.options()) : "";
   if (!report.statistics) return text;
-  return text + statistics(system, turntable.renderer(), count);
+  return text + statistics(system, turntable.renderer(), count) +
+         times_of_drawing(entering_took, watch.lap());
 }
 
 }  // namespace displayfile

@@ -149,6 +149,11 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
          exact_stage_counts();
 }
 
+std::string times_of_drawing(double entering, double drawing) {
+  return fmt::format("times              {:.3f} s to read and enter, {:.3f} s to draw and write\n",
+                     entering, drawing);
+}
+
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,
                                   PictureKind kind) {
   const MethodChoice choice = drawing_choice(system, options, kind);

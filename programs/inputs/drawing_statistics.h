@@ -16,4 +16,7 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
 std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,
                                   PictureKind kind);
 
+/// The line of statistics that has the elapsed times, in seconds.
+std::string times_of_drawing(double entering, double drawing);
+
 }  // namespace displayfile

@@ -1,15 +1,23 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "programs/inputs/input_names.h"
 #include "programs/options/hidden_surface_words.h"
 #include "programs/options/mesh_words.h"
 #include "programs/options/picture_size.h"
 
 namespace displayfile {
+
+/// How inputs differ from what is expected.
+struct GoldenDifference {
+  std::string text;      ///< one line
+  std::size_t line = 0;  ///< of the last input, if it is a drawing program; 0: not known
+};
 
 /// The property of inputs that `displayfile check` compares with golden files.
 class GoldenCheck {
@@ -17,13 +25,13 @@ class GoldenCheck {
   virtual ~GoldenCheck() = default;
 
   virtual std::string_view extension() const = 0;  ///< of golden files, with the dot
-  /// Sets the reference for the inputs that follow: a golden file, or the result of a drawing
-  /// program. Throws Error.
-  virtual void read_golden(const std::string& file) = 0;
-  /// How the input differs from it, in a line; nothing if it passes. Throws Error for a bad input.
-  virtual std::optional<std::string> difference(const std::string& input) const = 0;
-  /// Writes the golden file of an input. Throws Error.
-  virtual void update(const std::string& input, const std::string& golden) const = 0;
+  /// Sets the reference for the figures that follow: a golden file, or the result of a drawing
+  /// program, entered after `with`, if there is one. Throws Error.
+  virtual void read_golden(const std::string& file, const std::string& with) = 0;
+  /// How the figure differs from it; nothing if it passes. Throws Error for a bad input.
+  virtual std::optional<GoldenDifference> difference(const Figure& figure) const = 0;
+  /// Writes the golden file of a figure. Throws Error.
+  virtual void update(const Figure& figure, const std::string& golden) const = 0;
 };
 
 /// How the inputs are drawn.

@@ -93,10 +93,10 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
   return true;
 }
 
-Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& options) const {
+Picture PictureCheck::picture_of(const Figure& figure, const DrawOptions& options) const {
   const StartingShading started{shading_ ? shading(*shading_) : Shading::flat,
                                 crease_.value_or(kNoCrease), crease_.has_value()};
-  const DrawnInputs entered(std::span(&input, 1), options, meshes_, started);
+  const DrawnInputs entered(figure, options, meshes_, started);
   std::vector<DrawWarning> warned;
   DrawOptions drawing = entered.options();
   drawing.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
@@ -104,37 +104,39 @@ Picture PictureCheck::picture_of(const std::string& input, const DrawOptions& op
   NotInPicture left_out;
   left_out.note(entered.system(), drawing, PictureKind::raster);
   left_out.note(warned);
-  left_out.warn(input_name(input));
+  left_out.warn(input_name(figure.back()));
   entered.warn_if_nothing_is_seen(warned, PictureKind::raster);
   return picture;
 }
 
-void PictureCheck::read_golden(const std::string& file) {
-  golden_ = is_picture_file(file) ? read_picture(file) : picture_of(file, options_);
+void PictureCheck::read_golden(const std::string& file, const std::string& with) {
+  golden_ = is_picture_file(file) ? read_picture(file)
+                                  : picture_of(with_common(with, {{file}}).front(), options_);
 }
 
-std::optional<std::string> PictureCheck::difference(const std::string& input) const {
+std::optional<GoldenDifference> PictureCheck::difference(const Figure& figure) const {
   DrawOptions options = options_;
   if (!has_size_) {
     options.width = golden_.width;
     options.height = golden_.height;
   }
   const PictureDifference difference =
-      compare(picture_of(input, options), golden_, tolerance_.channel);
+      compare(picture_of(figure, options), golden_, tolerance_.channel);
   if (tolerance_.passes(difference)) return std::nullopt;
   if (!difference.same_size) {
-    return fmt::format("the picture is {} x {} pixels, expected {} x {}", options.width,
-                       options.height, golden_.width, golden_.height);
+    return GoldenDifference{fmt::format("the picture is {} x {} pixels, expected {} x {}",
+                                        options.width, options.height, golden_.width,
+                                        golden_.height)};
   }
-  return fmt::format(
+  return GoldenDifference{fmt::format(
       "{} wrong pixels of {} ({:.2f}%), largest difference {}", difference.wrong_pixels,
       difference.pixels,
       100.0 * static_cast<double>(difference.wrong_pixels) / static_cast<double>(difference.pixels),
-      difference.largest);
+      difference.largest)};
 }
 
-void PictureCheck::update(const std::string& input, const std::string& golden) const {
-  write_png(picture_of(input, options_), golden);
+void PictureCheck::update(const Figure& figure, const std::string& golden) const {
+  write_png(picture_of(figure, options_), golden);
 }
 
 }  // namespace displayfile

@@ -19,12 +19,12 @@ class PictureCheck : public GoldenCheckOption {
   bool asked_for(const CheckedInputs& inputs) override;
 
   std::string_view extension() const override { return ".png"; }
-  void read_golden(const std::string& file) override;
-  std::optional<std::string> difference(const std::string& input) const override;
-  void update(const std::string& input, const std::string& golden) const override;
+  void read_golden(const std::string& file, const std::string& with) override;
+  std::optional<GoldenDifference> difference(const Figure& figure) const override;
+  void update(const Figure& figure, const std::string& golden) const override;
 
  private:
-  Picture picture_of(const std::string& input, const DrawOptions& options) const;
+  Picture picture_of(const Figure& figure, const DrawOptions& options) const;
   void require_picture() const;
 
   bool asked_ = false;

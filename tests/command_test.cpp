@@ -361,7 +361,6 @@ TEST_F(Command, SaysWhatAnUnknownWordMayHaveMeant) {
   expect_error("--hepl", "unknown option '--hepl': did you mean '--help'? displayfile --help");
   expect_error("draw t.draw", "--output is required: displayfile draw --help lists all");
   expect_error("draw -- t.draw -o x.png", "--output is required: displayfile draw --help lists");
-  expect_error("", "A subcommand is required: displayfile --help lists all");
   expect_error("draw t.draw -o x.png --hidden bps", "'bps': did you mean 'bsp'? expected one of");
   expect_error("draw t.draw -o x.png --device osmsea", "did you mean 'osmesa'? expected software");
   expect_error("draw t.draw -o x.pngg", "did you mean '.png'? expected one of .png");

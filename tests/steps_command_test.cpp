@@ -55,7 +55,12 @@ TEST_F(StepsCommand, WritesAPageThatHoldsItsDataAndAsksForNoFile) {
 
 TEST_F(StepsCommand, RefusesWhatTellsNoSteps) {
   expect_error("steps triangle.draw --hidden map -o a.html", "expected one of bsp depth-sort");
-  expect_error("steps triangle.draw --hidden nothing -o a.html", "nothing");
+  expect_error("steps triangle.draw --hidden nothing -o a.html",
+               "unknown hidden-surface method 'nothing': expected one of bsp depth-sort");
+  expect_error("steps triangle.draw --hidden dept-sort -o a.html", "did you mean 'depth-sort'?");
+  expect_error("steps triangle.draw --hidden mapp -o a.html", "'mapp': expected one of bsp");
+  expect_error("steps triangle.draw --hidden map -o a.html",
+               "--hidden map: has no steps: expected");
   expect_error("steps triangle.draw --hidden bsp -o a.png", ".html or .json");
   expect_error("steps triangle.draw --hidden bsp -o none/a.html", "none");
   expect_error("steps triangle.draw --hidden perimeter -o a.html", "surface");

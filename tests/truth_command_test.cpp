@@ -80,7 +80,9 @@ TEST_F(TruthCommand, JudgesLines) {
   EXPECT_NE(out_.find("lines           3,"), std::string::npos) << out_;  // of the one front face
   EXPECT_TRUE(fs::exists(folder_ / "i.npy"));
   expect_error("truth t.draw --hidden z-buffer", "expected one of roberts");
-  expect_error("truth t.draw --hidden nothing", "unknown hidden-surface method 'nothing'");
+  expect_error("truth t.draw --hidden nothing",
+               "unknown hidden-surface method 'nothing': expected one of roberts appel");
+  expect_error("truth t.draw --hidden rovert", "did you mean 'roberts'? expected one of roberts");
   expect_error("truth t.draw --hidden franklin --precision rough", "rough");
   expect_error("truth t.draw --from world --seen-lines x.txt", "display-file coordinates");
   expect_error("truth t.draw --seen-lines nowhere/x.txt", "nowhere/x.txt");

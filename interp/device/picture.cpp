@@ -89,9 +89,10 @@ Paper paper_of(std::string_view word) {
     std::vector<std::string_view> names;
     names.reserve(kSheetSizes.size());
     for (const SheetSize& s : kSheetSizes) names.push_back(s.name);
+    const bool is_other_a = size.size() > 1 && size[0] == 'a' && size[1] >= '0' && size[1] <= '9';
     throw Error(fmt::format(
         "unknown paper '{}':{} expected {}, with -portrait or -landscape after it or without", word,
-        did_you_mean(size, names), kSheetWords));
+        is_other_a ? "" : did_you_mean(size, names), kSheetWords));
   }
   std::tie(paper.width, paper.height) = *sides;
   require_sheet(paper.width, paper.height);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <iostream>
+#include <string_view>
 
 #include "clip/base/error.h"
 #include "clip/base/file_extension.h"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -26,6 +28,7 @@
 #include "programs/command/steps_command.h"
 #include "programs/command/surface_command.h"
 #include "programs/command/truth_command.h"
+#include "programs/inputs/mistaken_words.h"
 #include "programs/inputs/picture_check.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/options/empty_values.h"
@@ -41,11 +44,28 @@
 namespace displayfile {
 namespace {
 
+constexpr std::string_view kHelp = "help";
+char help_option[] = "--help";
+
+/// The command line, ended by a null pointer. `help` and `help COMMAND` are `--help` and
+/// `COMMAND --help`.
+std::vector<char*> command_line(int argc, char** argv) {
+  std::vector<char*> words(argv, argv + argc);
+  if (argc > 1 && words[1] == kHelp) {
+    if (argc > 3) throw Error("help: expected one command, such as displayfile help draw");
+    words.erase(words.begin() + 1);
+    words.push_back(help_option);
+  }
+  words.push_back(nullptr);
+  return words;
+}
+
 /// What is in the place of a subcommand's name must be one.
 void require_known_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  names.emplace_back(kHelp);
   const std::string_view name = argv[1];
   if (std::ranges::find(names, name) != names.end()) return;
   if (std::error_code error; std::filesystem::is_regular_file(name, error)) {
@@ -83,11 +103,26 @@ std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error
   return fmt::format("unknown option '{}':{} {}", name, did_you_mean(name, known), help);
 }
 
-int run(int argc, char** argv) {
+/// An input that is no file may be the value of an option.
+void require_no_mistaken_values(const CLI::App& app, int argc, char** argv) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      if (!option->get_positional() || option->get_items_expected_max() <= 1) continue;
+      return displayfile::require_no_mistaken_values(
+          *command, std::span(argv, static_cast<std::size_t>(argc)).subspan(2));
+    }
+  }
+}
+
+int run(int count, char** as_given) {
+  std::vector<char*> words = command_line(count, as_given);
+  const int argc = static_cast<int>(words.size()) - 1;
+  char** const argv = words.data();
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
   app.set_version_flag("--version", version, "Print the version and the libraries that were found");
   app.require_subcommand(1);
+  app.footer("displayfile help COMMAND lists a command's options.");
   std::function<int()> chosen;
   WorkLimitWords limits;
   const AskedOfItself asked(argc, argv);
@@ -137,6 +172,10 @@ int run(int argc, char** argv) {
     asked.tell(app, named_values());
     return 0;
   }
+  if (argc == 1) {
+    std::cerr << app.help();
+    return 2;
+  }
   require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -146,6 +185,7 @@ int run(int argc, char** argv) {
     throw Error(wrong_command_line(app, e));
   }
   if (bench.parsed()) start_bench(argv);
+  require_no_mistaken_values(app, argc, argv);
   return chosen();
 }
 

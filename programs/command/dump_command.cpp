@@ -1,10 +1,16 @@
 #include "programs/command/dump_command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
+#include "clip/base/error.h"
+#include "clip/base/file_extension.h"
 #include "displayfile/files.h"
 #include "displayfile/text/output_file.h"
+#include "interp/draw/draw.h"
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/inputs.h"
 #include "programs/inputs/output_paths.h"
@@ -27,6 +33,12 @@ int DumpCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
   require_files_of_their_own({output}, inputs, lists);
+  if (std::ranges::find(picture_formats(), extension_of(output), &Choice::name) !=
+      picture_formats().end()) {
+    throw Error(fmt::format(
+        "{}: dump writes text: expected a name that ends in .txt; displayfile draw writes pictures",
+        output));
+  }
   MeshWords entering = meshes;
   if (const auto lines = hidden_surfaces.line_words()) {
     entering.lines = lines->selection();

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "clip/base/file_extension.h"
@@ -15,6 +18,7 @@
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/inputs.h"
 #include "programs/inputs/output_paths.h"
+#include "programs/options/hidden_surface_words.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 #include "programs/options/title_words.h"
@@ -66,7 +70,9 @@ int StepsCommand::run() {
   }
   require_files_of_their_own({output}, inputs, lists);
   StepsOptions options;
-  options.method = hidden_method(hidden);
+  std::vector<HiddenMethod> methods = methods_with_steps();
+  std::ranges::copy(plain_forms_with_steps(), std::back_inserter(methods));
+  options.method = method_among(hidden, methods, "has no steps");
   options.most_steps = most_steps;
   size.read(options.width, options.height);
   const PageFiles files;

@@ -182,16 +182,14 @@ SurfacePlan TruthCommand::judged_method() const {
                    .precision = displayfile::precision(precision),
                    .threads = threads};
   if (hidden.empty()) return plan;
-  plan.method = hidden_method(hidden);
-  if (finds_lines(plan.method)) return plan;
-  std::string methods;
+  std::vector<HiddenMethod> methods;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
-    if (finds_lines(entry.method)) methods.append(" ").append(entry.name);
+    if (finds_lines(entry.method)) methods.push_back(entry.method);
   }
-  throw Error(
-      fmt::format("--hidden {}: finds no lines: expected one of{}; compare item buffers of other "
-                  "methods with that of --ids",
-                  hidden, methods));
+  plan.method = method_among(hidden, methods,
+                             "finds no lines, and its item buffer can be compared with that of "
+                             "--ids");
+  return plan;
 }
 
 void TruthCommand::write_seen_lines(const DisplayFile& file, std::ostream& to) const {

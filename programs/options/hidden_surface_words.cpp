@@ -1,6 +1,13 @@
 #include "programs/options/hidden_surface_words.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
 #include "clip/base/error.h"
+#include "clip/base/nearest_word.h"
 #include "clip/surfaces.h"
 #include "programs/options/option_groups.h"
 
@@ -17,7 +24,10 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
       ->type_name("METHOD")
       ->group(kHiddenSurfaceOptions);
   command
-      .add_option("--scope", scope, "sort each segment by itself, or all visible segments together")
+      .add_option(
+          "--scope", scope,
+          "sort each segment by itself, or all visible segments together [segment, unless a "
+          "program sets another]")
       ->type_name("segment|all")
       ->group(kHiddenSurfaceOptions);
   command
@@ -62,6 +72,20 @@ Touching touching_of_option(const std::string& word) {
   } catch (const Error& error) {
     throw Error("--touching: " + std::string(error.what()));
   }
+}
+
+HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod> taken,
+                          std::string_view lack) {
+  std::vector<std::string_view> names;
+  for (const HiddenMethod method : taken) names.push_back(name_of(method));
+  const auto found = std::ranges::find(names, word);
+  if (found != names.end()) return taken[static_cast<std::size_t>(found - names.begin())];
+  const auto entry = std::ranges::find(hidden_methods(), word, &HiddenMethodEntry::name);
+  const bool is_known = entry != hidden_methods().end() || word.starts_with("colour-rule=");
+  throw Error(is_known ? fmt::format("--hidden {}: {}: expected one of {}", word, lack,
+                                     fmt::join(names, " "))
+                       : fmt::format("unknown hidden-surface method '{}':{} expected one of {}",
+                                     word, did_you_mean(word, names), fmt::join(names, " ")));
 }
 
 std::optional<Touching> HiddenSurfaceWords::touching_in_force() const {

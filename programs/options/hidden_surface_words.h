@@ -2,7 +2,9 @@
 
 #include <CLI/App.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "clip/surfaces.h"
 #include "displayfile/segments/sorted_display_file.h"
@@ -26,6 +28,11 @@ struct HiddenSurfaceWords {
   /// Within which distance polygons touch; nothing if the programs say it. Throws Error likewise.
   std::optional<Touching> touching_in_force() const;
 };
+
+/// The method of --hidden of a command that takes those methods only. Throws Error for any other
+/// word, listing those; `lack` says what other methods lack.
+HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod> taken,
+                          std::string_view lack);
 
 /// The option that touching_of_option reads.
 void add_touching_option(CLI::App& command, std::optional<std::string>& touching);

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <numbers>
 
+#include "clip/system/fused_product.h"
 #include "clip/unit.h"
 
 namespace displayfile {
@@ -21,12 +22,12 @@ struct TwoDoubles {
 
 TwoDoubles product(const TwoDoubles& a, const TwoDoubles& b) {
   const double high = a.high * b.high;
-  return {high, std::fma(a.high, b.high, -high) + (a.high * b.low + a.low * b.high)};
+  return {high, fused_product(a.high, b.high, -high) + (a.high * b.low + a.low * b.high)};
 }
 
 TwoDoubles quotient(const TwoDoubles& a, double b) {
   const double high = a.high / b;
-  return {high, (std::fma(-high, b, a.high) + a.low) / b};
+  return {high, (fused_product(-high, b, a.high) + a.low) / b};
 }
 
 /// 1 - a, for |a| < 1/2.

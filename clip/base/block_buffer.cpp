@@ -1,8 +1,8 @@
 #include "clip/base/block_buffer.h"
 
-#include <unistd.h>
-
 #include <cerrno>
+
+#include "clip/system/descriptors.h"
 
 namespace displayfile {
 
@@ -28,16 +28,5 @@ BlockBuffer::int_type BlockBuffer::overflow(int_type next) {
 }
 
 int BlockBuffer::sync() { return write_block() ? 0 : -1; }
-
-bool write_all(int descriptor, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t written = ::write(descriptor, bytes, count);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes += written;
-    count -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
 
 }  // namespace displayfile

@@ -30,7 +30,4 @@ class BlockBuffer : public std::streambuf {
   std::unique_ptr<char[]> block_;
 };
 
-/// False, with the reason in errno, if not all could be written.
-bool write_all(int descriptor, const char* bytes, std::size_t count);
-
 }  // namespace displayfile

@@ -38,7 +38,7 @@ const void* load_module(std::string_view name, std::string_view purpose) {
   const std::string file = fmt::format("{}.so.{}", name, DISPLAYFILE_MODULE_VERSION);
   const std::filesystem::path place = place_of(file, purpose);
   try {
-    const SharedLibrary library(place.c_str());
+    const SharedLibrary library(place.string().c_str());
     const void* const found = library.function<const void* (*)()>("displayfile_module")();
     const std::string_view version = *static_cast<const char* const*>(found);
     if (version == DISPLAYFILE_MODULE_VERSION) return found;

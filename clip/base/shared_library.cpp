@@ -1,18 +1,22 @@
 #include "clip/base/shared_library.h"
 
-#include <dlfcn.h>
+#include <string>
 
 #include "clip/base/error.h"
+#include "clip/system/loaded_library.h"
 
 namespace displayfile {
 
-SharedLibrary::SharedLibrary(const char* name) : handle_(dlopen(name, RTLD_LAZY | RTLD_LOCAL)) {
-  if (handle_ == nullptr) throw Error(dlerror());
+SharedLibrary::SharedLibrary(const char* name) {
+  std::string why;
+  handle_ = load_library(name, why);
+  if (handle_ == nullptr) throw Error(why);
 }
 
 void* SharedLibrary::address(const char* name) const {
-  void* const found = dlsym(handle_, name);
-  if (found == nullptr) throw Error(dlerror());
+  std::string why;
+  void* const found = address_in_library(handle_, name, why);
+  if (found == nullptr) throw Error(why);
   return found;
 }
 

@@ -19,7 +19,7 @@ class SharedLibrary {
  private:
   void* address(const char* name) const;
 
-  void* handle_;
+  void* handle_ = nullptr;
 };
 
 /// Declares a member for a library's function, with its type and its name without the prefix that

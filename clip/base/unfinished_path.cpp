@@ -1,13 +1,12 @@
 #include "clip/base/unfinished_path.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <ctime>
 #include <utility>
+
+#include "clip/system/folders.h"
 
 namespace displayfile {
 
@@ -59,7 +58,7 @@ void UnfinishedPath::remove_all() noexcept {
     for (auto& place : unfinished) {
       char* const path = place.exchange(nullptr);
       if (path == nullptr) continue;
-      if (::unlink(path) == 0 || ::rmdir(path) == 0) any_went = true;
+      if (remove_path(path)) any_went = true;
       char* none = nullptr;
       place.compare_exchange_strong(none, path);  // whose it is frees it, if time is left
     }
@@ -69,31 +68,24 @@ void UnfinishedPath::remove_all() noexcept {
 // ---- Names while the process is told to stop
 // -----------------------------------------------------
 
-UnfinishedPath::Naming::Naming() : before_() {
+UnfinishedPath::Naming::Naming() {
   if (names_of_thread++ > 0) return;
-  sigset_t all;
-  ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before_);
   naming.fetch_add(1);
   if (!ending.load()) return;
   naming.fetch_sub(1);
-  while (true) ::pause();  // another thread is ending the process
+  wait_for_the_end();  // another thread is ending the process
 }
 
 UnfinishedPath::Naming::~Naming() {
   if (--names_of_thread > 0) return;
   naming.fetch_sub(1);
-  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 /// A file system that hangs must not keep the process from ending: the wait has an end.
 void UnfinishedPath::end_naming() noexcept {
   constexpr int kTurns = 2000;
-  constexpr timespec kMillisecond{0, 1'000'000};
   ending.store(true);
-  for (int turn = 0; turn < kTurns && naming.load() > 0; ++turn) {
-    ::nanosleep(&kMillisecond, nullptr);
-  }
+  for (int turn = 0; turn < kTurns && naming.load() > 0; ++turn) wait_a_millisecond();
 }
 
 }  // namespace displayfile

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <csignal>
 #include <cstddef>
 #include <string>
+
+#include "clip/system/stopping.h"
 
 namespace displayfile {
 
@@ -32,11 +33,16 @@ class UnfinishedPath {
     Naming& operator=(const Naming&) = delete;
 
    private:
-    sigset_t before_;
+    HeldSignals held_;
   };
   /// For the handler of a signal that ends the process: blocks threads that begin Naming from now
   /// on, and returns when no thread is in it, so that remove_all then removes everything.
   static void end_naming() noexcept;
+  /// Both, one after the other: the last that a process does which is stopped from outside.
+  static void end_with_none() noexcept {
+    end_naming();
+    remove_all();
+  }
 
  private:
   std::size_t place_ = 0;  // in the table, from 1; 0 if in none

@@ -1,9 +1,6 @@
 #include "displayfile/text/output_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -15,8 +12,9 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/on_disk.h"
 #include "clip/base/real_path.h"
+#include "clip/system/descriptors.h"
+#include "clip/system/own_files.h"
 
 namespace displayfile {
 
@@ -27,32 +25,12 @@ namespace fs = std::filesystem;
 constexpr int kNamesToTry = 1000;
 constexpr std::size_t kLongestStem = 200;  // of a name of 255 bytes at most
 
-bool may_write(const std::string& path) {
-  return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
-}
-
-/// False, with the reason in errno, for a descriptor that is closed or open for reading alone.
-bool can_write(int descriptor) {
-  const int flags = ::fcntl(descriptor, F_GETFL);
-  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) errno = EBADF;
-  return flags >= 0 && (flags & O_ACCMODE) != O_RDONLY;
-}
-
 /// A name beside the target, of this process.
 std::string temporary_name(const fs::path& target, int attempt) {
-  return (target.parent_path() / fmt::format(".{}.{}-{}{}",
-                                             target.stem().string().substr(0, kLongestStem),
-                                             ::getpid(), attempt, target.extension().string()))
+  return (target.parent_path() /
+          fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, kLongestStem),
+                      number_of_process(), attempt, target.extension().string()))
       .string();
-}
-
-/// By what name a file may be opened that has none.
-std::string path_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
-
-/// Gives the nameless file a name; false, with the reason in errno, if it cannot have that one.
-bool link_nameless(int descriptor, const std::string& name) {
-  return ::linkat(AT_FDCWD, path_of(descriptor).c_str(), AT_FDCWD, name.c_str(),
-                  AT_SYMLINK_FOLLOW) == 0;
 }
 
 /// Which folder that would be is said by one of these, or by none.
@@ -98,7 +76,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
   std::error_code error;
   if (is_standard_output(path_)) {
     path_ = "standard output";
-    if (!can_write(STDOUT_FILENO)) fail_to_write();
+    if (!can_write(standard_output())) fail_to_write();
     standard_output_ = true;
     create_to_be_copied();
     return;
@@ -116,7 +94,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     if (error) fail("cannot be written: " + error.message());
   }
   create_temporary();
-  if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()));
+  if (fs::exists(status)) set_permissions(descriptor_, status.permissions());
 }
 
 // ---- The temporary file -------------------------------------------------------------------------
@@ -130,28 +108,14 @@ void OutputFile::create_to_be_copied() {
   create_temporary();
 }
 
+/// Without a name where the file system has such files.
 void OutputFile::create_temporary() {
-  if (create_nameless()) return;
+  descriptor_ = create_nameless_file(fs::path(target_).parent_path(), temporary_);
+  if (descriptor_ >= 0) return;
   create_named([&] {
-    descriptor_ =
-        ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // less umask
+    descriptor_ = create_file(temporary_);
     return descriptor_ >= 0;
   });
-}
-
-/// False where the system or the file system has no such files, or no way to open them anew.
-bool OutputFile::create_nameless() {
-#if defined(O_TMPFILE)
-  const fs::path folder = fs::path(target_).parent_path();
-  descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) return false;
-  if (::access(path_of(descriptor_).c_str(), F_OK) == 0) {
-    temporary_ = path_of(descriptor_);
-    return true;
-  }
-  ::close(std::exchange(descriptor_, -1));
-#endif
-  return false;
 }
 
 /// Tries one name after the other; `create` says whether it is taken, with the reason in errno.
@@ -174,7 +138,7 @@ void OutputFile::create_named(const Create& create) {
 }
 
 void OutputFile::name_temporary() {
-  create_named([&] { return link_nameless(descriptor_, temporary_); });
+  create_named([&] { return name_nameless_file(descriptor_, temporary_); });
 }
 
 const std::string& OutputFile::temporary_path() {
@@ -186,8 +150,12 @@ const std::string& OutputFile::temporary_path() {
 
 OutputFile::~OutputFile() { remove_temporary(); }
 
+void OutputFile::close() {
+  if (descriptor_ >= 0) close_file(std::exchange(descriptor_, -1));
+}
+
 void OutputFile::remove_temporary() {
-  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  close();
   if (!pending_) return;
   const UnfinishedPath::Naming naming;
   std::error_code ignored;
@@ -198,7 +166,7 @@ void OutputFile::remove_temporary() {
 
 std::ostream& OutputFile::stream() {
   if (blocks_ == nullptr) {
-    if (direct_) descriptor_ = ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    if (direct_) descriptor_ = open_emptied(path_);
     if (descriptor_ < 0) fail_to_write();
     blocks_ = std::make_unique<BlockBuffer>(descriptor_);
     stream_.rdbuf(blocks_.get());
@@ -224,7 +192,7 @@ void OutputFile::commit() {
   if (direct_) return remove_temporary();  // nothing but the descriptor
   if (copied_) return copy_to_target();
   replace_target();
-  ::close(std::exchange(descriptor_, -1));
+  close();
   if (!put_names_on_disk(fs::path(target_).parent_path())) {
     fail(fmt::format("is written, but its name may not be on the disk: {}", std::strerror(errno)));
   }
@@ -234,7 +202,8 @@ void OutputFile::replace_target() {
   const UnfinishedPath::Naming naming;
   if (!pending_ && link_to_target()) return;
   if (!pending_) name_temporary();
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+  close();  // Windows renames no open file
+  if (!rename_file(temporary_, target_)) {
     const int reason = errno;
     std::error_code error;
     const fs::path folder = fs::path(target_).parent_path();
@@ -248,27 +217,26 @@ void OutputFile::replace_target() {
 }
 
 /// True if there was no target, and the nameless file is it now.
-bool OutputFile::link_to_target() const { return link_nameless(descriptor_, target_); }
+bool OutputFile::link_to_target() const { return name_nameless_file(descriptor_, target_); }
 
 /// The temporary file has no name any more when the first byte is written: a reader that goes away
 /// may end this process.
 void OutputFile::copy_to_target() {
-  const int to =
-      standard_output_ ? STDOUT_FILENO : ::open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  const int to = standard_output_ ? standard_output() : open_emptied(path_);
   if (to < 0) fail_to_write();
   if (standard_output_) std::cout.flush();
   const int from = std::exchange(descriptor_, -1);
   remove_temporary();
-  ::lseek(from, 0, SEEK_SET);
+  rewind_file(from);
   std::array<char, 1 << 16> block;
-  ssize_t count = 0;
+  std::ptrdiff_t count = 0;
   bool written = true;
-  while (written && (count = ::read(from, block.data(), block.size())) > 0) {
+  while (written && (count = read_some(from, block.data(), block.size())) > 0) {
     written = write_all(to, block.data(), static_cast<std::size_t>(count));
   }
   const int reason = errno;
-  ::close(from);
-  if (!standard_output_) ::close(to);
+  close_file(from);
+  if (!standard_output_) close_file(to);
   errno = reason;
   if (!written || count < 0) fail_to_write();
 }

@@ -54,13 +54,13 @@ class OutputFile : public Output {
   [[noreturn]] void fail_to_write() const;  // by errno
   [[noreturn]] void fail_at_the_end(const std::string& what, int reason);
   void create_temporary();
-  bool create_nameless();
   template <class Create>
   void create_named(const Create& create);
   void name_temporary();
   void create_to_be_copied();
   void replace_target();
   bool link_to_target() const;
+  void close();
   void remove_temporary();
   void copy_to_target();
 

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 
+#include "clip/system/fused_product.h"
 #include "hidden/exact/entered_plane.h"
 #include "hidden/exact/exact_projector.h"
 #include "hidden/exact/predicate_counts.h"
@@ -166,7 +167,7 @@ std::optional<double> unrounded(const std::array<double, 4>& factors, const Poin
   for (std::size_t k = 0; k < 3; ++k) {
     const double product = factors[k] * at[k];
     const double next = sum + product, added = next - sum;
-    const bool is_exact = std::fma(factors[k], at[k], -product) == 0.0 &&
+    const bool is_exact = fused_product(factors[k], at[k], -product) == 0.0 &&
                           (sum - (next - added)) + (product - added) == 0.0;
     if (!is_exact) return std::nullopt;
     sum = next;
@@ -199,7 +200,7 @@ bool EnteredProjection::are_unrounded(const EnteredPolygon& polygon,
     for (int k = 0; k < 2; ++k) {
       const auto coordinate = unrounded(row_of(m, k), world);
       if (!coordinate) return false;
-      if (std::fma(device[i][k], *w, -*coordinate) != 0.0) return false;
+      if (fused_product(device[i][k], *w, -*coordinate) != 0.0) return false;
     }
   }
   return true;

@@ -26,7 +26,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(displayfile_c_EXPORTS) /* as CMake compiles the library */
+#define DF_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define DF_API __declspec(dllimport)
+#elif defined(__GNUC__)
 #define DF_API __attribute__((visibility("default")))
 #else
 #define DF_API

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "clip/base/budgeted_work.h"
+#include "clip/system/interrupts.h"
 
 namespace displayfile::python {
 
@@ -12,24 +13,13 @@ namespace py = pybind11;
 namespace {
 
 std::atomic<WorkBudget*> stopped_by_interrupt{nullptr};
-struct sigaction of_python {};
 
-extern "C" void stop_and_tell_python(int signal) {
+void stop_work() noexcept {
   if (WorkBudget* const budget = stopped_by_interrupt.load()) budget->stop();
-  of_python.sa_handler(signal);
 }
 
-/// True if Python, or who else handles the signal, is told of it too from now on.
-bool listen() {
-  if (stopped_by_interrupt.load() != nullptr) return false;
-  if (sigaction(SIGINT, nullptr, &of_python) != 0) return false;
-  const bool is_handled = (of_python.sa_flags & SA_SIGINFO) == 0 &&
-                          of_python.sa_handler != SIG_DFL && of_python.sa_handler != SIG_IGN;
-  if (!is_handled) return false;
-  struct sigaction ours = of_python;
-  ours.sa_handler = stop_and_tell_python;
-  return sigaction(SIGINT, &ours, nullptr) == 0;
-}
+/// True if the interrupts that Python handles, or another handler, stop work too from now on.
+bool listen() { return stopped_by_interrupt.load() == nullptr && call_at_interrupts(stop_work); }
 
 }  // namespace
 
@@ -59,7 +49,7 @@ std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex) {
 
 StoppedByInterrupt::~StoppedByInterrupt() {
   if (!listens_) return;
-  sigaction(SIGINT, &of_python, nullptr);
+  call_at_interrupts_no_more();
   stopped_by_interrupt.store(nullptr);
   if (budget_ != &own_ && budget_->is_stopped()) caller_.block->renew_budget();
 }

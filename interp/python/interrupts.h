@@ -2,7 +2,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <csignal>
 #include <memory>
 #include <mutex>
 

@@ -18,6 +18,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/nearest_word.h"
+#include "clip/system/freed_memory.h"
+#include "clip/system/standard_streams.h"
 #include "programs/command/check_command.h"
 #include "programs/command/compare_command.h"
 #include "programs/command/draw_command.h"
@@ -36,8 +38,6 @@
 #include "programs/options/work_limits.h"
 #include "programs/process/bench_program.h"
 #include "programs/process/exit_status.h"
-#include "programs/process/keep_freed_memory.h"
-#include "programs/process/standard_descriptors.h"
 #include "programs/process/stop_signals.h"
 #include "programs/process/version.h"
 

@@ -9,6 +9,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
+#include "clip/system/freed_memory.h"
 #include "displayfile/text/output_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/draw.h"
@@ -16,7 +17,6 @@
 #include "programs/inputs/output_paths.h"
 #include "programs/options/number_in.h"
 #include "programs/options/picture_words.h"
-#include "programs/process/keep_freed_memory.h"
 #include "programs/process/progress.h"
 
 namespace displayfile {

@@ -1,9 +1,9 @@
 // The program `displayfile-import`. Only displayfile starts it
 // (displayfile/mesh/import_process.md).
 
+#include "clip/system/standard_streams.h"
 #include "programs/import_program/import_program.h"
 #include "programs/process/exit_status.h"
-#include "programs/process/standard_descriptors.h"
 
 int main(int argc, char** argv) {
   displayfile::keep_standard_descriptors();

@@ -16,6 +16,7 @@
 #include "clip/base/error.h"
 #include "clip/base/file_extension.h"
 #include "clip/base/input_file.h"
+#include "clip/system/freed_memory.h"
 #include "displayfile/files.h"
 #include "displayfile/looks/background.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -24,7 +25,6 @@
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
 #include "programs/inputs/mistaken_words.h"
-#include "programs/process/keep_freed_memory.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 

@@ -1,8 +1,6 @@
 #include "programs/inputs/made_folders.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +8,8 @@
 #include <system_error>
 
 #include "clip/base/error.h"
-#include "clip/base/on_disk.h"
+#include "clip/system/descriptors.h"
+#include "clip/system/folders.h"
 
 namespace displayfile {
 
@@ -27,10 +26,10 @@ void MadeFolders::make_for(const fs::path& file) {
   }
   if (missing.empty()) return;
   std::ranges::reverse(missing);
-  const int from = above.empty() ? AT_FDCWD : held(above);
+  const int from = above.empty() ? kNotHeld : held(above);
   const UnfinishedPath::Naming naming;
   for (const fs::path& made : missing) {
-    made_.push_back({from, from == AT_FDCWD ? made : made.lexically_relative(above)});
+    made_.push_back({from, from == kNotHeld ? made : made.lexically_relative(above)});
     unfinished_.emplace_back(made.string());
   }
   fs::create_directories(folder, error);
@@ -46,18 +45,17 @@ int MadeFolders::held(const fs::path& folder) {
   constexpr std::size_t kMostHeld = 64;
   const auto found = held_.find(folder);
   if (found != held_.end()) return found->second;
-  if (held_.size() >= kMostHeld) return AT_FDCWD;
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return AT_FDCWD;
-  held_.emplace(folder, descriptor);
-  return descriptor;
+  if (held_.size() >= kMostHeld) return kNotHeld;
+  const int number = hold_folder(folder);
+  if (number != kNotHeld) held_.emplace(folder, number);
+  return number;
 }
 
 MadeFolders::~MadeFolders() {
   std::ranges::reverse(made_);
   // What is not empty stays.
-  for (const auto& [from, path] : made_) ::unlinkat(from, path.c_str(), AT_REMOVEDIR);
-  for (const auto& [path, descriptor] : held_) ::close(descriptor);
+  for (const auto& [from, path] : made_) remove_empty_folder(from, path);
+  for (const auto& [path, number] : held_) release_folder(number);
 }
 
 }  // namespace displayfile

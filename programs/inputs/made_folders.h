@@ -28,7 +28,7 @@ class MadeFolders {
     int from;
     std::filesystem::path path;
   };
-  /// A folder held open; AT_FDCWD if it cannot be, or many are.
+  /// A folder held open; kNotHeld if it cannot be, or many are.
   int held(const std::filesystem::path& folder);
 
   std::mutex one_at_a_time_;

@@ -1,21 +1,18 @@
 #include "programs/options/work_limits.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/time.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
 #include <string_view>
 
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/unfinished_path.h"
+#include "clip/system/process_memory.h"
+#include "clip/system/stopping.h"
 #include "clip/unit.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
@@ -27,40 +24,13 @@ namespace {
 constexpr double kShareOfMachine = 0.75;
 constexpr double kMostSeconds = 1e8;
 
-/// What is said if time is over and the work has not stopped by itself; a signal handler reads it.
-std::array<char, 256> time_is_over{};
-std::size_t time_is_over_length = 0;
-
-extern "C" void on_time_over(int /*signal*/) {
-  UnfinishedPath::end_naming();
-  UnfinishedPath::remove_all();
-  if (::write(STDERR_FILENO, time_is_over.data(), time_is_over_length) < 0) ::_exit(2);
-  ::_exit(2);
-}
-
-void set_timer(double seconds) {
-  itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  timer.it_value.tv_usec =
-      static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))) + (seconds > 0.0 ? 1 : 0);
-  if (timer.it_value.tv_usec >= 1'000'000) timer.it_value.tv_usec = 999'999;
-  ::setitimer(ITIMER_REAL, &timer, nullptr);
-}
-
 void end_when_time_is_over(double seconds) {
   constexpr double kGrace = 1.02;
-  const auto result = fmt::format_to_n(
-      time_is_over.data(), time_is_over.size(),
-      "displayfile: {} seconds are not enough: expected a higher limit of seconds\n", seconds);
-  time_is_over_length = std::min(result.size, time_is_over.size());
-  struct sigaction action {};
-  action.sa_handler = on_time_over;
-  ::sigaction(SIGALRM, &action, nullptr);
-  sigset_t alarm;  // whoever started the process may have blocked it
-  ::sigemptyset(&alarm);
-  ::sigaddset(&alarm, SIGALRM);
-  ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
-  set_timer(kGrace * seconds);
+  end_process_after(
+      kGrace * seconds,
+      fmt::format("displayfile: {} seconds are not enough: expected a higher limit of seconds\n",
+                  seconds),
+      UnfinishedPath::end_with_none);
 }
 
 std::size_t usual_memory() {
@@ -82,17 +52,12 @@ WorkLimits limits_of(const WorkLimitWords& words) {
 }
 
 /// The command is given no memory for data beyond so many bytes, by the system: what needs more is
-/// out of memory. A limit that is lower already stays. RLIMIT_DATA counts what the process may
-/// write to and nobody shares, as it is mapped: unlike the address space, it has no room that is
-/// only kept free, and unlike what is resident, it cannot be passed.
+/// out of memory.
 void limit_memory_of_process(std::uint64_t bytes) {
   if (const std::size_t now = memory_of_process(); now >= bytes) {
     throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
   }
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
-  ::setrlimit(RLIMIT_DATA, &limit);
+  set_limit_of_data(bytes);
 }
 
 /// A usual limit that the process has passed already, as one with a sanitizer has, is none.
@@ -161,7 +126,7 @@ WorkLimitsInForce::WorkLimitsInForce(const WorkLimitWords& words)
 }
 
 WorkLimitsInForce::~WorkLimitsInForce() {
-  if (is_timed_) set_timer(0.0);
+  if (is_timed_) end_process_no_more();
 }
 
 }  // namespace displayfile

@@ -8,6 +8,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/input_file.h"
+#include "clip/system/own_files.h"
 
 namespace displayfile {
 
@@ -15,7 +16,7 @@ namespace {
 
 std::filesystem::path own_folder() {
   std::error_code failed;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  const auto program = file_of_program(failed);
   return failed ? std::filesystem::path() : program.parent_path();
 }
 

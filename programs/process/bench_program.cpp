@@ -1,14 +1,15 @@
 #include "programs/process/bench_program.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "clip/base/error.h"
+#include "clip/system/own_files.h"
 
 namespace displayfile {
 
@@ -20,12 +21,13 @@ CLI::App& add_bench(CLI::App& app) {
 }
 
 void start_bench(char** argv) {
-  const auto own_folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::error_code unknown;
+  const auto own_folder = file_of_program(unknown).parent_path();
   const std::array places{own_folder / "displayfile-bench",
                           (own_folder / DISPLAYFILE_BENCH_FOLDER / "displayfile-bench")};
   int why = 0;
   for (const auto& program : places) {
-    execv(program.c_str(), argv);
+    replace_program(program, argv);
     if (errno != ENOENT) why = errno;
   }
   throw Error(fmt::format("bench: {} cannot be started, nor {}: {}", places[0].string(),

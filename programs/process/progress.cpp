@@ -1,9 +1,9 @@
 #include "programs/process/progress.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cstdio>
+
+#include "clip/system/standard_streams.h"
 
 namespace displayfile {
 
@@ -15,7 +15,7 @@ std::atomic<bool> one_is_shown = false;
 void Progress::show_none() { one_is_shown = true; }
 
 Progress::Progress(const std::string& what)
-    : what_(what), shown_(isatty(STDERR_FILENO) == 1 && !one_is_shown.exchange(true)) {
+    : what_(what), shown_(errors_are_on_terminal() && !one_is_shown.exchange(true)) {
   if (!shown_) return;
   std::fputs(("\r\x1b[K" + what + " ...").c_str(), stderr);
   std::fflush(stderr);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "clip/system/standard_streams.h"
 #include "displayfile/text/output_file.h"
 #include "hard/document.h"
 #include "hard/right_picture.h"
@@ -79,7 +79,7 @@ class Progress {
   }
 
  private:
-  bool on_ = isatty(STDERR_FILENO) != 0;
+  bool on_ = errors_are_on_terminal();
 };
 
 Tally judge_by_display_file(const Scene& scene, const Options& options,

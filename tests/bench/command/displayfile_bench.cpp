@@ -7,6 +7,7 @@
 #include <array>
 
 #include "clip/base/error.h"
+#include "clip/system/standard_streams.h"
 #include "displayfile/mesh/mesh_extensions.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/options/empty_values.h"
@@ -14,7 +15,6 @@
 #include "programs/options/work_limits.h"
 #include "programs/process/bench_program.h"
 #include "programs/process/exit_status.h"
-#include "programs/process/standard_descriptors.h"
 #include "programs/process/stop_signals.h"
 #include "tests/bench/command/bench_command.h"
 

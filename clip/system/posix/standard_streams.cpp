@@ -1,4 +1,4 @@
-#include "programs/process/standard_descriptors.h"
+#include "clip/system/standard_streams.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,5 +14,7 @@ void keep_standard_descriptors() {
     if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
 }
+
+bool errors_are_on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
 }  // namespace displayfile

@@ -14,9 +14,9 @@ void keep_freed_memory();
 void ask_for_memory(std::size_t bytes);
 
 /// From now on about this many bytes are allocated in the system's largest pages
-/// (clip/base/large_pages.h), however small the allocations: mapping thirty thousand small pages
-/// takes a third of the time of drawing a surface of 500 x 500 points. The program then returns no
-/// memory.
+/// (clip/system/process_memory.h), however small the allocations: mapping thirty thousand small
+/// pages takes a third of the time of drawing a surface of 500 x 500 points. The program then
+/// returns no memory.
 void hand_out_large_pages(std::size_t bytes);
 
 }  // namespace displayfile

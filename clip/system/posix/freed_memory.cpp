@@ -1,4 +1,4 @@
-#include "programs/process/keep_freed_memory.h"
+#include "clip/system/freed_memory.h"
 
 #include <cstdlib>
 
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "clip/base/large_pages.h"
+#include "clip/system/process_memory.h"
 
 namespace displayfile {
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace displayfile {
+
+// Files by descriptors, which both systems' C libraries have. Bytes are written and read as they
+// are, and no started process inherits a descriptor. A failure leaves its reason in errno.
+
+/// Creates a file, to read and write; -1 if it exists or cannot be created.
+int create_file(const std::string& path);
+/// Creates a file without a name in a folder (empty: the working folder), and sets `path` to one by
+/// which it may be opened. -1 where the system or the file system has no such files.
+int create_nameless_file(const std::filesystem::path& folder, std::string& path);
+/// Gives that file a name; false if it cannot have that one.
+bool name_nameless_file(int descriptor, const std::string& name);
+/// Empties an existing file, device or pipe, to write; -1 if it cannot be opened.
+int open_emptied(const std::string& path);
+/// That of standard output.
+int standard_output();
+void close_file(int descriptor);
+/// Gives a file another name, also that of another, which it replaces at once.
+bool rename_file(const std::string& from, const std::string& to);
+
+/// False for a file that this process may not write to.
+bool may_write(const std::string& path);
+/// False for a descriptor that is closed or open for reading alone.
+bool can_write(int descriptor);
+/// Where the system has permissions of that kind.
+void set_permissions(int descriptor, std::filesystem::perms permissions);
+
+/// False if not all could be written.
+bool write_all(int descriptor, const char* bytes, std::size_t count);
+/// The number of bytes read; 0 at the end, negative for a failure.
+std::ptrdiff_t read_some(int descriptor, char* bytes, std::size_t count);
+/// The next read is of the first byte.
+void rewind_file(int descriptor);
+
+/// Waits until the file's data is on the disk. False if that fails; true for file systems without
+/// such an operation.
+bool put_on_disk(int descriptor);
+/// The same for the names in a folder; an empty path is the working folder. True also if the folder
+/// may not be opened: its contents may be usable all the same.
+bool put_names_on_disk(const std::filesystem::path& folder);
+
+}  // namespace displayfile

@@ -1,0 +1,29 @@
+#include "clip/system/own_files.h"
+
+#include <unistd.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+
+#include <array>
+#endif
+
+namespace displayfile {
+
+std::filesystem::path file_of_program(std::error_code& error) {
+#ifdef __APPLE__
+  std::array<char, 4096> name{};
+  std::uint32_t size = name.size();
+  if (::_NSGetExecutablePath(name.data(), &size) == 0) {
+    return std::filesystem::canonical(name.data(), error);
+  }
+#endif
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+}
+
+void replace_program(const std::filesystem::path& program, char** arguments) {
+  ::execv(program.c_str(), arguments);
+}
+
+unsigned number_of_process() { return static_cast<unsigned>(::getpid()); }
+
+}  // namespace displayfile

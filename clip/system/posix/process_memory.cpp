@@ -1,0 +1,115 @@
+#include "clip/system/process_memory.h"
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+namespace displayfile {
+
+namespace {
+
+/// A word of the file as a number of bytes; 0 if it is none.
+std::size_t number_in(const char* file, int words_before) {
+  std::ifstream in(file);
+  std::string word;
+  for (int k = 0; k < words_before; ++k) in >> word;
+  std::size_t number = 0;
+  return in >> number ? number : 0;
+}
+
+/// The least that the groups of this process (cgroup) are limited to, from its own to the root.
+/// Those of version 2 have no list of controllers.
+std::uint64_t limit_of_groups() {
+  std::uint64_t least = kNoMemoryLimit;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {  // NUMBER:CONTROLLERS:/PATH
+    const std::size_t list = line.find(':') + 1, path = line.find(":/", list) + 1;
+    if (list == 0 || path == 0) continue;
+    const bool is_second = path == list + 1;
+    if (!is_second && line.substr(list, path - 1 - list) != "memory") continue;
+    const std::string root = is_second ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
+    const char* const file = is_second ? "/memory.max" : "/memory.limit_in_bytes";
+    std::string group = line.substr(path);
+    for (;;) {
+      if (const std::size_t limit = number_in((root + group + file).c_str(), 0); limit != 0) {
+        least = std::min<std::uint64_t>(least, limit);
+      }
+      if (group.empty()) break;
+      group.resize(group.rfind('/'));
+    }
+  }
+  return least;
+}
+
+std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))); }
+
+}  // namespace
+
+/// Linux says it in kibibytes; other systems say nothing here.
+std::size_t memory_free_for_all() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string name; file >> name;) {
+    std::size_t kibibytes = 0;
+    if (name == "MemAvailable:" && file >> kibibytes) return kibibytes * 1024;
+    file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return std::numeric_limits<std::size_t>::max();
+}
+
+/// What it may write to, but for shared memory; the sixth of the kernel's numbers.
+std::size_t data_of_process() { return page() * number_in("/proc/self/statm", 5); }
+
+std::size_t memory_of_groups() {
+  const std::size_t all =
+      page() * static_cast<std::size_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
+  return static_cast<std::size_t>(std::min<std::uint64_t>(all, limit_of_groups()));
+}
+
+std::uint64_t limit_of_data() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+    return kNoMemoryLimit;
+  }
+  return limit.rlim_cur;
+}
+
+std::uint64_t limit_of_process() {
+  rlimit limit{};
+  const std::uint64_t least = limit_of_data();
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return least;
+  return std::min<std::uint64_t>(least, limit.rlim_cur);
+}
+
+/// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
+/// address space, it has no room that is only kept free, and unlike what is resident, it cannot be
+/// passed.
+void set_limit_of_data(std::uint64_t bytes) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min({static_cast<rlim_t>(bytes), limit.rlim_cur, limit.rlim_max});
+  ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+bool can_have_pages(std::size_t bytes) {
+  void* const pages =
+      ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (pages == MAP_FAILED) return false;
+  ::munmap(pages, bytes);
+  return true;
+}
+
+void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t kPage = 4096;
+  if (bytes < kLeastInLargePages) return;
+  const std::size_t past = reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  const std::size_t to_page = past == 0 ? 0 : kPage - past;
+  ::madvise(static_cast<char*>(begin) + to_page, bytes - kPage, MADV_HUGEPAGE);  // or not
+#endif
+}
+
+}  // namespace displayfile

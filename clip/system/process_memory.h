@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace displayfile {
+
+inline constexpr std::uint64_t kNoMemoryLimit = std::numeric_limits<std::uint64_t>::max();
+
+// Bytes, as the system reports them.
+
+/// Free memory, or memory that can be freed without writing to a disk; the maximum if unknown.
+std::size_t memory_free_for_all();
+/// This process's data; 0 if unknown.
+std::size_t data_of_process();
+/// The machine's, or that of the groups of processes that this one is in; 0 if unknown.
+std::size_t memory_of_groups();
+/// The limit of this process's data; kNoMemoryLimit if there is none.
+std::uint64_t limit_of_data();
+/// The same, or the limit of its addresses if that is lower.
+std::uint64_t limit_of_process();
+/// Lowers the limit of this process's data, where the system has one; a lower one stays.
+void set_limit_of_data(std::uint64_t bytes);
+/// True if so many bytes in new pages can be allocated now. They are released again.
+bool can_have_pages(std::size_t bytes);
+
+inline constexpr std::size_t kLeastInLargePages = std::size_t{16} << 20;
+/// Advises the system, where supported, to back untouched memory with large pages; not worth it
+/// below kLeastInLargePages.
+void ask_for_large_pages(void* begin, std::size_t bytes);
+
+}  // namespace displayfile

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace displayfile {
+
+/// During its lifetime no signal interrupts this thread; where the system stops a program by
+/// another thread, nothing does anyway.
+class HeldSignals {
+ public:
+  HeldSignals();
+  ~HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  alignas(std::max_align_t) std::array<std::byte, 128> before_;
+};
+
+/// Both for signal handlers: waits for about a millisecond; waits for the end of the process, which
+/// another thread brings about.
+void wait_a_millisecond() noexcept;
+[[noreturn]] void wait_for_the_end() noexcept;
+
+/// From now on `last` is called when the process is stopped from outside, and then the process ends
+/// as usual: by the signals INT, TERM, HUP, QUIT, PIPE and XCPU, or as a console stops it. Signals
+/// ignored at process start stay ignored. Exceeding the file size limit is an error like a full
+/// disk, and no signal.
+void call_when_stopped(void (*last)() noexcept);
+
+/// Ends the process after so many seconds, of at most 1e9: `last` is called, the message, which has
+/// at most 255 bytes, written to standard error, and the exit status is 2. No more than one at a
+/// time.
+void end_process_after(double seconds, const std::string& message, void (*last)() noexcept);
+/// Takes that back.
+void end_process_no_more();
+
+}  // namespace displayfile

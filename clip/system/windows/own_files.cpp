@@ -1,0 +1,45 @@
+#include "clip/system/own_files.h"
+
+#include <array>
+#include <cerrno>
+
+#include "clip/system/windows/windows.h"
+
+namespace displayfile {
+
+namespace {
+
+/// Null: the program's own. Empty if the name is longer than any that Windows gives.
+std::filesystem::path file_of(HMODULE module) {
+  constexpr DWORD kLongest = 32768;
+  static thread_local std::array<wchar_t, kLongest> name;
+  const DWORD length = ::GetModuleFileNameW(module, name.data(), kLongest);
+  if (length == 0 || length >= kLongest) return {};
+  return std::filesystem::path(name.data(), name.data() + length);
+}
+
+}  // namespace
+
+std::filesystem::path file_of_program(std::error_code& error) {
+  std::filesystem::path file = file_of(nullptr);
+  error = file.empty() ? std::make_error_code(std::errc::filename_too_long) : std::error_code();
+  return file;
+}
+
+std::filesystem::path file_of_this_code() {
+  static const char here = 0;
+  HMODULE module = nullptr;
+  constexpr DWORD kByAddress =
+      GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_UNCHANGED_REFCOUNT;
+  if (::GetModuleHandleExA(kByAddress, &here, &module) == 0) return {};
+  return file_of(module);
+}
+
+/// Here a program can only be started beside this one.
+void replace_program(const std::filesystem::path& /*program*/, char** /*arguments*/) {
+  errno = ENOSYS;
+}
+
+unsigned number_of_process() { return ::GetCurrentProcessId(); }
+
+}  // namespace displayfile

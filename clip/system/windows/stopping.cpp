@@ -1,0 +1,69 @@
+#include "clip/system/stopping.h"
+
+#include <io.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+
+#include "clip/system/windows/windows.h"
+
+namespace displayfile {
+
+namespace {
+
+std::atomic<void (*)() noexcept> last_when_stopped{nullptr};
+std::atomic<void (*)() noexcept> last_in_time{nullptr};
+std::string time_is_over;
+HANDLE timer = nullptr;
+
+/// Called on a thread of the system's. What usually happens then comes after it: the end.
+BOOL WINAPI on_stop(DWORD /*event*/) {
+  last_when_stopped.load()();
+  return FALSE;
+}
+
+/// On a thread of the system's, too.
+void CALLBACK on_time_over(void* /*nothing*/, BOOLEAN /*fired*/) {
+  constexpr int kStandardError = 2;
+  last_in_time.load()();
+  ::_write(kStandardError, time_is_over.data(), static_cast<unsigned>(time_is_over.size()));
+  ::_exit(2);
+}
+
+}  // namespace
+
+HeldSignals::HeldSignals() : before_() {}
+
+HeldSignals::~HeldSignals() = default;
+
+void wait_a_millisecond() noexcept { ::Sleep(1); }
+
+void wait_for_the_end() noexcept {
+  while (true) ::Sleep(INFINITE);
+}
+
+void call_when_stopped(void (*last)() noexcept) {
+  last_when_stopped = last;
+  ::SetConsoleCtrlHandler(on_stop, TRUE);
+}
+
+/// The system's timers count milliseconds, of which 32 bits are 49 days.
+void end_process_after(double seconds, const std::string& message, void (*last)() noexcept) {
+  constexpr double kLongest = 4e9;
+  end_process_no_more();
+  last_in_time = last;
+  time_is_over = message;
+  ::CreateTimerQueueTimer(&timer, nullptr, on_time_over, nullptr,
+                          static_cast<DWORD>(std::min(1000.0 * seconds + 1.0, kLongest)), 0,
+                          WT_EXECUTEONLYONCE);
+}
+
+void end_process_no_more() {
+  if (timer == nullptr) return;
+  // Returns when the callback does not run; if it does, the process ends.
+  ::DeleteTimerQueueTimer(nullptr, timer, INVALID_HANDLE_VALUE);
+  timer = nullptr;
+}
+
+}  // namespace displayfile

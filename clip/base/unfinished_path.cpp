@@ -51,16 +51,19 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
   return *this;
 }
 
-/// A folder goes when nothing is in it any more: as long as anything goes, another may.
+/// A folder goes when nothing is in it any more: as long as anything goes, another may. Windows
+/// removes a file that is open again and again, so each is removed once.
 void UnfinishedPath::remove_all() noexcept {
+  std::array<bool, kPlaces> went{};
   for (bool any_went = true; any_went;) {
     any_went = false;
-    for (auto& place : unfinished) {
-      char* const path = place.exchange(nullptr);
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+      char* const path = went[i] ? nullptr : unfinished[i].exchange(nullptr);
       if (path == nullptr) continue;
-      if (remove_path(path)) any_went = true;
+      went[i] = remove_path(path);
+      any_went = any_went || went[i];
       char* none = nullptr;
-      place.compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+      unfinished[i].compare_exchange_strong(none, path);  // whose it is frees it, if time is left
     }
   }
 }

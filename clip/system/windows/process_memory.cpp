@@ -36,7 +36,7 @@ std::size_t data_of_process() {
                                 sizeof counts) == 0) {
     return 0;
   }
-  return counts.PrivateUsage;
+  return std::max(counts.PrivateUsage, counts.PagefileUsage);  // the same, if both are known
 }
 
 std::size_t memory_of_groups() { return static_cast<std::size_t>(state_of_memory().ullTotalPhys); }

@@ -9,7 +9,7 @@ namespace {
 void (*called_first)() noexcept = nullptr;
 struct sigaction of_process {};
 
-extern "C" void on_interrupt(int signal) {
+void on_interrupt(int signal) {
   called_first();
   of_process.sa_handler(signal);
 }

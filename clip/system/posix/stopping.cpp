@@ -20,12 +20,12 @@ std::array<char, 256> time_is_over{};
 std::size_t time_is_over_length = 0;
 
 /// The signal's own action is in force again by then.
-extern "C" void on_stop(int signal) {
+void on_stop(int signal) {
   last_when_stopped();
   std::raise(signal);
 }
 
-extern "C" void on_time_over(int /*signal*/) {
+void on_time_over(int /*signal*/) {
   last_in_time();
   if (::write(STDERR_FILENO, time_is_over.data(), time_is_over_length) < 0) ::_exit(2);
   ::_exit(2);

@@ -13,7 +13,7 @@ std::atomic<void (*)() noexcept> called_first{nullptr};
 std::atomic<Handler> of_process{nullptr};
 
 /// A handler is called once here, on a thread of the system's, and then no more.
-extern "C" void on_interrupt(int signal) {
+void on_interrupt(int signal) {
   std::signal(SIGINT, on_interrupt);
   called_first.load()();
   of_process.load()(signal);

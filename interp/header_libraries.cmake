@@ -6,7 +6,7 @@
 set(headers ${PROJECT_BINARY_DIR}/headers)
 function(displayfile_headers library target folder)
   if(NOT IS_DIRECTORY /usr/include/${folder})
-    message(FATAL_ERROR "/usr/include/${folder} is not there; CONTRIBUTING.md names the packages")
+    message(FATAL_ERROR "/usr/include/${folder} is not there; interp/web/make-package and tests/elsewhere install it")
   endif()
   file(MAKE_DIRECTORY ${headers})
   file(CREATE_LINK /usr/include/${folder} ${headers}/${folder} SYMBOLIC)

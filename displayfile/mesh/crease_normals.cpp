@@ -21,14 +21,14 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNoCorner = 0xFFFFFFFFu;
 
 /// Faces with area, without corners that repeat the one before, and with the vertices that lie
 /// along their sides as corners. Corners are counted through all faces.
 struct SmoothedFaces {
   WeldedFaces welded;
   std::vector<std::size_t> first_corner;  // of welded
-  std::vector<std::uint32_t> of_entered;  // of each corner of the entered faces, or kNone
+  std::vector<std::uint32_t> of_entered;  // of each corner of the entered faces, or kNoCorner
 
   SmoothedFaces() = default;
   SmoothedFaces(const SmoothedFaces&) = delete;
@@ -59,7 +59,7 @@ void add_corners(std::span<const std::uint32_t> face, std::size_t first, Smoothe
 /// Keeps the faces that are no needles.
 void keep_faces_with_area(WeldedFaces entered, double reach, SmoothedFaces& kept) {
   kept.first_corner.assign(1, 0);
-  kept.of_entered.assign(entered.corners.size(), kNone);
+  kept.of_entered.assign(entered.corners.size(), kNoCorner);
   kept.welded.corners.reserve(entered.corners.size());
   std::size_t corner = 0;  // of those entered
   for (std::size_t i = 0; i < entered.faces(); ++i) {
@@ -93,7 +93,7 @@ void add_vertices_along_sides(SmoothedFaces& faces, double reach) {
     first_corner.push_back(corners.size());
   }
   for (std::uint32_t& of_corner : faces.of_entered) {
-    if (of_corner != kNone) of_corner = now[of_corner];
+    if (of_corner != kNoCorner) of_corner = now[of_corner];
   }
   faces.welded.corners = std::move(corners);
   faces.first_corner = std::move(first_corner);
@@ -265,7 +265,7 @@ std::vector<Point3> crease_normals(WeldedFaces entered, double reach, const Crea
   std::vector<Point3> normals;
   normals.reserve(faces.of_entered.size());
   for (const std::uint32_t k : faces.of_entered) {
-    normals.push_back(k == kNone ? Point3(0.0) : mean[2 * std::size_t{k}]);
+    normals.push_back(k == kNoCorner ? Point3(0.0) : mean[2 * std::size_t{k}]);
   }
   return normals;
 }

@@ -265,7 +265,7 @@ class ImportProcess {
     while (!bytes.empty()) {
       ask_budget();
       if (Clock::now() >= deadline_) throw too_slow(path_, limits_);
-      const ssize_t count = read(reply_.number(), bytes.data(), bytes.size());
+      const ssize_t count = ::read(reply_.number(), bytes.data(), bytes.size());
       if (count > 0) {
         bytes = bytes.subspan(static_cast<std::size_t>(count));
       } else if (count < 0 && errno == EAGAIN) {
@@ -329,7 +329,7 @@ class ImportProcess {
   void take_messages() {
     std::array<char, 4096> part;
     for (std::size_t taken = 0; messages_.number() >= 0 && taken < kMostOfMessage;) {
-      const ssize_t count = read(messages_.number(), part.data(), part.size());
+      const ssize_t count = ::read(messages_.number(), part.data(), part.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && errno == EAGAIN) return;
       if (count <= 0) return messages_.close();

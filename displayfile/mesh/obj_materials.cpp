@@ -19,7 +19,7 @@ struct NamePart {
   bool quoted;
 };
 
-std::vector<NamePart> words_of(std::string_view list) {
+std::vector<NamePart> names_of(std::string_view list) {
   constexpr std::string_view kBlanks = " \t";
   std::vector<NamePart> words;
   for (;;) {
@@ -69,7 +69,7 @@ std::uint32_t ObjMaterials::named(std::string_view name, MeshBuilder& mesh) {
 
 void ObjMaterials::add_library(std::string_view names) {
   if (!libraries_.emplace(names).second || read_library(names)) return;
-  const std::vector<NamePart> words = words_of(names);
+  const std::vector<NamePart> words = names_of(names);
   for (std::span<const NamePart> rest = words; !rest.empty();) {
     const auto name = rest.first(words_of_name(rest));
     rest = rest.subspan(name.size());

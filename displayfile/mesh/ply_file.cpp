@@ -451,7 +451,7 @@ Mesh read_values(const MeshFile& file, const PlyHeader& header, const TextCursor
 
 Mesh read_ply(const MeshFile& file) {
   // What follows the header may be no text: its lines end as the first one.
-  TextCursor text(file.path, file.data, LineEnds::as_first);
+  TextCursor text(file.path, file.data, LineBreaks::as_first);
   if (text.field() != "ply") text.fail(std::size_t{0}, "expected ply");
   const PlyHeader header = ply_header(text);
   if (header.format == "ascii") return read_values(file, header, text, PlyText(text));

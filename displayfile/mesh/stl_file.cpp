@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormal = 12;  // bytes
+constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormalBytes = 12;  // bytes
 
 /// What a binary file says; 0 if it is too short for that.
 std::uint64_t announced_facets(std::string_view data) {
@@ -62,7 +62,7 @@ Mesh read_binary(const MeshFile& file) {
   MeshBuilder mesh(file.path);
   mesh.reserve(3 * facets, facets);
   for (std::size_t i = 0; i < facets; ++i) {
-    std::string_view rest = data.substr(kHeader + kCount + kFacet * i + kNormal);
+    std::string_view rest = data.substr(kHeader + kCount + kFacet * i + kNormalBytes);
     for (int k = 0; k < 3; ++k) {
       Point3 p(0.0);
       for (int axis = 0; axis < 3; ++axis) {

@@ -21,17 +21,17 @@ constexpr std::array<bool, 256> kEndsField = [] {
 }();
 bool ends_field(char c) { return kEndsField[static_cast<unsigned char>(c)]; }
 
-char line_end_of(std::string_view text, LineEnds ends) {
+char line_end_of(std::string_view text, LineBreaks ends) {
   const std::size_t cr = std::min(text.find_first_of("\r\n"), text.size());
   const std::size_t next = std::min(text.find_first_not_of('\r', cr), text.size());
   if (next == cr || (next < text.size() && text[next] == '\n')) return '\n';
-  if (ends == LineEnds::as_first) return '\r';
+  if (ends == LineBreaks::as_first) return '\r';
   return std::ranges::count(text, '\r') > 2 * std::ranges::count(text, '\n') ? '\r' : '\n';
 }
 
 }  // namespace
 
-TextCursor::TextCursor(std::string_view path, std::string_view text, LineEnds ends)
+TextCursor::TextCursor(std::string_view path, std::string_view text, LineBreaks ends)
     : path_(path), text_(text), line_end_(line_end_of(text, ends)) {
   at_ = text_.size() - without_byte_order_mark(text_).size();
 }

@@ -67,14 +67,14 @@ std::optional<Number> number(std::string_view field) {
 
 /// Line ends of a text whose first line ends in a CR without an LF: each CR, if most line ends are
 /// CRs, or without examining the rest, where that is not text.
-enum class LineEnds { as_most, as_first };
+enum class LineBreaks { as_most, as_first };
 
 /// A file's text, read field by field: fields are separated by blanks, lines end in LF, CR LF, or
 /// all in CR as on the Macintosh before 2001; a byte order mark of UTF-8 at the beginning is
 /// skipped.
 class TextCursor {
  public:
-  TextCursor(std::string_view path, std::string_view text, LineEnds ends = LineEnds::as_most);
+  TextCursor(std::string_view path, std::string_view text, LineBreaks ends = LineBreaks::as_most);
 
   /// The next field of this line; empty at its end. A backslash before a line end joins lines.
   std::string_view field();

@@ -13,10 +13,10 @@ namespace {
 /// The middle of the picture and of the depths.
 constexpr double kMiddle = 0.5;
 
-/// Axes of length 1, square to a direction and to each other.
-struct Axes {
+/// LightAxes of length 1, square to a direction and to each other.
+struct LightAxes {
   Point3 across, up;
-  explicit Axes(const Point3& direction) {
+  explicit LightAxes(const Point3& direction) {
     const Point3 size = glm::abs(direction);
     Point3 least(0.0);
     least[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1.0;
@@ -32,7 +32,7 @@ struct Axes {
 LightProjection LightProjection::from_afar(const HomogeneousPoint& light) {
   const Point3 middle(kMiddle);
   const Point3 toward = Point3(light) - light.w * middle;
-  const Axes axes(unit(toward));
+  const LightAxes axes(unit(toward));
   const auto along = [&](const Point3& direction) {
     return Row(direction, -glm::dot(direction, middle));
   };

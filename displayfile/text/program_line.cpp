@@ -42,7 +42,7 @@ std::errc read(std::string_view word, Number& value) {
   return end == word.data() + word.size() ? error : std::errc::invalid_argument;
 }
 
-double number(std::string_view word) {
+double number_of_word(std::string_view word) {
   double value = 0.0;
   const std::errc error = read(word, value);
   if (error == std::errc{} && std::isfinite(value)) return value;
@@ -95,7 +95,7 @@ void ProgramLine::expect_colour() {
 
 template <>
 double ProgramLine::take<double>() {
-  return number(take_word());
+  return number_of_word(take_word());
 }
 
 template <>

@@ -9,7 +9,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 
 /// Lines that connect. Each vertex's count is known but for what the part's first one has.
 struct Part {
@@ -26,22 +26,22 @@ class Parts {
       : lines_(lines),
         carries_(carries),
         first_line_(carries.size() + 1, 0),
-        part_(carries.size(), kNone),
+        part_(carries.size(), kNoPart),
         base_(carries.size(), 0) {
     list_lines();
     for (std::uint32_t v = 0; v < carries.size(); ++v) {
-      if (carries_[v] != 0 && part_[v] == kNone && first_line_[v] < first_line_[v + 1]) follow(v);
+      if (carries_[v] != 0 && part_[v] == kNoPart && first_line_[v] < first_line_[v + 1]) follow(v);
     }
   }
 
   std::vector<Part>& parts() { return part_list_; }
-  /// The part that a line is in, or kNone.
+  /// The part that a line is in, or kNoPart.
   std::uint32_t part_of(const CountedLine& line) const {
-    return part_[line.from] != kNone ? part_[line.from] : part_[line.to];
+    return part_[line.from] != kNoPart ? part_[line.from] : part_[line.to];
   }
   /// The counts at the line's start, as they follow from its vertex's.
   SideCounts start(const CountedLine& line) const {
-    const bool by_from = part_[line.from] != kNone;
+    const bool by_from = part_[line.from] != kNoPart;
     const std::uint32_t v = by_from ? line.from : line.to;
     const std::int32_t base = part_list_[part_[v]].base + base_[v];
     const SideCounts around{base, base};
@@ -78,7 +78,7 @@ class Parts {
         const std::uint32_t w = line.from == v ? line.to : line.from;
         if (carries_[w] == 0) continue;
         const std::int32_t base = line.from == v ? base_[v] + gain.left : base_[v] - gain.left;
-        if (part_[w] == kNone) {
+        if (part_[w] == kNoPart) {
           part_[w] = number;
           base_[w] = base;
           reached_.push_back(w);
@@ -125,7 +125,7 @@ CarriedCounts::CarriedCounts(std::span<const CountedLine> lines,
   std::vector<std::uint32_t> alone;
   for (std::uint32_t n = 0; n < lines.size(); ++n) {
     const std::uint32_t part = parts.part_of(lines[n]);
-    if (part != kNone && parts.parts()[part].adds_up) {
+    if (part != kNoPart && parts.parts()[part].adds_up) {
       start[n] = parts.start(lines[n]);
     } else {
       alone.push_back(n);

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoLine = std::numeric_limits<std::uint32_t>::max();
 
 /// A short line near another has the other's direction only by accident if it is turned by more.
 constexpr double kMostTurned = 0x1p-16;
@@ -54,7 +54,7 @@ class LeaderTable {
   /// By how much the directions and distances of a line and its leader may differ, and how many
   /// leaders there may be, at least 1.
   LeaderTable(double directions, double distances, std::size_t most)
-      : directions_(directions), distances_(distances), first_(std::bit_ceil(most), kNone) {
+      : directions_(directions), distances_(distances), first_(std::bit_ceil(most), kNoLine) {
     leaders_.reserve(most);
   }
 
@@ -105,7 +105,7 @@ class LeaderTable {
                  last_k = cell(distance + distances, distances_);
     for (double i = cell(direction - directions, directions_); i <= last_i; ++i) {
       for (double k = cell(distance - distances, distances_); k <= last_k; ++k) {
-        for (std::uint32_t n = first_[place_of_cell(i, k)]; n != kNone; n = leaders_[n].next) {
+        for (std::uint32_t n = first_[place_of_cell(i, k)]; n != kNoLine; n = leaders_[n].next) {
           const Leader& leader = leaders_[n];
           const bool is_near = std::abs(leader.direction - direction) <= directions &&
                                std::abs(leader.distance - distance) <= distances;
@@ -140,7 +140,7 @@ class LeadingLines {
   }
 
   std::vector<std::uint32_t> numbers() {
-    leader_.assign(lines_.size(), kNone);
+    leader_.assign(lines_.size(), kNoLine);
     order_lines();
     for (std::size_t from = 0; from < order_.size();) from = find_leaders_of_level(from);
     return std::move(leader_);
@@ -196,14 +196,14 @@ class LeadingLines {
     const double turned = turned_of(length_[line]);
     const Point2 from = lines_[line].from - middle_;
     const double distances = distances_of(turned, std::hypot(from.x, from.y));
-    std::uint32_t first = kNone;
+    std::uint32_t first = kNoLine;
     table.near(own, turned, distances, [&](std::uint32_t leader) {
-      if (first != kNone && rank_[first] < rank_[leader]) return;
+      if (first != kNoLine && rank_[first] < rank_[leader]) return;
       if (lies_on(line, leader)) first = leader;
     });
-    leader_[line] = first == kNone ? line : first;
+    leader_[line] = first == kNoLine ? line : first;
     assert(leader_[leader_[line]] == leader_[line] && rank_[leader_[line]] <= rank_[line]);
-    if (first != kNone) return;
+    if (first != kNoLine) return;
     leaders_.push_back(line);
     table.add(own, line);
   }

@@ -24,7 +24,7 @@ constexpr double kVertexError = 0x1p-40;
 constexpr double kSafety = 2.0;
 
 /// A thickness that nothing is beyond.
-constexpr double kNoPlane = std::numeric_limits<double>::infinity();
+constexpr double kNotBounded = std::numeric_limits<double>::infinity();
 
 /// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
 /// plane, and what rounding, or what touches, adds.
@@ -44,7 +44,7 @@ Shadows::Shadows(const ViewedScene& scene) : scene_(&scene) {
   for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
     if (scene.kind(item) != Primitives::Kind::solid) continue;
     const Polygon caster = caster_of(item);
-    if (caster.thickness < kNoPlane) casters_.push_back(caster);
+    if (caster.thickness < kNotBounded) casters_.push_back(caster);
   }
   build_tree();
 }
@@ -62,7 +62,7 @@ Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   const auto vertices = scene_->points(item);
   const SupportVertices spread = spread_vertices(vertices);
   if (spread.edge_on || !std::ranges::all_of(vertices, in_range)) {
-    return {Point3(0.0), Point3(0.0), kNoPlane, item};
+    return {Point3(0.0), Point3(0.0), kNotBounded, item};
   }
   const auto& [p, q, r] = spread.index;
   const Plane plane(vertices[p], vertices[q], vertices[r]);

@@ -60,7 +60,7 @@ class ProgramLine {
   void append_words(std::string_view text);
 
   std::vector<std::string_view> words_;
-  std::size_t taken_ = 0;     // words
+  std::size_t taken_ = 0;  // words
   std::string characters_;
   std::tuple<std::vector<Point2>, std::vector<Point3>> points_;
   std::string_view comment_;  // from its #

@@ -379,9 +379,9 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
       [&](std::size_t k) {
         DrawOptions of_one = drawing;
         of_one.surfaces.threads = std::max(1, drawing.surfaces.threads / at_a_time);
-         of_one.ids = outputs[k].ids.string();
-         of_one.depth = outputs[k].depth.string();
-         return draw_into(figures_[k], outputs[k].picture, of_one, &folders, left_out);
+        of_one.ids = outputs[k].ids.string();
+        of_one.depth = outputs[k].depth.string();
+        return draw_into(figures_[k], outputs[k].picture, of_one, &folders, left_out);
       },
       [&](std::size_t k, const InputResult& result) {
         if (!quiet) std::cerr << result.warnings;

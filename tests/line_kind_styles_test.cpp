@@ -18,6 +18,7 @@
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/replayed.h"
+#include "tests/sides_of_kinds.h"
 
 namespace displayfile {
 namespace {
@@ -25,9 +26,9 @@ namespace {
 using test::dump_of;
 using test::error_of;
 using test::error_of_program;
+using test::kCrease;
+using test::kOutline;
 using test::replayed;
-
-constexpr LineKinds kOutline = kinds_of(LineKind::outline), kCrease = kinds_of(LineKind::crease);
 
 /// A box with creases of its own style, seen so that three sides are hidden.
 std::string box(const std::string& styles, const std::string& method = "franklin",

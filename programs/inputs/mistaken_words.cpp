@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const std::string& word) {
+bool is_a_path(const std::string& word) {
   std::error_code error;
   return fs::exists(word, error);
 }
@@ -42,7 +42,7 @@ Before option_in(const CLI::App& command, const std::string& word) {
 
 void refuse_if_value(const Before& before, const std::string& word) {
   if (before.option == nullptr || word.find_first_of("./") != word.npos || word.starts_with('@') ||
-      is_there(word)) {
+      is_a_path(word)) {
     return;
   }
   if (!before.takes_value()) {

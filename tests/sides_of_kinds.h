@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
+#include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/segments/sorted_scene.h"
 

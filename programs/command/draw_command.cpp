@@ -224,7 +224,7 @@ StartingShading DrawCommand::starting_shading() const {
   const bool has_meshes = !std::ranges::all_of(inputs, is_drawing_program);
   const bool has_programs = std::ranges::any_of(inputs, is_drawing_program);
   // Hatching lines run on over the facets of what is round, up to the creases that are drawn.
-  const LineSelection lines = hidden_surfaces.line_selection().value_or(LineSelection{});
+  const LineSelection lines = entering().lines.value_or(LineSelection{});
   const StartingShading for_hatching{Shading::gouraud, lines.crease_degrees};
   return shading.starting(has_meshes, has_programs,
                           paper.hatch.empty() ? StartingShading{} : for_hatching);

@@ -175,7 +175,7 @@ Colour of_number(std::uint32_t value) {
   return {part(16), part(8), part(0)};
 }
 
-bool is_digit(char c) {
+bool is_hexadecimal(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
@@ -193,7 +193,7 @@ bool is_hexadecimal_colour(std::string_view word) {
   if (!word.starts_with('#')) return false;
   word.remove_prefix(1);
   return (word.size() == kDigits || word.size() == kFewDigits) &&
-         std::ranges::all_of(word, is_digit);
+         std::ranges::all_of(word, is_hexadecimal);
 }
 
 std::optional<Colour> colour_of_word(std::string_view word) {

@@ -199,6 +199,7 @@ class RandomApplication {
       case 25: return cutting_plane();
       case 26: return cut_faces();
       case 27: return line_kind_style();
+      case 28: return system_.set_crease_angle(uniform(-10, 190));
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }

@@ -33,6 +33,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_surfaces().hidden_lines, b.hidden_surfaces().hidden_lines);
   EXPECT_EQ(a.hidden_surfaces().z_buffer, b.hidden_surfaces().z_buffer);
   EXPECT_EQ(a.attributes().shading, b.attributes().shading);
+  EXPECT_EQ(a.crease_degrees(), b.crease_degrees());
   EXPECT_EQ(a.attributes().shadows, b.attributes().shadows);
   EXPECT_EQ(a.counts().polygons, b.counts().polygons);
   EXPECT_EQ(a.counts().triangulated, b.counts().triangulated);
@@ -78,7 +79,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 64u);
+    EXPECT_EQ(routines.size(), 66u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

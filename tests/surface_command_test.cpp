@@ -296,7 +296,7 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt --threads 0" + s, "0 threads: expected 1 or more");
   refuses("g.txt --samples 17" + s, "17 samples along a pixel's side: expected 1 to 16");
   refuses("g.txt --size 9" + s, "--size 9: expected WIDTHxHEIGHT");
-  refuses("g.txt --background pink" + s, "--background pink: expected R,G,B");
+  refuses("g.txt --background pinkish" + s, "--background pinkish: expected R,G,B");
   refuses("g.txt --paper a99" + s, "unknown paper 'a99'");
   refuses("g.txt --hidden curves" + s, "unknown hidden-surface method 'curves'");
   refuses("g.txt --lines edges" + s, "--lines: expected outline");

@@ -58,6 +58,7 @@ void GraphicsSystem::save_transformation_3() {
 }
 
 void GraphicsSystem::restore_transformation_3() {
+  const RoundToNearest nearest;
   if (state_->modelling_.saved() == 0) throw Error("no transformation saved");
   state_->modelling_.restore();
   state_->record("restore-transformation-3", {});

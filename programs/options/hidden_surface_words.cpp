@@ -45,7 +45,7 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
           "parts of lines). KIND=WIDTH sets a width, in pixels, in mm with --paper, or with a unit "
           "(0.35mm, 1pt, 2px); after it, separated by blanks, solid or dashed [DASH GAP], and a "
           "colour: outline=0.5,hidden='0.13 dashed'. crease=NUMBER is a width below 5")
-      ->type_name("KIND[=STYLE],...")
+      ->type_name("KIND,...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--hidden-lines", hidden_lines,

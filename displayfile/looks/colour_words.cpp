@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kDigits = 6, kFewDigits = 3;
 
 // W3C, CSS Color Module Level 4, section 6.1: red, green and blue in hexadecimal digits.
-constexpr Word<std::uint32_t> kNames[] = {
+constexpr Word<std::uint32_t> kColourNames[] = {
     {0xF0F8FF, "aliceblue"},
     {0xFAEBD7, "antiquewhite"},
     {0x00FFFF, "aqua"},
@@ -198,14 +198,14 @@ bool is_hexadecimal_colour(std::string_view word) {
 
 std::optional<Colour> colour_of_word(std::string_view word) {
   if (is_hexadecimal_colour(word)) return of_digits(word.substr(1));
-  const auto* const found = std::ranges::find(kNames, word, &Word<std::uint32_t>::word);
-  if (found == std::end(kNames)) return std::nullopt;
+  const auto* const found = std::ranges::find(kColourNames, word, &Word<std::uint32_t>::word);
+  if (found == std::end(kColourNames)) return std::nullopt;
   return of_number(found->value);
 }
 
 std::string nearest_colour_name(std::string_view word) {
   std::vector<std::string_view> names;
-  for (const auto& [value, name] : kNames) names.push_back(name);
+  for (const auto& [value, name] : kColourNames) names.push_back(name);
   return did_you_mean(word, names);
 }
 

@@ -107,6 +107,7 @@ std::vector<Figure> with_common(const std::string& with, std::vector<Figure> fig
 
 std::vector<std::string> figure_names(const std::vector<Figure>& figures) {
   std::vector<std::string> names;
+  names.reserve(figures.size());
   for (const Figure& figure : figures) names.push_back(figure.back());
   return names;
 }

@@ -59,6 +59,7 @@ TEST_F(LineStylesCommand, AngleAndWidthOfACreaseAreToldApart) {
   EXPECT_EQ(styles("crease=4.5deg"), (Styles{"solid 0 0 0 7"}));
   EXPECT_EQ(styles("crease=0"), (Styles{"solid 0 0 0 7"}));
   EXPECT_EQ(styles("crease=4.5"), (Styles{"solid 0 0 0 4.5"}));
+  EXPECT_EQ(styles("crease=5"), (Styles{"solid 0 0 0 7"}));
   EXPECT_EQ(styles("crease=9px"), (Styles{"solid 0 0 0 9"}));
   EXPECT_EQ(styles("crease=100,crease=2,outline=1"), (Styles{"solid 0 0 0 1"}));
 }
@@ -104,6 +105,9 @@ TEST_F(LineStylesCommand, LineWidthIsOfAllOtherLines) {
   EXPECT_EQ(widths("--line-width 3px --paper 170x190"), (Styles{"3"}));
   EXPECT_EQ(widths("--line-width 3 --paper 170x190"), (Styles{"2"}));  // 1.5 mm a pixel
   EXPECT_EQ(widths("--line-width 2.25mm --paper 170x190 --lines all=0.75"), (Styles{"0.5"}));
+  const Styles of_points = widths("--line-width 18pt --paper 170x190");  // 6.35 mm
+  ASSERT_EQ(of_points.size(), 1u);
+  EXPECT_NEAR(std::stod(of_points.front()), 6.35 / 1.5, 1e-3);
   EXPECT_EQ(widths("--line-width 2 --lines outline,crease"), (Styles{"2", "7"}));
   for (const char* const bad : {"wide", "1in", "0", "-1", "1e7", "1mm"}) {
     const std::string option = std::string("--line-width ") + bad;

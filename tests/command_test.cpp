@@ -77,16 +77,6 @@ TEST_F(Command, CompareCountsWrongPixels) {
   EXPECT_EQ(out_, "the sizes differ: 8x8 and 9x8\n");
 }
 
-TEST_F(Command, CompareNamesTheFirstFileThatIsWrong) {
-  expect_error("compare no1.txt no2.txt", "displayfile: no1.txt: cannot be read");
-  expect_error("compare no1.png no2.png", "displayfile: no1.png: no such file");
-  for (const char* name : {"a.svg", "a.pdf", "a.eps"}) {
-    write(name, "");
-    const std::string message = std::string(name) + ": vectors are not compared: expected";
-    expect_error(fmt::format("compare {} {}", name, name), message);
-  }
-}
-
 TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
   write("m.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");

@@ -46,7 +46,7 @@ Mesh mesh_of(const Faces& faces) {
 
 Point3 own_normal(const std::vector<Point3>& face) { return unit(newell_normal(face)); }
 
-/// Of length 1, the face's own where it is left to that: one for each corner.
+/// Returns a normal of length 1 for each corner: the face's own where the corner has none.
 std::vector<std::vector<Point3>> normals(const Faces& faces, double degrees, double reach = 0.0) {
   Mesh mesh = mesh_of(faces);
   if (reach > 0.0) mesh.set_reach(reach);

@@ -1,5 +1,6 @@
 // Words on the command line that stand where they have no meaning, and help.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -76,6 +77,16 @@ TEST_F(Command, OutputsAndInputsOfOtherCommandsAreRefused) {
     expect_error(std::string("compare ") + names,
                  "a.svg: vectors are not compared: expected a picture of pixels, a .npy file or a "
                  "dump");
+  }
+}
+
+TEST_F(Command, CompareNamesTheFirstFileThatIsWrong) {
+  expect_error("compare no1.txt no2.txt", "displayfile: no1.txt: cannot be read");
+  expect_error("compare no1.png no2.png", "displayfile: no1.png: no such file");
+  for (const char* name : {"a.svg", "a.pdf", "a.eps"}) {
+    write(name, "");
+    const std::string message = std::string(name) + ": vectors are not compared: expected";
+    expect_error(fmt::format("compare {} {}", name, name), message);
   }
 }
 

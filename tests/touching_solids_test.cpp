@@ -386,8 +386,8 @@ void judge_random(int seed, Found& found) {
   }
 }
 
-/// In a process of its own, which a crash ends, and after so many seconds of processor time a
-/// loop without an end.
+/// Judges in a process of its own, which ends by a crash, or after kSecondsEach of processor time
+/// in a loop without an end.
 void judge_in_a_process(int first, int end, Found& found) {
   constexpr rlim_t kSecondsEach = 20;
   const pid_t process = fork();

@@ -22,7 +22,7 @@ std::uint64_t limit_of_data();
 std::uint64_t limit_of_process();
 /// Lowers the limit of this process's data, where the system has one; a lower one stays.
 void set_limit_of_data(std::uint64_t bytes);
-/// True if so many bytes in new pages can be allocated now. They are released again.
+/// True if `bytes` bytes in new pages can be allocated now. They are released again.
 bool can_have_pages(std::size_t bytes);
 
 inline constexpr std::size_t kLeastInLargePages = std::size_t{16} << 20;

@@ -30,7 +30,7 @@ void wait_a_millisecond() noexcept;
 /// disk, and no signal.
 void call_when_stopped(void (*last)() noexcept);
 
-/// Ends the process after so many seconds, of at most 1e9: `last` is called, the message, which has
+/// Ends the process after `seconds`, at most 1e9: `last` is called, the message, which has
 /// at most 255 bytes, written to standard error, and the exit status is 2. No more than one at a
 /// time.
 void end_process_after(double seconds, const std::string& message, void (*last)() noexcept);

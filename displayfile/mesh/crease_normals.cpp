@@ -229,7 +229,7 @@ class CornersJoined {
   std::vector<Around> around_;
 };
 
-/// Of each set of corners.
+/// Returns the sum of the weighted normals of each set of corners.
 std::vector<Point3> sums_of_sets(const SmoothedFaces& faces, CornersJoined& joined) {
   std::vector<Point3> sums(2 * faces.welded.corners.size(), Point3(0.0));
   for (std::size_t i = 0; i < faces.faces(); ++i) {

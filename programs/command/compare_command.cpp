@@ -20,7 +20,7 @@ namespace displayfile {
 
 namespace {
 
-/// Of two pictures or two arrays, `first` and `second`.
+/// Returns the text that compares two pictures or two arrays, `first` and `second`.
 template <class Pixels>
 std::string measures(const PictureDifference& d, const Pixels& first, const Pixels& second) {
   if (!d.same_size) {

@@ -15,7 +15,7 @@ namespace {
 
 void (*last_when_stopped)() noexcept = nullptr;
 void (*last_in_time)() noexcept = nullptr;
-/// What is said if time is over; a signal handler reads it.
+/// The message if time is over; a signal handler reads it.
 std::array<char, 256> time_is_over{};
 std::size_t time_is_over_length = 0;
 

@@ -76,8 +76,8 @@ bool may_write(const std::string& path) {
   return ::_waccess(std::filesystem::path(path).c_str(), kToWrite) == 0;
 }
 
-/// The C library has no question about how a descriptor is open: the system is asked to write
-/// nothing. A descriptor is not the null handle of a program without a console.
+/// The C library cannot tell how a descriptor is open: writing nothing to it does. A descriptor is
+/// not the null handle of a program without a console.
 bool can_write(int descriptor) {
   const auto file = reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor));
   DWORD written = 0;

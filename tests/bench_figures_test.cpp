@@ -336,5 +336,31 @@ TEST_F(Bench, CountsThePiecesOfTheMapThatAreSeen) {
       << readme;
 }
 
+TEST_F(Bench, RefusesAReadmeThatIsNotMarkedWell) {
+  ASSERT_EQ(run("bench soup --polygons 9 --sizes 8 --rounds 1 --threads 1 --methods none "
+                "--json b.json"),
+            0)
+      << err_;
+  const auto refused = [&](const std::string& text, const std::string& words) {
+    write("R.md", text);
+    EXPECT_EQ(figures("b.json --readme R.md"), 2) << words;
+    EXPECT_NE(err_.find(words), err_.npos) << err_;
+    EXPECT_EQ(read(folder_ / "R.md"), text);
+  };
+  refused("a\n" + block("sped", "x\n"), "R.md:2: no such block 'sped'");
+  refused("a\n\n<!-- bench: methods -->\nx\n", "R.md:3: the block 'methods' has no end");
+  refused("<!-- bench: methods -->\n" + block("osmesa", ""),
+          "R.md:1: the block 'methods' has no end");
+  refused("a\n<!-- bench: end -->\n", "R.md:2: the end of no block");
+  refused("a\n", "R.md: no block");
+  // The report of another version.
+  write("old.json", R"({"format": 2, "scenes": []})");
+  EXPECT_EQ(figures("old.json --readme R.md"), 2);
+  EXPECT_NE(err_.find("a report of format 2: expected 3"), err_.npos) << err_;
+  // A run without figures for a block.
+  refused("a\n" + block("wrong-pixels", "x\n"),
+          "R.md:2: this run has no figures for the block 'wrong-pixels'");
+}
+
 }  // namespace
 }  // namespace displayfile::test

@@ -12,8 +12,6 @@
 #include <glm/common.hpp>
 #include <iostream>
 #include <limits>
-#include <map>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -26,6 +24,7 @@
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 #include "tests/from_environment.h"
+#include "tests/painted_scenes.h"
 #include "tests/polygon_sides.h"
 #include "tests/predicate_inputs.h"
 #include "tests/slower.h"
@@ -34,21 +33,18 @@
 namespace displayfile {
 namespace {
 
+using test::any_place;
+using test::any_scene;
 using test::covers;
 using test::distance_to_side;
 using test::from_environment;
 using test::is_near_a_side;
 using test::kSlower;
 using test::Loop;
+using test::PaintedScene;
 using test::Source;
 
-/// Polygons, and lines after them, in device coordinates, as the Python package enters them.
-struct Scene {
-  std::vector<Loop> polygons;
-  std::vector<std::pair<Point3, Point3>> lines;
-};
-
-DrawnPieces sorted_pieces(const Scene& scene, HiddenMethod method) {
+DrawnPieces sorted_pieces(const PaintedScene& scene, HiddenMethod method) {
   GraphicsSystem system;
   system.set_hidden_surfaces(
       {.touching = Touching{Touching::Kind::off}});  // places are judged by these coordinates
@@ -72,7 +68,7 @@ DrawnPieces sorted_pieces(const Scene& scene, HiddenMethod method) {
   return drawn_pieces(sorted.update(system, method, options));
 }
 
-DrawnPieces joined_pieces(const Scene& scene, DrawnPieces pieces) {
+DrawnPieces joined_pieces(const PaintedScene& scene, DrawnPieces pieces) {
   std::vector<std::uint32_t> sides;
   std::vector<Point3> points;
   for (const Loop& polygon : scene.polygons) {
@@ -318,186 +314,6 @@ std::string wrong_on_line(const Coverings& right, const DrawnPieces& pieces, std
   return "";
 }
 
-// ---- Scenes ------------------------------------------------------------------------------
-
-struct Turned {
-  double a, b, distance;
-  explicit Turned(Source& s)
-      : a(2.0 * std::numbers::pi * s.unit()),
-        b(std::numbers::pi * (s.unit() - 0.5)),
-        distance(s.below(2) == 0 ? 0.0 : 2.0 + 4.0 * s.unit()) {}
-  /// From a cube of side 1 about the origin into the picture's, seen from some side, in
-  /// perspective or not.
-  Point3 operator()(const Point3& p) const {
-    const double x = p.x * std::cos(a) - p.y * std::sin(a),
-                 y = p.x * std::sin(a) + p.y * std::cos(a);
-    const double up = y * std::sin(b) + p.z * std::cos(b),
-                 near = p.z * std::sin(b) - y * std::cos(b);
-    const double w = distance == 0.0 ? 1.0 : 1.0 - near / distance;
-    return {0.5 + 0.4 * x / w, 0.5 + 0.4 * up / w, 0.5 + 0.4 * near / w};
-  }
-};
-
-/// The quadrilaterals of a surface over a grid: they touch, and are not flat.
-void add_surface(Source& s, const Turned& view, Scene& scene) {
-  const int n = s.between(2, 9), m = s.between(2, 9);
-  const double wave = 6.0 * s.unit(), phase = 6.0 * s.unit(), height = 0.4 * s.unit(),
-               level = 0.4 * (s.unit() - 0.5);
-  const bool round = s.below(2) == 0;
-  const auto at = [&](int i, int j) {
-    const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / m;
-    if (round) {
-      const double turn = 2.0 * std::numbers::pi * u, tilt = std::numbers::pi * (v - 0.5);
-      return view({0.5 * std::cos(turn) * std::cos(tilt), 0.5 * std::sin(turn) * std::cos(tilt),
-                   level + height * std::sin(tilt)});
-    }
-    return view({u - 0.5, v - 0.5,
-                 level + height * std::sin(wave * u + phase) * std::cos(wave * v - phase)});
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < m; ++j) {
-      scene.polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-}
-
-/// Bars beside each other, whose sides touch.
-void add_bars(Source& s, const Turned& view, Scene& scene) {
-  const int n = s.between(1, 4), m = s.between(1, 4);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < m; ++j) {
-      const double x0 = static_cast<double>(i) / n - 0.5, y0 = static_cast<double>(j) / m - 0.5;
-      const double x1 = static_cast<double>(i + 1) / n - 0.5,
-                   y1 = static_cast<double>(j + 1) / m - 0.5, z = s.between(0, 6) / 6.0 - 0.5;
-      const auto face = [&](Loop corners) {
-        for (Point3& p : corners) p = view(p);
-        scene.polygons.push_back(corners);
-      };
-      for (const double level : {-0.5, z}) {
-        face({{x0, y0, level}, {x1, y0, level}, {x1, y1, level}, {x0, y1, level}});
-      }
-      for (const double y : {y0, y1}) face({{x0, y, -0.5}, {x1, y, -0.5}, {x1, y, z}, {x0, y, z}});
-      for (const double x : {x0, x1}) face({{x, y0, -0.5}, {x, y1, -0.5}, {x, y1, z}, {x, y0, z}});
-    }
-  }
-}
-
-/// Thin ones among others.
-void add_slivers(Source& s, Scene& scene) {
-  for (int k = s.between(3, 12); k > 0; --k) {
-    const Point3 a = test::in_cube(s), b = test::in_cube(s), c = test::in_cube(s);
-    const double width = s.below(3) == 0 ? 1.0 : std::pow(10.0, -s.between(1, 12));
-    scene.polygons.push_back({a, b, a + 0.5 * (b - a) + width * (c - a)});
-  }
-}
-
-Scene of_family(Source& s, const test::SortFamily& family) {
-  const test::ItemList list = family.make(s);
-  Scene scene;
-  for (std::size_t k = 0; k < list.items.size(); ++k) {
-    const auto given = list.points_of(k);
-    const Loop loop(given.begin(), given.end());
-    if (list.items[k].kind == test::ItemList::Kind::line) {
-      scene.lines.emplace_back(loop[0], loop[1]);
-    } else {
-      scene.polygons.push_back(loop);
-    }
-  }
-  return scene;
-}
-
-/// Says some corners twice: as closed rings do, or with a step to them that is next to nothing.
-void repeat_corners(Source& s, Loop& loop) {
-  const auto any = [&] {
-    return static_cast<std::ptrdiff_t>(s.below(static_cast<int>(loop.size())));
-  };
-  if (s.below(2) == 0) loop.push_back(loop.front());
-  if (s.below(4) == 0) {
-    const std::ptrdiff_t k = any();
-    loop.insert(loop.begin() + k, loop[static_cast<std::size_t>(k)]);
-  }
-  if (s.below(4) == 0) {
-    const std::ptrdiff_t k = any();
-    const Point3 p = loop[static_cast<std::size_t>(k)],
-                 q = loop[static_cast<std::size_t>(k + 1) % loop.size()];
-    loop.insert(loop.begin() + k + 1, p + std::pow(10.0, -s.between(8, 17)) * (q - p));
-  }
-}
-
-/// Moves and scales it by a power of two, so that all of it is in the picture.
-void bring_into_picture(Scene& scene) {
-  Point3 low(std::numeric_limits<double>::infinity()), high = -low;
-  const auto each = [&](const auto& use) {
-    for (Loop& loop : scene.polygons) std::ranges::for_each(loop, use);
-    for (auto& [from, to] : scene.lines) use(from), use(to);
-  };
-  each([&](const Point3& p) { low = glm::min(low, p), high = glm::max(high, p); });
-  int exponent = 0;
-  std::frexp(std::max({high.x - low.x, high.y - low.y, high.z - low.z}), &exponent);
-  each([&](Point3& p) { p = std::ldexp(1.0, -exponent) * (p - low); });
-}
-
-Scene any_scene(Source& s) {
-  Scene scene;
-  const Turned view(s);
-  switch (s.below(6)) {
-    case 0: add_surface(s, view, scene); break;
-    case 1:
-      add_surface(s, view, scene);
-      add_surface(s, view, scene);
-      break;
-    case 2: add_bars(s, view, scene); break;
-    case 3:
-      add_slivers(s, scene);
-      if (s.below(2) == 0) add_surface(s, view, scene);
-      break;
-    default: {
-      const auto& families = test::sort_families();
-      scene = of_family(
-          s, families[static_cast<std::size_t>(s.below(static_cast<int>(families.size())))]);
-    }
-  }
-  for (int k = s.below(4) == 0 ? s.between(1, 5) : 0; k > 0; --k) {
-    const Point3 a = test::in_cube(s), b = test::in_cube(s);
-    scene.lines.emplace_back(a, b);
-  }
-  if (s.below(3) == 0) {
-    for (Loop& loop : scene.polygons) {
-      if (s.below(2) == 0) repeat_corners(s, loop);
-    }
-  }
-  bring_into_picture(scene);
-  return scene;
-}
-
-std::string text_of(const Scene& scene) {
-  std::ostringstream out;
-  out.precision(17);
-  for (const Loop& loop : scene.polygons) {
-    for (const Point3& p : loop) out << "  " << p.x << " " << p.y << " " << p.z;
-    out << "\n";
-  }
-  for (const auto& [a, b] : scene.lines) {
-    out << "line " << a.x << " " << a.y << " " << a.z << "  " << b.x << " " << b.y << " " << b.z
-        << "\n";
-  }
-  return out.str();
-}
-
-/// A place where some polygon of the scene is, or anywhere.
-Point2 any_place(Source& s, const Scene& scene) {
-  if (scene.polygons.empty() || s.below(4) == 0) return {s.unit(), s.unit()};
-  const Loop& loop =
-      scene.polygons[static_cast<std::size_t>(s.below(static_cast<int>(scene.polygons.size())))];
-  const int corners = static_cast<int>(loop.size()), i = s.below(corners),
-            j = i + s.between(1, corners - 1), k = j + s.between(1, corners - 1);
-  const auto corner = [&](int n) { return loop[static_cast<std::size_t>(n % corners)]; };
-  const Point3 a = corner(i), b = corner(j), c = corner(k % corners == i ? k + 1 : k);
-  const double t = s.unit(), u = s.unit();
-  const Point3 p = a + t * (b - a), q = p + u * (c - p);
-  return {q.x, q.y};
-}
-
 // ---- Tests -------------------------------------------------------------------------------
 
 struct Counts {
@@ -511,7 +327,7 @@ struct Counts {
   std::int64_t sorted_pieces = 0, joined_pieces = 0;
 };
 
-std::vector<Sorted> sorted_every_way(const Scene& scene, Counts& counts) {
+std::vector<Sorted> sorted_every_way(const PaintedScene& scene, Counts& counts) {
   std::vector<Sorted> all;
   for (const HiddenMethod method : {HiddenMethod::depth_sort, HiddenMethod::bsp}) {
     const std::string name(name_of(method));
@@ -598,7 +414,7 @@ void ask_on_line(const Point3& at, std::int32_t line, const std::vector<Judged>&
   }
 }
 
-void ask_on_lines(Source& s, const Scene& scene, const std::vector<Judged>& polygons,
+void ask_on_lines(Source& s, const PaintedScene& scene, const std::vector<Judged>& polygons,
                   const std::vector<Sorted>& ways, Counts& counts, std::string& wrong) {
   auto line = static_cast<std::int32_t>(scene.polygons.size());
   for (const auto& [from, to] : scene.lines) {
@@ -611,7 +427,7 @@ void ask_on_lines(Source& s, const Scene& scene, const std::vector<Judged>& poly
 }
 
 /// What is wrong in a scene at random places of it, or nothing.
-std::string wrong_in_scene(Source& s, const Scene& scene, int places, Counts& counts) {
+std::string wrong_in_scene(Source& s, const PaintedScene& scene, int places, Counts& counts) {
   std::vector<Judged> polygons;
   for (const Loop& loop : scene.polygons) polygons.push_back(judged(loop));
   const std::vector<Sorted> ways = sorted_every_way(scene, counts);
@@ -634,7 +450,7 @@ TEST(JoinPieces, WhatIsPaintedLastIsNearest) {
   int shown = 0;
   for (int seed = first; counts.decided < places && shown < 5; ++seed) {
     Source s(static_cast<std::uint64_t>(seed));
-    const Scene scene = any_scene(s);
+    const PaintedScene scene = any_scene(s);
     const std::string wrong = wrong_in_scene(s, scene, of_scene, counts);
     if (wrong.empty()) continue;
     ++shown;
@@ -652,83 +468,6 @@ TEST(JoinPieces, WhatIsPaintedLastIsNearest) {
             << " of equally near ones; " << counts.moved << " were moved off a cut, and "
             << counts.at_cuts << " orders have a cut there all the same. " << counts.sorted_pieces
             << " pieces were joined to " << counts.joined_pieces << ".\n";
-}
-
-// ---- Pieces by hand -------------------------------------------------------------------------
-
-struct Piece {
-  std::int32_t pick;
-  Loop corners;
-};
-
-/// The picks of the pieces in their order after they were joined, and how many corners each has.
-std::vector<std::pair<std::int32_t, std::size_t>> joined(const std::vector<Loop>& polygons,
-                                                         const std::vector<Piece>& in_order) {
-  std::vector<std::uint32_t> sides;
-  std::vector<Point3> points;
-  for (const Loop& polygon : polygons) {
-    sides.push_back(static_cast<std::uint32_t>(polygon.size()));
-    points.insert(points.end(), polygon.begin(), polygon.end());
-  }
-  DrawnPieces pieces;
-  for (const auto& [pick, corners] : in_order) {
-    pieces.points.insert(pieces.points.end(), corners.begin(), corners.end());
-    pieces.sides.resize(pieces.points.size(), 1);
-    pieces.cuts.resize(pieces.points.size(), 0);
-    const auto kind = corners.size() == 2 ? DrawnPieces::Kind::line : DrawnPieces::Kind::solid;
-    pieces.end_piece({.kind = kind, .fill = {}, .line = {}, .pick = pick, .segment = 1});
-  }
-  python::join_pieces(sides, points, pieces);
-  std::vector<std::pair<std::int32_t, std::size_t>> result;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    result.emplace_back(pieces.picks[k], pieces.first[k + 1] - pieces.first[k]);
-  }
-  return result;
-}
-
-Loop box(double x_min, double x_max, double y_min = 0.2, double y_max = 0.8) {
-  return {{x_min, y_min, 0.5}, {x_max, y_min, 0.5}, {x_max, y_max, 0.5}, {x_min, y_max, 0.5}};
-}
-
-using Joined = std::vector<std::pair<std::int32_t, std::size_t>>;
-
-TEST(JoinPieces, PiecesThatNothingCoversAreOnePolygonAgain) {
-  const Loop whole = box(0.2, 0.8);
-  EXPECT_EQ(joined({whole}, {{0, box(0.2, 0.5)}, {0, box(0.5, 0.8)}}), (Joined{{0, 4}}));
-  // What is drawn between covers neither piece.
-  EXPECT_EQ(
-      joined({whole, box(0.8, 0.9)}, {{0, box(0.2, 0.5)}, {1, box(0.8, 0.9)}, {0, box(0.5, 0.8)}}),
-      (Joined{{1, 4}, {0, 4}}));
-  // It covers the first, which stays where it is.
-  EXPECT_EQ(
-      joined({whole, box(0.3, 0.4)}, {{0, box(0.2, 0.5)}, {1, box(0.3, 0.4)}, {0, box(0.5, 0.8)}}),
-      (Joined{{0, 4}, {1, 4}, {0, 4}}));
-}
-
-/// A line is drawn with a width: a polygon that only touches it would cover half of that.
-TEST(JoinPieces, APieceThatALineTouchesStaysBeforeIt) {
-  const Loop along_its_side{{0.2, 0.1, 0.5}, {0.2, 0.9, 0.5}};
-  const Loop apart{{0.1, 0.1, 0.5}, {0.1, 0.9, 0.5}};
-  const std::vector<Loop> polygons{box(0.2, 0.8)};
-  EXPECT_EQ(joined(polygons, {{0, box(0.2, 0.5)}, {7, along_its_side}, {0, box(0.5, 0.8)}}),
-            (Joined{{0, 4}, {7, 2}, {0, 4}}));
-  EXPECT_EQ(joined(polygons, {{0, box(0.2, 0.5)}, {7, apart}, {0, box(0.5, 0.8)}}),
-            (Joined{{7, 2}, {0, 4}}));
-}
-
-/// Filled even-odd, a polygon would have a hole where two pieces of it overlap.
-TEST(JoinPieces, PiecesThatOverlapEachOtherAreNotOnePolygon) {
-  EXPECT_EQ(joined({box(0.2, 0.8)}, {{0, box(0.2, 0.6)}, {0, box(0.4, 0.8)}}),
-            (Joined{{0, 4}, {0, 4}}));
-}
-
-/// A corner that is repeated is a side of length 0, which separates nothing.
-TEST(JoinPieces, ARepeatedCornerSeparatesNothing) {
-  Loop first = box(0.2, 0.5);
-  first.push_back(first.back());
-  EXPECT_EQ(
-      joined({box(0.2, 0.8), box(0.3, 0.4)}, {{0, first}, {1, box(0.3, 0.4)}, {0, box(0.5, 0.8)}}),
-      (Joined{{0, 5}, {1, 4}, {0, 4}}));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <glm/mat4x3.hpp>
 #include <vector>
 
+#include "clip/transformation.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/views/set_view.h"
 #include "tests/predicate_inputs.h"
@@ -14,10 +16,24 @@
 
 namespace displayfile::test {
 
-/// A number with so many decimals, as a drawing program has it.
+/// A number of `places` decimals, as a drawing program has it.
 inline double decimal(Source& s, double low, double high, int places = 2) {
   const double scale = std::pow(10.0, places);
   return std::round((low + (high - low) * s.unit()) * scale) / scale;
+}
+
+/// The modelling matrix of three rotations and a translation, scaled.
+inline glm::dmat4x3 any_matrix(Source& s) {
+  ModellingTransformation m;
+  if (s.below(2) == 0) {
+    const double x = decimal(s, 0.5, 2), y = decimal(s, -2, -0.5), z = decimal(s, 0.5, 2);
+    m.scale({x, y, z});
+  }
+  m.rotate_x(decimal(s, -180, 180));
+  m.rotate_y(decimal(s, -180, 180));
+  m.rotate_z(decimal(s, -180, 180));
+  m.translate({decimal(s, -1, 1), decimal(s, -1, 1), decimal(s, -1, 1)});
+  return glm::dmat4x3(m.matrix());
 }
 
 inline void view_from_anywhere(Source& s, GraphicsSystem& g, const Ball3& scene = {}) {

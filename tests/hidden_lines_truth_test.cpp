@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "tests/entered_scenes.h"
 #include "tests/gallery.h"
 #include "tests/line_truth.h"
+#include "tests/predicate_inputs.h"
 #include "tests/retained_truth.h"
 #include "tests/slower.h"
 #include "tests/truth_scenes.h"
@@ -66,6 +70,53 @@ TEST(HiddenLinesTruth, OfRandomDegenerateScenes) {
   for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
     SCOPED_TRACE(seed);
     ASSERT_EQ(test::wrong_lines(degenerate(seed), 1), "");
+  }
+}
+
+/// Small triangles in planes that are seen nearly from the edge, and lines that pass them with an
+/// end within reach of such a plane, at the triangle's depth, before it or behind it.
+void enter_beside_steep_planes(GraphicsSystem& g, std::uint32_t seed) {
+  test::Source s(seed);
+  const auto between = [&](double low, double high) { return low + (high - low) * s.unit(); };
+  const double reach = std::pow(10.0, between(-6, -3));
+  g.set_hidden_surfaces({.touching = Touching{Touching::Kind::length, reach}});
+  g.set_window(0, 1, 0, 1);
+  g.set_view_depth(-1, 0);
+  g.open_segment(1);
+  for (int k = 0; k < 60; ++k) {
+    const Point3 middle(between(0.2, 0.8), between(0.2, 0.8), between(-0.6, -0.4));
+    const double x_per_depth = reach * std::pow(10.0, between(0, 3));
+    const double deep = std::pow(10.0, between(-3, -0.5)), wide = x_per_depth * deep;
+    const double high = wide * std::pow(10.0, between(-0.5, 1.5));
+    const auto on_plane = [&](double y, double z) {
+      return Point3(middle.x + x_per_depth * (z - middle.z), middle.y + y, z);
+    };
+    std::array<Point3, 3> steep, beside;
+    for (Point3& p : steep) {
+      const double y = between(-high, high), z = between(-deep, deep);
+      p = on_plane(y, middle.z + z);
+    }
+    const double along = wide * std::pow(10.0, between(0, 1.5));
+    const double end = middle.z + between(-1, 1) * deep * (s.below(2) == 0 ? 1.0 : 5.0);
+    beside[0] = on_plane(between(-along, along), end) + Point3(between(-reach, reach), 0, 0);
+    for (Point3& p : std::span(beside).subspan(1)) {
+      const double x = between(-along, along), y = between(-along, along);
+      const double z = between(-1, 1) * deep * std::pow(10.0, s.between(-2, 0));
+      p = Point3(middle.x + x, middle.y + y, end + z);
+    }
+    g.polygon_abs_3(steep);
+    g.polygon_abs_3(beside);
+  }
+  g.close_segment();
+}
+
+TEST(HiddenLinesTruth, OfEndsWithinReachOfSteepPlanes) {
+  constexpr std::uint32_t kScenes = 90 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
+    SCOPED_TRACE(seed);
+    GraphicsSystem system;
+    enter_beside_steep_planes(system, seed);
+    ASSERT_EQ(test::wrong_lines(system.display_file(), 1), "");
   }
 }
 

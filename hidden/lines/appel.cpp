@@ -93,7 +93,7 @@ class Appel {
     before.z_max = std::numeric_limits<float>::infinity();
     line_.look_at(line);
     scene_.any_counted(before, [&](std::uint32_t polygon) {
-      if (scene_.lines.extent(polygon).z_max > box.z_min) line_.hide(polygon, parts_);
+      line_.hide(polygon, parts_);
       return false;
     });
     compare(line);
@@ -106,7 +106,6 @@ class Appel {
     const auto meets = [flat = FlatBox::of(box)](const FlatBoxes& b) { return b.meets(flat); };
     scene_.compared.any(meets, [&](ExtentTree::Position position) {
       const std::uint32_t polygon = scene_.compared.order()[position];
-      if (scene_.lines.extent(polygon).z_max <= box.z_min) return false;
       if (!looked) line_.look_at(line);
       looked = true;
       line_.hide(polygon, parts_);

@@ -9,6 +9,7 @@
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/orientation.h"
+#include "hidden/lines/end_on_plane.h"
 
 namespace displayfile {
 
@@ -145,10 +146,8 @@ float CellGrid::blocked_behind(const LineTable& scene, std::uint32_t polygon, co
       least = std::min(least, depth.middle - 2.0 * depth.radius);
     }
   }
-  // A line that lies in the plane may be farther by that.
-  const double slopes =
-      (std::abs(plane.normal.x) + std::abs(plane.normal.y)) / std::abs(plane.normal.z);
-  least -= 4.0 * scene.touching() * (1.0 + slopes);
+  // Twice, since a line's ends may be far outside of the polygon.
+  if (scene.touching() > 0.0) least -= 2.0 * reach_in_depth(scene.touching(), plane);
   return std::isfinite(least) ? rounded_down(least) : kNothingHidden;
 }
 

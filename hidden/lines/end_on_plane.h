@@ -53,6 +53,14 @@ inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, 
   return on_plane(v, Plane(plane.p, plane.q, plane.r), touching) == OnPlane::yes;
 }
 
+/// How far in depth a line within reach of a polygon's plane may at most be from it, where the
+/// polygon covers the line: each coordinate of both may be off by `touching`, and more on a steep
+/// plane. More by an eighth, for rounding.
+inline double reach_in_depth(double touching, const Plane& plane) {
+  const Point3& n = plane.normal;
+  return 2.25 * touching * (1.0 + (std::abs(n.x) + std::abs(n.y)) / std::abs(n.z));
+}
+
 /// The sign of a plane's depth minus that of a line's end, by the end as entered; nothing if the
 /// display file's coordinates decide. `rounded` is used if the entered points are unavailable.
 inline std::optional<int> sign_as_entered(EndsAsEntered::Place place, OnPlane rounded) {

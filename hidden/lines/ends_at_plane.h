@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,16 @@ struct EndsAtCorners {
   bool start = false, end = false;
 };
 
+/// True if the polygon is nearer than the line as a whole, by more than that: no matter which
+/// planes the line's ends are within reach of, it hides the line where it covers it.
+inline bool is_nearer_than_reach(const LineTable& scene, const LineTable::Line& line,
+                                 std::uint32_t polygon, const Plane& plane) {
+  const double farthest = scene.extent(polygon).z_min;
+  const double nearest = line.by_plane ? double{scene.extent(line).z_max}
+                                       : std::max(scene.point(line.a).z, scene.point(line.b).z);
+  return farthest > nearest && farthest - reach_in_depth(scene.touching(), plane) > nearest;
+}
+
 /// For a line's ends as viewed, not moved onto its polygon's plane, and the plane of another
 /// polygon, which is not edge-on. In doubles, by LineTable::touching, which bounds the distance of
 /// points within reach; then by the points as entered, if available. An intersection line lies only
@@ -31,6 +42,7 @@ inline EndsAtPlane ends_at_plane(const LineTable& scene, const LineTable::Line& 
                                  const EndsAtCorners& corners) {
   if (!(scene.touching() > 0.0) || scene.intersection(line) != nullptr) return {};
   if (line.own != LineTable::kNone && scene.share_plane(line.own, polygon)) return {0, 0};
+  if (is_nearer_than_reach(scene, line, polygon, plane)) return {};
   const double far =
       scene.touching() * (1.0 + scene.most_shares() / std::abs(plane.normal.z)) * plane.reach;
   const auto in_doubles = [&](std::uint32_t end, bool is_corner) {

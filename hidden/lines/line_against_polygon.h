@@ -32,6 +32,7 @@ class LineAgainstPolygon {
     if (line.by_plane) own_plane_ = scene_.plane(own_);
     line_ = {scene_.point(line.a), scene_.point(line.b), line.by_plane ? &own_plane_ : nullptr};
     near_ = {line_.a, line_.b, scene_.off_lines()};
+    farthest_ = scene_.extent(line).z_min;
     if (const IntersectionLine* intersection = scene_.intersection(line)) look_at(*intersection);
   }
 
@@ -46,11 +47,13 @@ class LineAgainstPolygon {
   }
 
   /// Adds the parts of the line that the polygon, which hides, covers, to HiddenParts or an
-  /// equivalent; true if it covers both sides of a part.
+  /// equivalent; true if it covers both sides of a part. A polygon that is farther as a whole
+  /// covers nothing, even if an end of the line is within reach of its plane.
   template <class Parts>
   bool hide(std::uint32_t polygon, Parts& parts) {
     assert(scene_.hides(polygon));
-    if (polygon == own_ || polygon == other_ || !reaches_over(polygon)) return false;
+    if (polygon == own_ || polygon == other_) return false;
+    if (scene_.extent(polygon).z_max <= farthest_ || !reaches_over(polygon)) return false;
     steps_.step();
     const Plane plane = scene_.plane(polygon);
     const auto [nearer_at_a, nearer_at_b] =
@@ -184,6 +187,7 @@ class LineAgainstPolygon {
   std::uint32_t own_ = LineTable::kNone, other_ = LineTable::kNone;
   bool a_is_corner_ = false, b_is_corner_ = false;  // of the polygon, and in its plane
   NearLine near_;
+  float farthest_ = 0.0f;
   std::vector<std::uint8_t> is_near_;  // corners that are not quite on the line
   std::vector<std::int8_t> side_;      // of the line, each vertex of the polygon
   std::vector<double> left_, right_;

@@ -11,6 +11,7 @@
 #include "hidden/lines/carried_counts.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/depth_boxes.h"
+#include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_counts.h"
 #include "hidden/lines/line_vertices.h"
@@ -52,11 +53,19 @@ struct AppelTables {
     if (any) compared = extent_tree(others, threads);
   }
 
-  /// The box around a polygon, with the depths of its plane and of its corners.
+  /// The box around a polygon, with the depths of its plane and of its corners; and away from the
+  /// viewer, as far as reach may decide that it does not hide a line (ends_at_plane.h).
   Extent box_of(std::uint32_t polygon) const {
     Extent box = lines.extent(polygon);
-    if (contours.is_even(polygon)) return box;
-    for (std::uint32_t k = 0; k < lines.sides(polygon); ++k) box.include(lines.corner(polygon, k));
+    if (!contours.is_even(polygon)) {
+      for (std::uint32_t k = 0; k < lines.sides(polygon); ++k) {
+        box.include(lines.corner(polygon, k));
+      }
+    }
+    if (lines.touching() > 0.0) {
+      const double reach = reach_in_depth(lines.touching(), lines.plane(polygon));
+      box.z_min = rounded_down(box.z_min - reach);
+    }
     return box;
   }
 

@@ -157,24 +157,28 @@ double LineHiders::depth(const Integer& over, const Integer& under) const {
   return Division().nearest_double(over, Integer(under << static_cast<std::size_t>(depth_places_)));
 }
 
-/// A triangle's plane is nearest at a vertex. A polygon of more sides counts as moved on to it.
-double LineHiders::nearest(std::uint32_t item) const {
+/// The least and the greatest depth of a polygon's support plane at its vertices, where it is
+/// farthest and nearest. A triangle's are those of the vertices themselves, if they lie on its
+/// plane; a polygon of more sides counts as moved on to it. The least is infinite without a plane,
+/// the greatest -infinite.
+std::array<double, 2> LineHiders::depth_range(std::uint32_t item) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  double nearest = -kInfinite;
+  std::array<double, 2> range{kInfinite, -kInfinite};
+  const auto include = [&](double z) { range = {std::min(range[0], z), std::max(range[1], z)}; };
   const bool has_vertices_on_plane = items_.points(item).size() == 3 &&
                                      items_.shared_plane(item) == nullptr &&
                                      items_.plane_rest(item) == Point3(0.0);
   if (has_vertices_on_plane) {
-    for (const Point3& p : items_.points(item)) nearest = std::max(nearest, p.z);
-    return nearest;
+    for (const Point3& p : items_.points(item)) include(p.z);
+    return range;
   }
   const auto plane = this->plane(item);
-  if (!plane) return nearest;
+  if (!plane) return range;
   for (const Point3& p : items_.points(item)) {
     const Point at = point(p);
-    nearest = std::max(nearest, depth(plane->over(at.x, at.y), plane->under));
+    include(depth(plane->over(at.x, at.y), plane->under));
   }
-  return std::nextafter(nearest, kInfinite);
+  return {std::nextafter(range[0], -kInfinite), std::nextafter(range[1], kInfinite)};
 }
 
 EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) const {
@@ -301,18 +305,24 @@ std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const Exac
   if (!items_.some_touch()) return all;
   const auto [p, q, r] = *plane_points(item);
   const Plane plane(p, q, r);
+  const double touching = items_.touching();
   const auto sign = [&](EndsAsEntered::Place place, const Point3& end) {
-    const bool may_touch = items_.touching() > 0.0;
-    return sign_as_entered(place,
-                           may_touch ? on_plane(end, plane, items_.touching()) : OnPlane::no);
+    return sign_as_entered(place, on_plane(end, plane, touching));
   };
+  const double beyond_reach = depth_range(item)[0] - reach_in_depth(touching, plane);
   const Point3 none(0.0);
   const auto by_planes = [&](EndsAsEntered::Place place) -> std::optional<int> {
     return place == EndsAsEntered::Place::on_plane ? std::optional(0) : std::nullopt;
   };
-  for (const LineId sharer : line.sharers) {
+  for (std::size_t k = 0; k < line.sharers.size(); ++k) {
+    const LineId sharer = line.sharers[k];
     if (items_.share_plane(sharer.item, item)) {
       all.push_back({0, 0});
+      continue;
+    }
+    const EndDepths& ends = line.depths[k];
+    if (std::max(depth(ends.from, ends.under), depth(ends.to, ends.under)) < beyond_reach) {
+      all.emplace_back();
       continue;
     }
     const auto [from, to] = items_.places(sharer, item);
@@ -482,7 +492,7 @@ void LineHiders::enter_solids(int threads) {
     solids_.push_back({item, bounding_rectangle(items_.points(item)), 0.0});
   }
   in_parallel(threads, solids_.size(),
-              [&](std::size_t k) { solids_[k].nearest = nearest(solids_[k].item); });
+              [&](std::size_t k) { solids_[k].nearest = depth_range(solids_[k].item)[1]; });
 }
 
 /// Grows with the coordinate, so that what lies between two points is in the cells between theirs.

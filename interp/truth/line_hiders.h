@@ -93,7 +93,7 @@ class LineHiders {
   std::optional<std::array<Point3, 3>> plane_points(std::uint32_t item) const;
   std::optional<DepthPlane> plane(std::uint32_t item) const;
   double depth(const Integer& over, const Integer& under) const;
-  double nearest(std::uint32_t item) const;
+  std::array<double, 2> depth_range(std::uint32_t item) const;
   EndDepths depths(const ExactLine& line, LineId sharer) const;
   EndDepths depths(const ExactLine& line, const DepthPlane& plane) const;
   bool has_own_depth(LineId sharer) const;

@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -54,10 +55,13 @@ class LineItems {
     return !plane_of_.empty() && shared_plane(a) != nullptr && shared_plane(b) != nullptr &&
            *shared_plane(a) == *shared_plane(b);
   }
-  // As Primitives has it.
-  double touching() const { return primitives_.touching; }
+  /// As LineTable::touching.
+  double touching() const {
+    if (primitives_.ends == nullptr || primitives_.touching > 0.0) return primitives_.touching;
+    return std::numeric_limits<double>::infinity();
+  }
   double rounding() const { return primitives_.rounding; }
-  bool some_touch() const { return primitives_.ends != nullptr || touching() > 0.0; }
+  bool some_touch() const { return touching() > 0.0; }
   /// Where the line's ends are as they were entered, against the polygon's plane.
   EndsAsEntered::Places places(LineId line, std::uint32_t item) const {
     return primitives_.places(line.item, line.corner, item);

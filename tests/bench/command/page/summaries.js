@@ -44,13 +44,13 @@ const summaryMakers = {
 
   /** The few rows of a README: the defaults, and peers. */
   compared(figures) {
-    const found = methodRows(figures, isInSeries);
+    const found = methodRows(figures, (column) => isInSeries(column) || column.name === "osmesa, 32 bits");
     if (!found) return null;
     const gl2ps = found.rows.filter((row) => row.column.method === "gl2ps" && row.anew !== null && row.pieces !== null);
     const least = (value) => gl2ps.reduce((a, b) => (value(b) < value(a) ? b : a), gl2ps[0]);
     const best = unique([least((row) => row.anew), least((row) => row.pieces)].filter(Boolean));
     const labels = {"z-buffer, exact": "z-buffer, exact: the default for pixels", "osmesa, 24 bits": "OSMesa, 24 bits of depth",
-      "embree, single": "Embree, single precision: its tree and one ray a pixel",
+      "osmesa, 32 bits": "OSMesa, 32 bits of depth", "embree, single": "Embree, single precision: its tree and one ray a pixel",
       "map, exact": "map, exact: the default for vectors"};
     for (const row of best) labels[row.column.name] = `${row.column.name}: a sort, which draws no pixels`;
     const hard = figures.hardCases.length > 0;

@@ -148,11 +148,14 @@ void call_user_routine(GraphicsSystem& system, std::string_view name, std::strin
 ///   text-style SIZE left|centre|right [always]
 ///   text X Y Z "CHARACTERS"              (a backslash before quotation marks and backslashes; the
 ///                                        pen stays where it is)
+///   annotation KIND SIZE mm|px arrow|dot entered|auto R G B DX DY [X Y Z ...] "TEXT" ["NAME"]
+///                                        (after all else of its segment: its style, the offset of
+///                                        its text, its points, and its text)
 ///   end                                  (of the dump)
 ///
-/// Sorted segments are dumped back to front, then their texts. Where all visible segments were
-/// sorted together, a segment line marks each change of segment, styles stay in force across it,
-/// and segments without output follow at the end.
+/// Sorted segments are dumped back to front, then their texts and annotation. Where all visible
+/// segments were sorted together, a segment line marks each change of segment, styles stay in force
+/// across it, and segments without output follow at the end.
 ///
 /// With `fills`, all solid fills have that colour, without shadows or intensities, as the colour
 /// rule draws them (interp/raster/colour_rule.md).

@@ -404,6 +404,10 @@ class GraphicsSystem {
   /// letters. Errors: more than kLongestText bytes; not UTF-8; control characters or noncharacters
   /// of Unicode.
   void text(std::string_view characters);
+  /// Enters annotation (displayfile/looks/style.h) into the open segment. It is drawn if the points
+  /// of the model are within the view volume. Errors: those of coordinates and texts; a number
+  /// below 1; a measure of 0; an offset beyond 1e6; an angle of 180 degrees; a radius not above 0.
+  void annotate(const Annotation& annotation);
 
   // ---- Looks: attributes of the primitives that follow ------------------------------------------
 
@@ -419,6 +423,11 @@ class GraphicsSystem {
   /// `dashed`.
   void set_line_kind_style(StyledLines lines, const LineKindStyle& style);
   void set_text_style(const TextStyle& style);  ///< Error: a size not above 0, or above 1.
+  /// Errors: a size not above 0, or above 1000; decimals that are not 0 to 9.
+  void set_annotation_size(double size, AnnotationStyle::Unit unit = {});
+  void set_annotation_ends(AnnotationStyle::Ends ends);
+  void set_annotation_decimals(int decimals);
+  void set_annotation_placement(AnnotationStyle::Placement placement);
   /// Sets the light: a world direction toward it, of any non-zero length; ambient in [0,1]. A
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
   /// between the light and the normal of its visible side).
@@ -477,6 +486,7 @@ class GraphicsSystem {
   void set_background(const Background& background);
 
   const Attributes& attributes() const;
+  const AnnotationStyle& annotation_style() const;
   double crease_degrees() const;
   const CutFaces& cut_faces() const;
   const SurfaceLooks& surface_looks() const;

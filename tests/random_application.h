@@ -159,11 +159,48 @@ class RandomApplication {
     system_.set_cut_faces(faces);
   }
 
+  std::optional<Point2> offset() {
+    if (chance(50)) return std::nullopt;
+    return Point2(coordinate(), coordinate());
+  }
+  void annotation() {
+    switch (below(9)) {
+      case 0: return system_.annotate(Leader{point_3(), characters(), offset()});
+      case 1:
+        return system_.annotate(
+            Balloon{point_3(), static_cast<int>(below(9)), characters(), offset()});
+      case 2:
+        return system_.annotate(LinearDimension{static_cast<LinearDimension::Axis>(below(3)),
+                                                point_3(), point_3(), point_3()});
+      case 3: return system_.annotate(AlignedDimension{point_3(), point_3(), point_3()});
+      case 4: return system_.annotate(DiameterDimension{point_3(), point_3()});
+      case 5: return system_.annotate(RadiusDimension{point_3(), point_3()});
+      case 6:
+        return system_.annotate(AngleDimension{point_3(), point_3(), point_3(), uniform(-0.1, 1)});
+      case 7: return system_.annotate(Title{characters()});
+      default: return system_.annotate(PartsList{static_cast<PartsList::Corner>(below(4))});
+    }
+  }
+  void annotation_setting() {
+    using Style = AnnotationStyle;
+    switch (below(4)) {
+      case 0:
+        return system_.set_annotation_size(
+            uniform(-1, 20), chance(50) ? Style::Unit::millimetres : Style::Unit::pixels);
+      case 1:
+        return system_.set_annotation_ends(chance(50) ? Style::Ends::arrow : Style::Ends::dot);
+      case 2: return system_.set_annotation_decimals(static_cast<int>(below(12)) - 1);
+      default:
+        return system_.set_annotation_placement(chance(50) ? Style::Placement::entered
+                                                           : Style::Placement::automatic);
+    }
+  }
+
   void call_primitive() {
     using enum SurfaceCurves;
     constexpr std::array kCurves{x, y, both};
     constexpr std::array kSides{SurfaceSides::upper, SurfaceSides::lower, SurfaceSides::both};
-    switch (below(30)) {
+    switch (below(32)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -200,6 +237,8 @@ class RandomApplication {
       case 26: return cut_faces();
       case 27: return line_kind_style();
       case 28: return system_.set_crease_angle(uniform(-10, 190));
+      case 29: return annotation();
+      case 30: return annotation_setting();
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }

@@ -34,6 +34,7 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_surfaces().z_buffer, b.hidden_surfaces().z_buffer);
   EXPECT_EQ(a.attributes().shading, b.attributes().shading);
   EXPECT_EQ(a.crease_degrees(), b.crease_degrees());
+  EXPECT_EQ(a.annotation_style(), b.annotation_style());
   EXPECT_EQ(a.attributes().shadows, b.attributes().shadows);
   EXPECT_EQ(a.counts().polygons, b.counts().polygons);
   EXPECT_EQ(a.counts().triangulated, b.counts().triangulated);
@@ -79,7 +80,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 66u);
+    EXPECT_EQ(routines.size(), 79u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
@@ -213,6 +214,10 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     system.set_light({0, 0, 1});
     system.set_shading(Shading::phong);
     system.set_crease_angle(30.0);
+    system.set_annotation_size(2.5, AnnotationStyle::Unit::pixels);
+    system.set_annotation_ends(AnnotationStyle::Ends::dot);
+    system.set_annotation_decimals(0);
+    system.set_annotation_placement(AnnotationStyle::Placement::automatic);
     system.set_shadows(true);
     system.set_back_face_removal(true);
     system.set_pick_id(7);
@@ -232,6 +237,7 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
   EXPECT_EQ(system.counts().solids_open, 0u);
   EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
   EXPECT_EQ(system.crease_degrees(), 180.0);
+  EXPECT_EQ(system.annotation_style(), AnnotationStyle());
   EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
   EXPECT_FALSE(system.explicit_settings().contains(Setting::light));
   EXPECT_FALSE(system.explicit_settings().contains(Setting::crease_angle));

@@ -162,7 +162,7 @@ std::size_t Instructions::bytes() const {
          intensities_.size() * sizeof(intensities_[0]) + normals_.size() * sizeof(normals_[0]) +
          side_kinds_.size() + line_kind_styles_.size() * sizeof(line_kind_styles_[0]) +
          texts_.size() * sizeof(texts_[0]) + characters_.size() +
-         (as_entered_ ? as_entered_->bytes() : 0);
+         annotations_.size() * sizeof(annotations_[0]) + (as_entered_ ? as_entered_->bytes() : 0);
 }
 
 /// At least twice the room there is, so that many small calls cost no more than one.
@@ -186,6 +186,7 @@ void Instructions::free_room() {
   displayfile::free_room(line_kind_styles_);
   displayfile::free_room(texts_);
   displayfile::free_room(characters_);
+  displayfile::free_room(annotations_);
   if (as_entered_) as_entered_->free_room();
 }
 

@@ -13,6 +13,7 @@
 #include "clip/surfaces.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/entered_polygons.h"
+#include "displayfile/entered/kept_annotation.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/looks/vertex_shading.h"
 #include "hidden/surface_mark.h"
@@ -93,6 +94,11 @@ class Instructions {
 
   /// A text at a point: drawable UTF-8 (displayfile/text/characters.h). The pen does not move.
   void enter_text(const Point3& anchor, std::string_view characters);
+  /// Annotation is separate from the other instructions and follows them in a walk.
+  void enter_annotation(KeptAnnotation annotation) {
+    annotations_.push_back(std::move(annotation));
+  }
+  std::span<const KeptAnnotation> annotations() const { return annotations_; }
 
   /// Enters a planar polygon of n sides with vertices point(i); the side that ends at vertex i is
   /// drawn if is_drawn(i). Fast for successive polygons with z.
@@ -131,7 +137,7 @@ class Instructions {
   ///   kinds of lines they are side_kinds(span<const LineKinds>), 0 of those that are not drawn;
   ///   all these spans stay until the walk is over; line_pick(int), of the lines
   ///   that follow, and text_style(TextStyle), text(Point3 anchor, string_view), in the colour of
-  ///   the line style. A text does not move the pen.
+  ///   the line style. A text does not move the pen. Last, annotation(const KeptAnnotation&).
   template <class Visitor>
   void walk(Visitor&& visit) const;
 
@@ -202,6 +208,7 @@ class Instructions {
   std::vector<LineKindStyles> line_kind_styles_;
   std::vector<TextAt> texts_;
   std::string characters_;  // of all texts
+  std::vector<KeptAnnotation> annotations_;
   std::vector<SurfaceMark> surfaces_;
   std::optional<EnteredPolygons> as_entered_;
   double flat_z_ = 0.0;
@@ -335,6 +342,9 @@ void Instructions::walk(Visitor&& visit) const {
       }
     }
   }
+  if constexpr (requires { visit.annotation(annotations_[0]); }) {
+    for (const KeptAnnotation& annotation : annotations_) visit.annotation(annotation);
+  }
 }
 
 /// Passes instructions to a visitor, with points and lights of shadows after an image
@@ -343,7 +353,7 @@ template <class Visitor>
 class TransformedVisitor {
  public:
   TransformedVisitor(Visitor& visit, const ImageTransformation& image)
-      : visit_(visit), matrix_(image) {}
+      : visit_(visit), image_(image), matrix_(image) {}
 
   void fill(FillStyle s) {
     if (s.shadow) s.shadow->light = matrix_.apply(s.shadow->light);
@@ -392,6 +402,11 @@ class TransformedVisitor {
       visit_.text(matrix_.apply(anchor), characters);
     }
   }
+  void annotation(const KeptAnnotation& annotation) {
+    if constexpr (requires { visit_.annotation(annotation); }) {
+      visit_.annotation(transformed(annotation, image_));
+    }
+  }
   void move(const Point3& p) { visit_.move(matrix_.apply(p)); }
   void line(const Point3& p) { visit_.line(matrix_.apply(p)); }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
@@ -402,6 +417,7 @@ class TransformedVisitor {
 
  private:
   Visitor& visit_;
+  ImageTransformation image_;
   ImageMatrix matrix_;
   std::vector<Point3> moved_;
 };

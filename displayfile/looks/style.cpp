@@ -13,6 +13,21 @@ constexpr Word<Alignment> kAlignments[] = {
 constexpr Word<Shading> kShadings[] = {
     {Shading::flat, "flat"}, {Shading::gouraud, "gouraud"}, {Shading::phong, "phong"}};
 
+constexpr Word<AnnotationStyle::Unit> kUnits[] = {{AnnotationStyle::Unit::millimetres, "mm"},
+                                                  {AnnotationStyle::Unit::pixels, "px"}};
+constexpr Word<AnnotationStyle::Ends> kEnds[] = {{AnnotationStyle::Ends::arrow, "arrow"},
+                                                 {AnnotationStyle::Ends::dot, "dot"}};
+constexpr Word<AnnotationStyle::Placement> kPlacements[] = {
+    {AnnotationStyle::Placement::entered, "entered"},
+    {AnnotationStyle::Placement::automatic, "auto"}};
+constexpr Word<LinearDimension::Axis> kAxes[] = {{LinearDimension::Axis::x, "x"},
+                                                 {LinearDimension::Axis::y, "y"},
+                                                 {LinearDimension::Axis::z, "z"}};
+constexpr Word<PartsList::Corner> kCorners[] = {{PartsList::Corner::top_left, "top-left"},
+                                                {PartsList::Corner::top_right, "top-right"},
+                                                {PartsList::Corner::bottom_left, "bottom-left"},
+                                                {PartsList::Corner::bottom_right, "bottom-right"}};
+
 }  // namespace
 
 TextStyle::Alignment alignment(std::string_view text) {
@@ -22,5 +37,28 @@ std::string_view name_of(TextStyle::Alignment alignment) { return word_of(kAlign
 
 Shading shading(std::string_view text) { return value_of(kShadings, text, "shading is"); }
 std::string_view name_of(Shading shading) { return word_of(kShadings, shading); }
+
+AnnotationStyle::Unit annotation_unit(std::string_view text) {
+  return value_of(kUnits, text, "expected");
+}
+AnnotationStyle::Ends annotation_ends(std::string_view text) {
+  return value_of(kEnds, text, "expected");
+}
+AnnotationStyle::Placement annotation_placement(std::string_view text) {
+  return value_of(kPlacements, text, "expected");
+}
+LinearDimension::Axis dimension_axis(std::string_view text) {
+  return value_of(kAxes, text, "expected");
+}
+PartsList::Corner list_corner(std::string_view text) {
+  return value_of(kCorners, text, "expected");
+}
+std::string_view name_of(AnnotationStyle::Unit unit) { return word_of(kUnits, unit); }
+std::string_view name_of(AnnotationStyle::Ends ends) { return word_of(kEnds, ends); }
+std::string_view name_of(AnnotationStyle::Placement placement) {
+  return word_of(kPlacements, placement);
+}
+std::string_view name_of(LinearDimension::Axis axis) { return word_of(kAxes, axis); }
+std::string_view name_of(PartsList::Corner corner) { return word_of(kCorners, corner); }
 
 }  // namespace displayfile

@@ -1,12 +1,15 @@
 #pragma once
 
-/// Looks: colours, styles of fills, lines and texts, light and shading, and the background.
+/// Looks: colours, styles of fills, lines and texts, annotation, light and shading, and the
+/// background.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
 
 #include "clip/point.h"
 #include "clip/surfaces.h"
@@ -111,6 +114,95 @@ struct TextStyle {
 /// Reads `left`, `centre` or `right`; throws Error for anything else.
 TextStyle::Alignment alignment(std::string_view text);
 std::string_view name_of(TextStyle::Alignment alignment);
+
+/// How annotation is drawn, which is always seen, over the figure, in the line style's colour,
+/// black if the line style is none (interp/annotation/README.md).
+struct AnnotationStyle {
+  enum class Unit { millimetres, pixels };
+  enum class Ends { arrow, dot };
+  enum class Placement {
+    entered,    ///< at the offsets with which it was entered
+    automatic,  ///< outside of the figure, clear of each other (interp/annotation/placement.md)
+  };
+  /// Height of capital letters and digits. Widths of lines and lengths of arrows follow from it. A
+  /// millimetre of a picture without a size on paper is 96/25.4 pixels, in PDF and EPS 72/25.4.
+  double size = 3.5;
+  Unit unit = Unit::millimetres;
+  Ends ends = Ends::arrow;  ///< of leaders, at the model
+  int decimals = 2;         ///< at most this many of a measure; trailing zeros are omitted
+  Placement placement = Placement::entered;
+  bool operator==(const AnnotationStyle&) const = default;
+};
+
+/// Read `mm` or `px`, `arrow` or `dot`, `entered` or `auto`; throw Error for anything else.
+AnnotationStyle::Unit annotation_unit(std::string_view text);
+AnnotationStyle::Ends annotation_ends(std::string_view text);
+AnnotationStyle::Placement annotation_placement(std::string_view text);
+std::string_view name_of(AnnotationStyle::Unit unit);
+std::string_view name_of(AnnotationStyle::Ends ends);
+std::string_view name_of(AnnotationStyle::Placement placement);
+
+// Annotation, for GraphicsSystem::annotate. Points are in the coordinates of primitives; a measure
+// is a length in world coordinates, after the modelling transformation, or an angle in degrees. A
+// text's offset on paper is to the right and up, in the annotation's unit; none: three times its
+// size each way.
+
+/// A line from a point of the model to a text.
+struct Leader {
+  Point3 at;
+  std::string text;
+  std::optional<Point2> offset = std::nullopt;
+};
+/// A number in a circle, with a line from a point of the model.
+struct Balloon {
+  Point3 at;
+  int number;             ///< 1 or more
+  std::string name = {};  ///< of the part, for the parts list; empty: it is not listed
+  std::optional<Point2> offset = std::nullopt;
+};
+/// The distance of two points along an axis of the coordinates in force, at a line parallel to it
+/// through `from` + `offset`; the offset's part along the axis has no effect.
+struct LinearDimension {
+  enum class Axis { x, y, z };
+  Axis axis;
+  Point3 from, to, offset;
+};
+/// The distance of two points, at a line that is moved from them by `offset`.
+struct AlignedDimension {
+  Point3 from, to, offset;
+};
+/// The diameter between two opposite points of a circle.
+struct DiameterDimension {
+  Point3 from, to;
+};
+struct RadiusDimension {
+  Point3 centre, at;  ///< `at` is on the circle
+};
+/// The angle at a vertex, above 0 and below 180 degrees, at an arc of that radius in the
+/// coordinates of primitives.
+struct AngleDimension {
+  Point3 vertex, from, to;
+  double radius;
+};
+/// A line of text at the middle of the picture's upper margin.
+struct Title {
+  std::string text;
+};
+/// A table of the balloons that have names, in all visible segments: number, name and quantity.
+struct PartsList {
+  enum class Corner { top_left, top_right, bottom_left, bottom_right };
+  Corner corner = Corner::bottom_right;  ///< of the picture
+};
+using Annotation =
+    std::variant<Leader, Balloon, LinearDimension, AlignedDimension, DiameterDimension,
+                 RadiusDimension, AngleDimension, Title, PartsList>;
+
+/// Read `x`, `y` or `z`; `top-left`, `top-right`, `bottom-left` or `bottom-right`; throw Error for
+/// anything else.
+LinearDimension::Axis dimension_axis(std::string_view text);
+PartsList::Corner list_corner(std::string_view text);
+std::string_view name_of(LinearDimension::Axis axis);
+std::string_view name_of(PartsList::Corner corner);
 
 /// A directional light and the ambient light.
 struct Light {

@@ -93,6 +93,12 @@ bool DisplayFile::has_shadows() const {
       segments_, [](const Segment& segment) { return segment.visible && segment.has_shadows(); });
 }
 
+bool DisplayFile::has_annotations() const {
+  return std::ranges::any_of(segments_, [](const Segment& segment) {
+    return segment.visible && segment.has_annotations();
+  });
+}
+
 bool DisplayFile::has_texts() const {
   return std::ranges::any_of(
       segments_, [](const Segment& segment) { return segment.visible && segment.has_texts(); });

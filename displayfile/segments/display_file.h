@@ -37,6 +37,7 @@ class DisplayFile : public Watched<DisplayFile> {
   std::size_t bytes() const;     ///< of the instruction arrays, as used
   bool has_shadows() const;      ///< a fill of a visible segment shows shadows
   bool has_texts() const;        ///< a visible segment has texts
+  bool has_annotations() const;  ///< or annotation
 
   /// All visible segments sorted together, back to front, points after the image transformations;
   /// drawn instead of the segments' own orders. Null if they were not sorted, or if a segment was

@@ -231,4 +231,11 @@ bool PolygonStage::enter_text(const Point3& anchor, std::string_view characters,
   return true;
 }
 
+bool PolygonStage::enter_annotation(const KeptAnnotation& annotation, Segment& segment) {
+  std::optional<KeptAnnotation> in_view = displayfile::viewed(annotation, pipeline_.volume());
+  if (!in_view) return false;
+  segment.enter_annotation(*std::move(in_view));
+  return true;
+}
+
 }  // namespace displayfile

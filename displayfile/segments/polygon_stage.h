@@ -75,6 +75,9 @@ class PolygonStage {
   bool enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes,
                   Segment& segment);
 
+  /// Annotation in world coordinates. False if it is not in the view.
+  bool enter_annotation(const KeptAnnotation& annotation, Segment& segment);
+
   ClipPipeline& pipeline() { return pipeline_; }
 
  private:

@@ -248,6 +248,9 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, PolygonSta
   in_order_of_entry(part, enter_primitive, [&](const Text& text) {
     stage.enter_text(text.anchor, text.characters, attributes_[text.attributes], segment);
   });
+  for (const KeptAnnotation& annotation : part.annotations) {
+    stage.enter_annotation(annotation, segment);
+  }
 }
 
 /// False if nothing of it is seen.
@@ -301,6 +304,7 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   other.in_order_of_entry(segment, append_primitive, [&](const Text& text) {
     enter_text(text.anchor, text.characters, other.attributes_[text.attributes]);
   });
+  for (const KeptAnnotation& annotation : segment.annotations) enter_annotation(annotation);
   segments_.back().sides = segment.sides;
   segments_.back().intersections = segment.intersections;
   segments_.back().surfaces = segment.surfaces;
@@ -539,6 +543,12 @@ void RetainedScene::enter_text(const Point3& anchor, std::string_view characters
   const std::uint32_t in_force = attributes_of_look(look_of(attributes));
   texts_.push_back({anchor, size(), in_force, std::string(characters)});
   segments_.back().end_text = static_cast<std::uint32_t>(texts_.size());
+}
+
+void RetainedScene::enter_annotation(KeptAnnotation annotation) {
+  if (segments_.empty()) return;
+  segments_.back().annotations.push_back(std::move(annotation));
+  ++annotations_;
 }
 
 /// They are numbered anew wherever they change.

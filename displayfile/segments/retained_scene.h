@@ -49,6 +49,7 @@ class RetainedScene : public Watched<RetainedScene> {
     bool intersections = false;  ///< also draws lines where polygons intersect
     std::vector<Surface> surfaces = {};
     Touching touching{Touching::Kind::off};
+    std::vector<KeptAnnotation> annotations = {};
   };
   /// Texts are not primitives: they hide nothing.
   struct Text {
@@ -62,12 +63,13 @@ class RetainedScene : public Watched<RetainedScene> {
   struct Edition {
     std::uint64_t edits = 0;
     std::size_t segments = 0, primitives = 0, corners = 0, points = 0, texts = 0;
+    std::size_t annotations = 0;
     bool shares_points = false;
     bool operator==(const Edition& o) const = default;
   };
   Edition edition() const {
     return {place()->edits, segments_.size(), primitives_.size(), all_corners(),
-            points_.size(), texts_.size(),    has_shared()};
+            points_.size(), texts_.size(),    annotations_,       has_shared()};
   }
 
   /// A modelling matrix: x' = column 0 x + column 1 y + column 2 z + column 3.
@@ -217,6 +219,7 @@ class RetainedScene : public Watched<RetainedScene> {
                               std::span<const std::uint32_t> corners, const Attributes& attributes,
                               std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
+  void enter_annotation(KeptAnnotation annotation);
   /// Its cells are entered next.
   void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
 
@@ -250,6 +253,7 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<Segment> segments_;
   GrowingArray<Primitive> primitives_;
   std::vector<Text> texts_;
+  std::size_t annotations_ = 0;                    // entered so far
   std::vector<Attributes> attributes_;             // without fill colours
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks

@@ -55,6 +55,9 @@ class Segment {
   void enter_text(const Point3& anchor, std::string_view characters) {
     writable().enter_text(anchor, characters);
   }
+  void enter_annotation(KeptAnnotation annotation) {
+    writable().enter_annotation(std::move(annotation));
+  }
   void mark_surface(const SurfaceMark& mark) { writable().mark_surface(mark); }
   template <class PointAt, class IsDrawn>
   void enter_next_polygon(std::uint32_t n, const PointAt& point, const IsDrawn& is_drawn) {
@@ -126,6 +129,7 @@ class Segment {
   bool has_shadows() const { return entered_->has_shadows(); }
   bool shows() const { return entered_->shows(); }
   bool has_texts() const { return entered_->has_texts(); }
+  bool has_annotations() const { return !entered_->annotations().empty(); }
   std::size_t bytes() const;  ///< of the instruction arrays of both orders, as used
 
  private:

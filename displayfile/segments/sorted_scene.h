@@ -77,7 +77,8 @@ struct SortedScene {
   /// pictures (OrderedScene::strokes_of_picture), without crumbs. disjoint_polygons(true), if the
   /// visitor has it, precedes the polygons of a map, which do not overlap, and
   /// disjoint_polygons(false) follows them: a segment named in between has then ended. Texts come
-  /// last. A fill with known shadows has its colour in light or in shadow, and no shadow.
+  /// last, then annotation. A fill with known shadows has its colour in light or in shadow, and no
+  /// shadow.
   template <class Visitor>
   void walk(Visitor&& visit) const;
   /// Calls the visitor as walk does, with points after an image transformation.
@@ -123,6 +124,13 @@ class PieceWriter {
   /// Makes the next instruction name its segment.
   void name_segment_again() { segment_ = 0; }
 
+  /// For a visitor that takes annotation.
+  void save_annotations(const ViewedScene& scene) {
+    for (const KeptAnnotation& annotation : scene.annotations()) {
+      if (annotation.segment != 0) check_segment(annotation.segment);
+      visit_.annotation(annotation);
+    }
+  }
   /// For a visitor that takes texts.
   void save_texts(const ViewedScene& scene) {
     for (const DeviceText& text : scene.texts()) {
@@ -402,6 +410,9 @@ void SortedScene::walk(Visitor&& visit) const {
   for (const auto& part : parts) writer.save_strokes(*part);
   if constexpr (requires { visit.text(Point3(), std::string_view()); }) {
     for (const auto& part : parts) writer.save_texts(*part->scene);
+  }
+  if constexpr (requires(const KeptAnnotation& annotation) { visit.annotation(annotation); }) {
+    for (const auto& part : parts) writer.save_annotations(*part->scene);
   }
 }
 

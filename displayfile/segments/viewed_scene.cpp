@@ -71,6 +71,10 @@ struct ViewedScene::Collector {
     const int segment = scene.segments_.empty() ? 0 : scene.segments_.back().name;
     scene.texts_.push_back({anchor, of_texts, style, std::string(characters), segment});
   }
+  void annotation(const KeptAnnotation& kept) {
+    scene.annotations_.push_back(kept);
+    if (!scene.segments_.empty()) scene.annotations_.back().segment = scene.segments_.back().name;
+  }
   void move(const Point3& p) { take({&p, 1}); }
   void line(const Point3& p) {
     take({&p, 1});
@@ -184,6 +188,7 @@ void ViewedScene::clear() {
   lines_.clear();
   segments_.clear();
   texts_.clear();
+  annotations_.clear();
   surfaces_.clear();
   many_sided_.clear();
   of_many_sided_.clear();
@@ -436,10 +441,11 @@ std::size_t ViewedScene::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
   std::size_t characters = 0;
   for (const DeviceText& text : texts_) characters += text.characters.size();
-  return characters + size(texts_) + size(own_points_) + size(corners_) + size(edge_visible_) +
-         size(items_) + size(pick_) + size(colours_) + size(own_colours_) + size(lines_) +
-         size(segments_) + many_sided_.bytes() + size(of_many_sided_) + size(fill_item_) +
-         intensities_.bytes() + normals_.bytes() + size(lights_) + size(shadow_) + size(shadows_);
+  return characters + size(texts_) + size(annotations_) + size(own_points_) + size(corners_) +
+         size(edge_visible_) + size(items_) + size(pick_) + size(colours_) + size(own_colours_) +
+         size(lines_) + size(segments_) + many_sided_.bytes() + size(of_many_sided_) +
+         size(fill_item_) + intensities_.bytes() + normals_.bytes() + size(lights_) +
+         size(shadow_) + size(shadows_);
 }
 
 }  // namespace displayfile

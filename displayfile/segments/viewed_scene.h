@@ -40,7 +40,8 @@ struct DeviceText {
   TextStyle style;
   LineStyle line;  ///< its colour is the text's
   std::string characters;
-  int segment;  ///< name; 0: none
+  int segment;        ///< name; 0: none
+  double turn = 0.0;  ///< degrees counterclockwise, about the anchor
 };
 
 /// The scene that every method and device reads (displayfile/scenes.md): the polygons and lines of
@@ -291,6 +292,7 @@ class ViewedScene : public EndsAsEntered {
   }
 
   const std::vector<DeviceText>& texts() const { return texts_; }  ///< in order of entry
+  const std::vector<KeptAnnotation>& annotations() const { return annotations_; }  ///< likewise
 
   bool has_lines() const { return has_lines_; }  ///< or polygons with visible edges
   std::size_t bytes() const;                     ///< of the scene's own arrays, as used
@@ -546,6 +548,7 @@ class ViewedScene : public EndsAsEntered {
   std::vector<Run<LineStyle>> lines_;  // of the items' lines or edges
   std::vector<SegmentStart> segments_;
   std::vector<DeviceText> texts_;
+  std::vector<KeptAnnotation> annotations_;
   std::vector<SurfaceMark> surfaces_;  // of the segments, as viewed
   ItemRanks many_sided_;               // polygons of more than three sides
   struct ManySided {

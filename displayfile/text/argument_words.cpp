@@ -93,4 +93,19 @@ TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>() {
   return understood(take_word(), alignment);
 }
 
+template <>
+AnnotationStyle::Unit ProgramLine::take<AnnotationStyle::Unit>() {
+  return understood(take_word(), annotation_unit);
+}
+
+template <>
+AnnotationStyle::Ends ProgramLine::take<AnnotationStyle::Ends>() {
+  return understood(take_word(), annotation_ends);
+}
+
+template <>
+AnnotationStyle::Placement ProgramLine::take<AnnotationStyle::Placement>() {
+  return understood(take_word(), annotation_placement);
+}
+
 }  // namespace displayfile

@@ -35,5 +35,11 @@ template <>
 Touching ProgramLine::take<Touching>();
 template <>
 TextStyle::Alignment ProgramLine::take<TextStyle::Alignment>();
+template <>
+AnnotationStyle::Unit ProgramLine::take<AnnotationStyle::Unit>();
+template <>
+AnnotationStyle::Ends ProgramLine::take<AnnotationStyle::Ends>();
+template <>
+AnnotationStyle::Placement ProgramLine::take<AnnotationStyle::Placement>();
 
 }  // namespace displayfile

@@ -79,6 +79,17 @@ class Dumper {
     check_line_style();
     write_line(FMT_COMPILE("text {} {} {} {}"), p.x, p.y, p.z, in_quotation_marks(characters));
   }
+  /// Its kind and style, its points and texts.
+  void annotation(const KeptAnnotation& a) {
+    const AnnotationStyle& s = a.style;
+    components_.clear();
+    for (const Point3& p : a.points) components_.insert(components_.end(), {p.x, p.y, p.z});
+    write_line(FMT_COMPILE("annotation {} {} {} {} {} {} {} {} {} {}{}{} {}{}{}"), name_of(a.kind),
+               s.size, name_of(s.unit), name_of(s.ends), name_of(s.placement), a.colour.r,
+               a.colour.g, a.colour.b, a.offset.x, a.offset.y, components_.empty() ? "" : " ",
+               fmt::join(components_, " "), in_quotation_marks(a.characters),
+               a.name.empty() ? "" : " ", a.name.empty() ? "" : in_quotation_marks(a.name));
+  }
   void segment(int name, bool visible = true) {
     met_.insert(name);
     fills_written_ = false;

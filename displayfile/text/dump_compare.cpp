@@ -55,10 +55,20 @@ constexpr std::string_view kStyle[] = {"kind", "red", "green", "blue", "line wid
 constexpr std::string_view kShadow[] = {"red",     "green",   "blue",   "light x",
                                         "light y", "light z", "light w"};
 constexpr std::string_view kLight[] = {"light x", "light y", "light z", "ambient light"};
+constexpr std::string_view kAnnotationWords[] = {"kind", "size",  "unit", "end",      "placement",
+                                                 "red",  "green", "blue", "right by", "up by"};
 constexpr InstructionFields kInstructions[] = {
-    {"line ", kPoint},           {"move ", kPoint},       {"polygon ", kPolygon}, {"pick ", kPick},
-    {"fill ", kStyle},           {"line-style ", kStyle}, {"shadow ", kShadow},   {"text ", kText},
-    {"text-style ", kTextStyle}, {"light ", kLight},
+    {"line ", kPoint},
+    {"move ", kPoint},
+    {"polygon ", kPolygon},
+    {"pick ", kPick},
+    {"fill ", kStyle},
+    {"line-style ", kStyle},
+    {"shadow ", kShadow},
+    {"text ", kText},
+    {"text-style ", kTextStyle},
+    {"light ", kLight},
+    {"annotation ", kAnnotationWords},
 };
 
 std::string_view field_name(std::string_view instruction, std::size_t field) {

@@ -26,6 +26,13 @@ void extrude(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void turn(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cutting_plane(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void cut_faces(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void leader(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void balloon(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void linear_dimension(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void aligned_dimension(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void angle_dimension(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void title(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void parts_list(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 
 /// A hidden-surface setting.
 template <auto member>
@@ -43,7 +50,7 @@ void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
   (system.*routine)(line.take_points<Point>());
 }
 
-// The two below, the setting, and sphere read the number of words in the table, in its order.
+// The three below, the setting, and sphere read the number of words in the table, in its order.
 
 /// The least and the greatest coordinate of each axis.
 template <auto shape>
@@ -54,6 +61,13 @@ void of_corners(GraphicsSystem& system, ProgramLine& line, const Routine&) {
     high[a] = line.take<double>();
   }
   shape(system, low, high);
+}
+
+/// Two points of a circle.
+template <class Dimension>
+void of_circle(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  const auto first = line.take<Point3>();
+  system.annotate(Dimension{first, line.take<Point3>()});
 }
 
 /// A position, two lengths and a number of facets.

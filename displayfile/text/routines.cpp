@@ -161,6 +161,48 @@ constexpr auto kAttributes = std::to_array<Routine>({
                               "Line style of the lower side of the surfaces that follow [same]."),
 });
 
+constexpr auto kAnnotation = std::to_array<Routine>({
+    varying<leader>("leader-3", "4 or 6: x y z \"characters\" [right up]",
+                    "A leader: a line from the point to a text, which stands this far right and up "
+                    "on paper, in the unit of set-annotation-size [three times the size, both]."),
+    varying<balloon>("balloon-3", "4, 5 or 7: x y z number [\"name\" [right up]]",
+                     "A balloon: a number in a circle, 1 or more, with a line from the point, as "
+                     "leader-3. A part with a name is in the parts list."),
+    counted<linear_dimension>(
+        "linear-dimension-3", "x|y|z x1 y1 z1 x2 y2 z2 dx dy dz",
+        "The distance of two points along an axis, at a dimension line through the first point "
+        "moved by dx dy dz, whose part along the axis has no effect."),
+    counted<aligned_dimension>(
+        "aligned-dimension-3", "x1 y1 z1 x2 y2 z2 dx dy dz",
+        "The distance of two points, at a dimension line between them, moved by dx dy dz."),
+    counted<of_circle<DiameterDimension>>("diameter-dimension-3", "x1 y1 z1 x2 y2 z2",
+                                          "The diameter between two opposite points of a circle."),
+    counted<of_circle<RadiusDimension>>("radius-dimension-3", "x y z x1 y1 z1",
+                                        "The radius of a circle, from its centre to a point."),
+    counted<angle_dimension>(
+        "angle-dimension-3", "x y z x1 y1 z1 x2 y2 z2 radius",
+        "The angle at x y z between the directions to two points, above 0 and below 180 degrees, "
+        "at an arc of that radius."),
+    counted<title>("title", "\"characters\"",
+                   "A line of text at the middle of the picture's upper margin."),
+    varying<parts_list>("parts-list", "[top-left|top-right|bottom-left|bottom-right]",
+                        "A table of the balloons that have names, with their quantities, in this "
+                        "corner of the picture [bottom-right]."),
+    fixed<&G::set_annotation_size>(
+        "set-annotation-size", "size mm|px",
+        "Height of the capital letters of annotation that follows; lines and arrows are in "
+        "proportion. In millimetres on paper, or in pixels [3.5 mm]."),
+    fixed<&G::set_annotation_ends>("set-annotation-ends", "arrow|dot",
+                                   "Ends of leaders that follow, at the model [arrow]."),
+    fixed<&G::set_annotation_decimals>(
+        "set-annotation-decimals", "n",
+        "Most decimals of measures that follow, 0 to 9; trailing zeros are omitted [2]."),
+    fixed<&G::set_annotation_placement>(
+        "set-annotation-placement", "entered|auto",
+        "Where annotation that follows stands: as entered, or outside of the figure, clear of "
+        "other annotation, with leaders that do not cross [entered]."),
+});
+
 constexpr auto kSegments = std::to_array<Routine>({
     fixed<&G::open_segment>(
         "open-segment", "name",
@@ -291,8 +333,8 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
 /// All of them, each with its section.
 constexpr auto kRoutines = [] {
   constexpr std::size_t kCount = kPrimitives.size() + kShapes.size() + kAttributes.size() +
-                                 kSegments.size() + kTransformation.size() + kView.size() +
-                                 kHiddenSurfaces.size();
+                                 kAnnotation.size() + kSegments.size() + kTransformation.size() +
+                                 kView.size() + kHiddenSurfaces.size();
   std::array<Routine, kCount> all{};
   auto to = all.begin();
   const auto add = [&](std::string_view section, const auto& routines) {
@@ -304,6 +346,7 @@ constexpr auto kRoutines = [] {
   add("Primitives", kPrimitives);
   add("Shapes and solids", kShapes);
   add("Attributes", kAttributes);
+  add("Annotation", kAnnotation);
   add("Segments", kSegments);
   add("Modelling transformation", kTransformation);
   add("View", kView);

@@ -126,6 +126,7 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .explicit_settings = explicit_,
           .modelling = modelling_,
           .attributes = attributes_,
+          .annotation_style = annotation_style_,
           .background = background_,
           .crease_degrees = crease_degrees_,
           .vertex_normals = vertex_normals_,
@@ -152,6 +153,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   explicit_ = before.explicit_settings;
   modelling_ = before.modelling;
   attributes_ = before.attributes;
+  annotation_style_ = before.annotation_style;
   background_ = before.background;
   crease_degrees_ = before.crease_degrees;
   vertex_normals_ = before.vertex_normals;

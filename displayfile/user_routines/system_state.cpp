@@ -40,6 +40,9 @@ const ModellingTransformation& GraphicsSystem::modelling_transformation() const 
 std::optional<int> GraphicsSystem::open_segment_name() const { return state_->open_; }
 const DisplayFile& GraphicsSystem::display_file() const { return state_->display_file_; }
 const Attributes& GraphicsSystem::attributes() const { return state_->attributes_; }
+const AnnotationStyle& GraphicsSystem::annotation_style() const {
+  return state_->annotation_style_;
+}
 double GraphicsSystem::crease_degrees() const { return state_->crease_degrees_; }
 const CutFaces& GraphicsSystem::cut_faces() const { return state_->cut_faces_; }
 const SurfaceLooks& GraphicsSystem::surface_looks() const { return state_->surface_looks_; }

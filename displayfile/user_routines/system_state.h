@@ -41,6 +41,7 @@ struct GraphicsSystem::State {
     ExplicitSettings explicit_settings;
     ModellingTransformation modelling;
     Attributes attributes;
+    AnnotationStyle annotation_style;
     Background background;
     double crease_degrees;
     std::vector<Point3> vertex_normals;
@@ -48,6 +49,7 @@ struct GraphicsSystem::State {
     CutFaces cut_faces;
     SurfaceLooks surface_looks;
   };
+  struct AnnotationEntry;
   Entered entered() const;
   void take_back(const Entered& before);
 
@@ -134,6 +136,7 @@ struct GraphicsSystem::State {
   std::optional<PolygonStage> view_stage_;  // of the open segment
   Pen pen_;
   Attributes attributes_;
+  AnnotationStyle annotation_style_;
   Background background_;
   double crease_degrees_ = kNoCrease;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed

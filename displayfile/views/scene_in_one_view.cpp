@@ -13,7 +13,7 @@ SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& 
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!attributes.segment(segment.name).visible) continue;
     const auto texts = scene.texts(segment);
-    if (segment.first == segment.end && texts.empty()) continue;
+    if (segment.first == segment.end && texts.empty() && segment.annotations.empty()) continue;
     if (first == nullptr) {
       first = &segment;
       result.view = segment.view;
@@ -28,6 +28,12 @@ SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& 
     for (const RetainedScene::Text& text : texts) {
       result.bounds.include(text.anchor);
       result.points.push_back(text.anchor);
+    }
+    for (const KeptAnnotation& annotation : segment.annotations) {
+      for (const Point3& p : annotation.points) {
+        result.bounds.include(p);
+        result.points.push_back(p);
+      }
     }
   }
   return result;

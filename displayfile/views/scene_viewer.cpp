@@ -96,7 +96,7 @@ void SceneViewer::take_up_scene() {
     if (scene[i].is_line() || scene.shared_attributes(i).is_outlined()) shows_lines_ = true;
   }
   for (const RetainedScene::Segment& segment : scene.segments()) {
-    if (!scene.texts(segment).empty()) shows_lines_ = true;
+    if (!scene.texts(segment).empty() || !segment.annotations.empty()) shows_lines_ = true;
   }
   for (const auto& part : parts_) part->find_rows(*this);
 }
@@ -272,6 +272,12 @@ void SceneViewer::view_texts(const ViewVolume& volume) {
       const Point3 anchor =
           segments_[k].image.is_identity() ? device : ImageMatrix(segments_[k].image).apply(device);
       viewed_.texts_.push_back({anchor, look.text, look.line, text.characters, segment.name});
+    }
+    for (const KeptAnnotation& kept : segment.annotations) {
+      const std::optional<KeptAnnotation> in_view = viewed(kept, volume);
+      if (!in_view) continue;
+      viewed_.annotations_.push_back(transformed(*in_view, segments_[k].image));
+      viewed_.annotations_.back().segment = segment.name;
     }
   }
 }

@@ -49,6 +49,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(push_group);
   DISPLAYFILE_CAIRO(rectangle);
   DISPLAYFILE_CAIRO(restore);
+  DISPLAYFILE_CAIRO(rotate);
   DISPLAYFILE_CAIRO(save);
   DISPLAYFILE_CAIRO(scale);
   DISPLAYFILE_CAIRO(select_font_face);

@@ -161,7 +161,7 @@ void visit_items(const Segment& segment, Shown& shown, const OnItem& on_item) {
 
 bool shows(const Segment& segment, Shown& shown) {
   if (!segment.visible) return false;
-  if (segment.has_texts()) return true;
+  if (segment.has_texts() || segment.has_annotations()) return true;
   if (!segment.shows()) return false;
   bool is_seen = false;
   visit_items(segment, shown, [&](std::optional<Reason> why_not) {
@@ -281,6 +281,9 @@ bool nothing_is_seen(const RetainedScene& scene, const DisplayFile& display_file
     }
     for (const RetainedScene::Text& text : scene.texts(segment)) {
       if (at.stage.pipeline().view(text.anchor).outcode == 0) return false;
+    }
+    for (const KeptAnnotation& annotation : segment.annotations) {
+      if (viewed(annotation, at.stage.pipeline().volume())) return false;
     }
   }
   return true;

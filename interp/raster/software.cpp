@@ -183,6 +183,8 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
   if (request.texts && display_file.has_texts()) {
     texts_ = image_space ? seen_texts(*scene_) : seen_texts(display_file, false);
   }
+  annotation_.clear();
+  if (request.texts) annotation_ = annotation_marks(display_file, annotation_page(request));
   return {&display_file, display_file.polygons()};
 }
 
@@ -230,6 +232,8 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   }
   texts_.clear();
   if (request.texts && !scene.texts().empty()) texts_ = seen_texts(scene);
+  annotation_.clear();
+  if (request.texts) annotation_ = annotation_marks(scene, annotation_page(request));
   geometry_ = scene.geometry();
   const bool is_first = !std::exchange(has_drawn_views_, true);
   return {nullptr, scene.items(), kept.surfaces && geometry_ != 0 && (same || is_first)};
@@ -305,6 +309,8 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
     paint_in_order(*drawn.display_file, request, rows);
   }
   paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
+  paint_annotation(annotation_, request.background, {request.width, request.height}, rows.begin,
+                   rows.end, picture_);
   if (spare) {
     std::swap(picture_.depth, spare_depth_);
     picture_.depth.clear();

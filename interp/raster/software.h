@@ -7,6 +7,7 @@
 
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
+#include "interp/annotation/annotation_marks.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/files/row_file.h"
@@ -109,6 +110,7 @@ class SoftwareRenderer {
   bool has_drawn_views_ = false;
   LinesOverFills lines_;
   std::vector<DeviceText> texts_;  // visible ones
+  std::vector<AnnotationMark> annotation_;
 };
 
 /// One picture by a renderer of its own.

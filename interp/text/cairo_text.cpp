@@ -1,5 +1,8 @@
 #include "interp/text/cairo_text.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace displayfile {
 
 namespace {
@@ -35,20 +38,41 @@ void set_font(cairo_t* context, double size) {
 
 CairoText::CairoText(cairo_t* context, const DeviceText& text, const Point2& anchor, double size)
     : context_(context), text_(text) {
+  if (text.turn != 0.0) {
+    const double angle = text.turn * std::numbers::pi / 180.0;
+    along_ = {std::cos(angle), -std::sin(angle)};
+  }
   set_font(context, size);
   cairo().text_extents(context, text.characters.c_str(), &extents_);
   require_success(context);
-  start_ = {anchor.x - part_before_anchor(text.style.alignment) * extents_.x_advance, anchor.y};
+  const double before = part_before_anchor(text.style.alignment) * extents_.x_advance;
+  start_ = {anchor.x - before * along_.x, anchor.y - before * along_.y};
 }
 
 Rectangle CairoText::ink() const {
-  const double left = start_.x + extents_.x_bearing, top = start_.y + extents_.y_bearing;
-  return {left, left + extents_.width, top, top + extents_.height};
+  const Point2 down(-along_.y, along_.x);
+  Rectangle all = Rectangle::nothing();
+  for (const double right : {0.0, extents_.width}) {
+    for (const double below : {0.0, extents_.height}) {
+      all.include(start_ + (extents_.x_bearing + right) * along_ +
+                  (extents_.y_bearing + below) * down);
+    }
+  }
+  return all;
 }
 
 void CairoText::show() const {
-  cairo().move_to(context_, start_.x, start_.y);
+  if (text_.turn == 0.0) {
+    cairo().move_to(context_, start_.x, start_.y);
+    cairo().show_text(context_, text_.characters.c_str());
+    return require_success(context_);
+  }
+  cairo().save(context_);
+  cairo().translate(context_, start_.x, start_.y);
+  cairo().rotate(context_, std::atan2(along_.y, along_.x));
+  cairo().move_to(context_, 0.0, 0.0);
   cairo().show_text(context_, text_.characters.c_str());
+  cairo().restore(context_);
   require_success(context_);
 }
 

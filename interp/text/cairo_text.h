@@ -21,6 +21,7 @@ class CairoText {
   cairo_t* context_;
   const DeviceText& text_;
   Point2 start_;
+  Point2 along_{1.0, 0.0};  // the direction in which it runs
   cairo_text_extents_t extents_;
 };
 

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
+#include <utility>
 
 #include "clip/base/error.h"
 #include "interp/text/cairo_text.h"
@@ -72,7 +74,25 @@ class TextPainter {
       : size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
 
   void paint(const DeviceText& text) const {
-    const Rectangle ink = on_page(text, measure_.context()).ink();
+    paint(on_page(text, measure_.context()).ink(), pixel_of(text.line.colour),
+          [&](cairo_t* context) { on_page(text, context).show(); });
+  }
+  void paint(const AnnotationMark& mark, const Background& background) const {
+    using enum AnnotationMark::Kind;
+    if (mark.kind == text) return paint(mark.text);
+    if (mark.kind == blank && background.kind == Background::Kind::none) return;
+    Rectangle ink = Rectangle::nothing();
+    for (const Point2& p : mark.points) ink.include({p.x, size_.height - p.y});
+    const double around = 0.5 * mark.width;
+    ink = {ink.x_min - around, ink.x_max + around, ink.y_min - around, ink.y_max + around};
+    paint(ink, pixel_of(mark.kind == blank ? background.colour : mark.colour),
+          [&](cairo_t* context) { draw_mark(mark, context); });
+  }
+
+ private:
+  /// Paints what draw(context) covers, which is in `ink`.
+  template <class Draw>
+  void paint(const Rectangle& ink, std::uint32_t colour, const Draw& draw) const {
     const auto bounded = [](double v, int low, int high) {
       return static_cast<int>(std::clamp(v, static_cast<double>(low), static_cast<double>(high)));
     };
@@ -83,12 +103,28 @@ class TextPainter {
     const int bottom = bounded(std::ceil(ink.y_max + kMarginOfLetters), held_.top, held_.bottom);
     for (int y = top; y < bottom; y += kLargestTile) {
       for (int x = left; x < right; x += kLargestTile) {
-        paint(text, {x, y, std::min(x + kLargestTile, right), std::min(y + kLargestTile, bottom)});
+        paint(Tile{x, y, std::min(x + kLargestTile, right), std::min(y + kLargestTile, bottom)},
+              colour, draw);
       }
     }
   }
 
- private:
+  /// A line has no caps.
+  void draw_mark(const AnnotationMark& mark, cairo_t* context) const {
+    const bool is_line = mark.kind == AnnotationMark::Kind::line;
+    bool is_first = true;
+    for (const Point2& p : mark.points) {
+      (std::exchange(is_first, false) ? cairo().move_to : cairo().line_to)(context, p.x,
+                                                                           size_.height - p.y);
+    }
+    if (!is_line || mark.closed) cairo().close_path(context);
+    if (!is_line) return cairo().fill(context);
+    cairo().set_line_cap(context, CAIRO_LINE_CAP_BUTT);
+    cairo().set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo().set_line_width(context, mark.width);
+    cairo().stroke(context);
+  }
+
   CairoText on_page(const DeviceText& text, cairo_t* context) const {
     return {context,
             text,
@@ -96,10 +132,10 @@ class TextPainter {
             text.style.size * size_.height};
   }
 
-  void paint(const DeviceText& text, const Tile& tile) const {
+  template <class Draw>
+  void paint(const Tile& tile, std::uint32_t colour, const Draw& draw) const {
     const LetterCoverage coverage(tile);
-    on_page(text, coverage.context()).show();
-    const std::uint32_t colour = pixel_of(text.line.colour);
+    draw(coverage.context());
     for (int y = tile.top; y < tile.bottom; ++y) {
       const unsigned char* const covered = coverage.row(y) - tile.left;
       std::uint32_t* const pixels =
@@ -117,14 +153,14 @@ class TextPainter {
   LetterCoverage measure_{Tile{0, 0, 1, 1}};
 };
 
-void require_cairo() {
+void require_cairo(std::string_view what) {
   try {
     cairo();
   } catch (const Error& e) {
     throw Error(fmt::format(
-        "texts in pixels are drawn by Cairo, which cannot be loaded: {}; expected it to be "
-        "installed, or a drawing without texts, or an .svg file",
-        e.what()));
+        "{0} in pixels are drawn by Cairo, which cannot be loaded: {1}; expected it to be "
+        "installed, or a drawing without {0}, or an .svg file",
+        what, e.what()));
   }
 }
 
@@ -133,9 +169,17 @@ void require_cairo() {
 void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
                  int end_row, Picture& rows) {
   if (texts.empty()) return;
-  require_cairo();
+  require_cairo("texts");
   const TextPainter painter(size, size.height - end_row, size.height - first_row, rows);
   for (const DeviceText& text : texts) painter.paint(text);
+}
+
+void paint_annotation(std::span<const AnnotationMark> marks, const Background& background,
+                      const PictureSize& size, int first_row, int end_row, Picture& rows) {
+  if (marks.empty()) return;
+  require_cairo("annotations");
+  const TextPainter painter(size, size.height - end_row, size.height - first_row, rows);
+  for (const AnnotationMark& mark : marks) painter.paint(mark, background);
 }
 
 }  // namespace displayfile

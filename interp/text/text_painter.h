@@ -4,7 +4,9 @@
 
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
+#include "interp/annotation/annotation_marks.h"
 #include "interp/device/picture.h"
+#include "interp/device/raster_request.h"
 
 namespace displayfile {
 
@@ -15,5 +17,15 @@ namespace displayfile {
 /// looked for.
 void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
                  int end_row, Picture& rows);
+
+/// The picture in which annotation is laid out, in its samples.
+inline AnnotationPage annotation_page(const RasterRequest& request) {
+  return {request.width, request.height, kPixelsOfMillimetre * request.line_scale,
+          request.line_scale};
+}
+
+/// The same for annotation; `background` is the picture's.
+void paint_annotation(std::span<const AnnotationMark> marks, const Background& background,
+                      const PictureSize& size, int first_row, int end_row, Picture& rows);
 
 }  // namespace displayfile

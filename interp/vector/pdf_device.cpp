@@ -199,6 +199,7 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
     if (colour_rule) device.fill_with_background();
     interpret(display_file, device);
     device.draw_texts(display_file);
+    device.draw_annotation(display_file, kPointsOfMillimetre);
     device.finish();
   } catch (const Error& e) {
     throw Error(fmt::format("{}: {}", to.name(), e.what()));

@@ -165,6 +165,15 @@ void SvgDevice::paint_text(const DeviceText& text, const Point2& anchor, double 
   append_coordinate(body_, anchor.x);
   body_ += "\" y=\"";
   append_coordinate(body_, anchor.y);
+  if (text.turn != 0.0) {
+    body_ += "\" transform=\"rotate(";
+    append_coordinate(body_, -text.turn);
+    for (const double c : {anchor.x, anchor.y}) {
+      body_ += ' ';
+      append_coordinate(body_, c);
+    }
+    body_ += ')';
+  }
   body_ += "\">";
   append_escaped(body_, characters);
   body_ += "</text>\n";
@@ -244,6 +253,7 @@ void write_svg(const DisplayFile& display_file, int width, int height, const Des
   const std::unique_ptr<Output> file = output_to(to);
   interpret(display_file, device);
   device.draw_texts(display_file);
+  device.draw_annotation(display_file, kPixelsOfMillimetre);
   if (options.paper) {
     CollectedText document;
     device.finish(document);

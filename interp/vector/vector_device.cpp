@@ -288,6 +288,36 @@ void VectorDevice::draw_texts(const DisplayFile& display_file) {
   if (segment != 0) end_segment();
 }
 
+void VectorDevice::draw_annotation(const DisplayFile& display_file, double millimetre) {
+  if (!display_file.has_annotations()) return;
+  if (options_.paper) millimetre = 1.0 / fit_on_paper(*options_.paper, width_, height_).pixel;
+  int segment = 0;  // names are 1 or more
+  for (const AnnotationMark& mark : annotation_marks(display_file, {width_, height_, millimetre})) {
+    if (mark.segment != segment) {
+      if (segment != 0) end_segment();
+      begin_segment(segment = mark.segment);
+    }
+    paint_mark(mark);
+  }
+  if (segment != 0) end_segment();
+}
+
+void VectorDevice::paint_mark(const AnnotationMark& mark) {
+  using enum AnnotationMark::Kind;
+  if (mark.kind == text) {
+    return paint_text(mark.text, to_page(mark.text.anchor), mark.text.style.size * height_);
+  }
+  path_.clear();
+  path_.start(mark.kind != AnnotationMark::Kind::line || mark.closed);
+  for (const Point2& p : mark.points) path_.points.emplace_back(p.x, height_ - p.y);
+  if (mark.kind == AnnotationMark::Kind::line) {
+    const LineStyle style{LineStyle::Kind::solid, mark.colour, mark.width};
+    return paint_lines(path_, style, kDrawn, LineCap::butt);
+  }
+  if (mark.kind == blank && background_.kind == Background::Kind::none) return;
+  paint_fill(path_, {pixel_of(mark.kind == blank ? background_.colour : mark.colour)}, false);
+}
+
 void VectorDevice::finish_lines() {
   finish_path();
   finish_discs();

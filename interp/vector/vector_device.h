@@ -8,6 +8,7 @@
 #include "displayfile/looks/background.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
+#include "interp/annotation/annotation_marks.h"
 #include "interp/device/output_device.h"
 #include "interp/vector/disjoint_fills.h"
 #include "interp/vector/polygon_paints.h"
@@ -57,6 +58,9 @@ class VectorDevice : public OutputDevice {
   /// Draws the texts that are to be seen of the visible segments, after all else
   /// (interp/text/seen_texts.h).
   void draw_texts(const DisplayFile& display_file);
+  /// Draws the annotation of the visible segments (interp/annotation/README.md), after all else.
+  /// `millimetre` is in pixels, of a picture without a paper.
+  void draw_annotation(const DisplayFile& display_file, double millimetre);
 
  protected:
   /// Points of lines; each run starts at its own first point and is closed or open.
@@ -101,6 +105,7 @@ class VectorDevice : public OutputDevice {
   Point2 to_page(const Point3& device) const;
   bool near_the_page(const Point2& p, double reach) const;
   FillPaint paint_of(const DrawnPolygon& polygon);
+  void paint_mark(const AnnotationMark& mark);
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   void paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds);
   void add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds);

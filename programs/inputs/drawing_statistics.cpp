@@ -120,6 +120,15 @@ std::string text_counts(const DisplayFile& file, HiddenMethod method) {
                      scene.texts().size() - seen.size(), hidden.empty() ? "" : ": ", hidden);
 }
 
+/// The annotation within the view volume; nothing if there is none.
+std::string annotation_counts(const DisplayFile& file) {
+  std::size_t stored = 0;
+  for (const Segment* const segment : file.visible_segments()) {
+    stored += segment->entered()->annotations().size();
+  }
+  return stored == 0 ? "" : fmt::format("annotation stored  {}\n", stored);
+}
+
 }  // namespace
 
 std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& file,
@@ -142,7 +151,8 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
       "display file       {} bytes ({:.1f} a polygon)\n"
       "picture            {} x {}, hidden surfaces by {}\n",
       file.segments().size(), visible, system.counts().polygons, system.counts().triangulated,
-      polygons, lines, touching_counts(file), text_counts(file, method), file.bytes(),
+      polygons, lines, touching_counts(file), text_counts(file, method) + annotation_counts(file),
+      file.bytes(),
       polygons == 0 ? 0.0 : static_cast<double>(file.bytes()) / static_cast<double>(polygons),
       options.width, options.height, name_of(method));
   return text + sort_counts(file, method, drawn) + crumb_counts(file, options) +

@@ -69,6 +69,9 @@ void append_drawn(const View& view, const RetainedScene& retained, const Graphic
     const auto of_segment = drawn.points(segment);
     points.insert(points.end(), of_segment.begin(), of_segment.end());
     for (const RetainedScene::Text& text : drawn.texts(segment)) points.push_back(text.anchor);
+    for (const KeptAnnotation& annotation : segment.annotations) {
+      points.insert(points.end(), annotation.points.begin(), annotation.points.end());
+    }
   }
 }
 

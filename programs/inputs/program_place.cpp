@@ -57,7 +57,7 @@ class SegmentDump {
       const bool is_past = at_ >= instruction;
       if (at_ == instruction) note_attribute(word);
       if (is_of_primitive(word, line) && is_past) return source_;
-      if (is_past && word == "text") return {};
+      if (is_past && (word == "text" || word == "annotation")) return {};
     }
     return {.kind = Source::Kind::end};
   }

@@ -196,6 +196,10 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
   if (part.mesh.faces() == 0) {
     throw Error(fmt::format("{}: no polygons: expected a part to draw", inputs.front()));
   }
+  if (std::ranges::any_of(scene.segments(), [](const auto& s) { return !s.annotations.empty(); })) {
+    warnings() << fmt::format("{}: left out: annotation, which sheets do not draw\n",
+                              inputs.front());
+  }
   const Upright axes = standing.value_or(Upright{});
   for (Point3& p : part.mesh.vertices) {
     p = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.front)};

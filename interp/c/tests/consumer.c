@@ -248,6 +248,8 @@ static void test_meshes(void) {
   REFUSED(system, df_polygons(system, &mesh), "no segment open");
   REFUSED(system, df_call(system, "set-line-kind-style", "creese 1"), "did you mean 'crease'?");
   DO(system, df_call(system, "set-line-kind-style", "hidden 0.5 dashed 2 1"));
+  REFUSED(system, df_call(system, "leader-3", "0 0 0 \"a\""), "no segment open");
+  DO(system, df_call(system, "set-annotation-size", "2.5 mm"));
   DO(system, df_call(system, "set-line-style", "none"));
   DO(system, df_call(system, "set-hidden-line-removal", "off"));
   DO(system, df_call(system, "open-segment", "4"));

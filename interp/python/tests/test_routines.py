@@ -81,6 +81,18 @@ def test_names_of_axes(g):
     assert "time, s" in entered(g)
 
 
+def test_annotation(g):
+    g.leader_3(0, 0, 0, "a leader")
+    g.balloon_3(0, 0, 0, 7, "Shaft", 10, -5)
+    g.linear_dimension_3("x", 0, 0, 0, 0.5, 0.25, 0, 0, 0.5, 0)
+    g.angle_dimension_3(0, 0, 0, 0.5, 0, 0, 0, 0.5, 0, 0.25)
+    g.title('"one"')
+    g.parts_list()
+    dump = entered(g)
+    for text in ('"a leader"', '"7" "Shaft"', '"0.5"', '"90°"', '"\\"one\\""', "annotation list"):
+        assert text in dump
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -100,6 +112,9 @@ def test_names_of_axes(g):
         lambda g: g.line_abs_3(1e200, 0, 0),
         lambda g: g.line_abs_3(10**400, 0, 0),
         lambda g: g.line_abs_3(0, 0),
+        lambda g: g.balloon_3(0, 0, 0, 0),
+        lambda g: g.leader_3(0, 0, 0),
+        lambda g: g.set_annotation_size(0, "mm"),
         lambda g: g.move_abs_3(object(), 0, 0),
         lambda g: g.move_abs_3(1j, 0, 0),
         lambda g: g.set_fill_style("solid", 2, 0, 0),

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "interp/annotation/annotation_marks.h"
 #include "interp/device/interpreter.h"
+#include "interp/vector/pens/pen_annotation.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/unique_strokes.h"
 
@@ -17,6 +19,9 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
   PenDevice device({width, height, fit_on_paper(paper, width, height)}, pens,
                    transparent ? Colour(1.0) : background.colour);
   interpret(display_file, device);
+  const double millimetre = 1.0 / fit_on_paper(paper, width, height).pixel;
+  draw_annotation(annotation_marks(display_file, {width, height, millimetre}), {width, height},
+                  device);
   return device.strokes();
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "clip/point.h"
+#include "interp/annotation/annotation_marks.h"
+#include "interp/vector/pens/pen_device.h"
+
+namespace displayfile {
+
+/// Draws annotation by a pen as wide as its lines: areas by lines close together, texts in stroke
+/// letters. Blank areas, which hide the figure, are not drawn. `picture` is its size in pixels.
+void draw_annotation(std::span<const AnnotationMark> marks, const Point2& picture,
+                     PenDevice& device);
+
+}  // namespace displayfile

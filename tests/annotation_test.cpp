@@ -1,0 +1,565 @@
+// Annotation, from the routines to the display file, and its lines and texts on a page.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clip/base/error.h"
+#include "displayfile/files.h"
+#include "displayfile/graphics_system.h"
+#include "displayfile/segments/sorted_display_file.h"
+#include "displayfile/text/dump_compare.h"
+#include "displayfile/views/scene_viewer.h"
+#include "interp/annotation/annotation_marks.h"
+#include "interp/draw/world_views.h"
+#include "tests/replayed.h"
+
+namespace displayfile {
+namespace {
+
+using namespace test;
+using Kind = AnnotationMark::Kind;
+
+// ---- Drawing programs, dumps and records ------------------------------------------------------
+
+TEST(Annotation, ErrorsSayWhere) {
+  const auto line = [](std::string_view text) {
+    return error_of_program(fmt::format("open-segment 1\n{}\nclose-segment\n", text));
+  };
+  EXPECT_EQ(
+      line("leader-3 0 0 0"),
+      "scene.draw:2:15: leader-3: 3 arguments, expected 4 or 6: x y z \"characters\" [right up]");
+  EXPECT_EQ(line("leader-3 0 0 0 a"),
+            "scene.draw:2:16: expected a text in quotation marks, not 'a'");
+  EXPECT_EQ(line("leader-3 0 0 0 \"a\" 1 x"), "scene.draw:2:22: expected a number, not 'x'");
+  EXPECT_EQ(
+      line("leader-3 0 0 0 \"a\" 1 2e6"),
+      "scene.draw:2:1: offset of annotation is 2000000: expected a finite number of magnitude "
+      "at most 1e6");
+  EXPECT_EQ(line("leader-3 0 0 2e100 \"a\""),
+            "scene.draw:2:1: coordinates 0 0 2e+100: expected finite numbers of magnitude at most "
+            "1e100");
+  EXPECT_EQ(line("balloon-3 0 0 0 0"), "scene.draw:2:1: balloon number 0: expected 1 or more");
+  EXPECT_EQ(line("balloon-3 0 0 0 1.5"), "scene.draw:2:17: expected a whole number, not '1.5'");
+  EXPECT_EQ(line("balloon-3 0 0 0 1 \"a\" 2"),
+            "scene.draw:2:24: balloon-3: 6 arguments, expected 4, 5 or 7: x y z number [\"name\" "
+            "[right up]]");
+  EXPECT_EQ(line("linear-dimension-3 w 0 0 0 1 1 1 0 1 0"),
+            "scene.draw:2:20: expected x, y or z, not 'w'");
+  EXPECT_EQ(line("linear-dimension-3 x 0 0 0 0 1 1 0 1 0"),
+            "scene.draw:2:1: linear dimension: expected points that differ along the axis");
+  EXPECT_EQ(line("scale-3 0 1 1\nlinear-dimension-3 x 0 0 0 1 1 1 0 1 0"),
+            "scene.draw:3:1: linear dimension, of an axis that is scaled by 0: expected two "
+            "different points");
+  EXPECT_EQ(line("linear-dimension-3 x 0 0 0 1 1 1 0 nan 0"),
+            "scene.draw:2:36: expected a finite number, not 'nan'");
+  EXPECT_EQ(
+      line("linear-dimension-3 x 0 0 0 1 1 1 0"),
+      "scene.draw:2:35: linear-dimension-3: 8 arguments, expected 10: x|y|z x1 y1 z1 x2 y2 z2 "
+      "dx dy dz");
+  EXPECT_EQ(line("aligned-dimension-3 1 1 1 1 1 1 0 1 0"),
+            "scene.draw:2:1: aligned dimension: expected two different points");
+  EXPECT_EQ(line("diameter-dimension-3 1 1 1 1 1 1"),
+            "scene.draw:2:1: diameter dimension: expected two different points");
+  EXPECT_EQ(line("radius-dimension-3 1 1 1 1 1 1"),
+            "scene.draw:2:1: radius dimension: expected two different points");
+  EXPECT_EQ(line("angle-dimension-3 0 0 0 1 0 0 0 0 0 1"),
+            "scene.draw:2:1: angle dimension: expected two different points");
+  EXPECT_EQ(
+      line("angle-dimension-3 0 0 0 1 0 0 2 0 0 1"),
+      "scene.draw:2:1: angle dimension: expected points in different directions, not opposite");
+  EXPECT_EQ(
+      line("angle-dimension-3 0 0 0 1 0 0 -2 0 0 1"),
+      "scene.draw:2:1: angle dimension: expected points in different directions, not opposite");
+  EXPECT_EQ(line("angle-dimension-3 0 0 0 1 0 0 0 1 0 0"),
+            "scene.draw:2:1: radius of an angle dimension 0: expected more than 0");
+  EXPECT_EQ(line("title"), "scene.draw:2:6: title: 0 arguments, expected 1: \"characters\"");
+  EXPECT_EQ(line("parts-list middle"),
+            "scene.draw:2:12: expected top-left, top-right, bottom-left or bottom-right, not "
+            "'middle'");
+  EXPECT_EQ(line("set-annotation-size 0 mm"),
+            "scene.draw:2:1: annotation size 0: expected more than 0 and at most 1000");
+  EXPECT_EQ(line("set-annotation-size 1001 px"),
+            "scene.draw:2:1: annotation size 1001: expected more than 0 and at most 1000");
+  EXPECT_EQ(line("set-annotation-size 3 cm"), "scene.draw:2:23: expected mm or px, not 'cm': did you mean 'mm'?");
+  EXPECT_EQ(line("set-annotation-ends ring"), "scene.draw:2:21: expected arrow or dot, not 'ring'");
+  EXPECT_EQ(line("set-annotation-decimals 10"),
+            "scene.draw:2:1: annotation decimals 10: expected 0 to 9");
+  EXPECT_EQ(line("set-annotation-placement by-hand"),
+            "scene.draw:2:26: expected entered or auto, not 'by-hand'");
+  EXPECT_EQ(error_of_program("title \"a\"\n"), "scene.draw:1:1: no segment open: open one first");
+}
+
+TEST(Annotation, TheApiRefusesWhatCannotBeDrawn) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  GraphicsSystem g;
+  g.open_segment(1);
+  const std::string before = dump(g.display_file());
+  const std::string too_long(GraphicsSystem::kLongestText + 1, 'a');
+  for (const Annotation& bad : std::initializer_list<Annotation>{
+           Leader{{0, 0, 0}, "a\tb"}, Leader{{0, 0, 0}, too_long}, Leader{{0, 0, kNan}, "a"},
+           Leader{{0, 0, 0}, "a", Point2(kNan, 0)}, Balloon{{0, 0, 0}, -1},
+           Balloon{{0, 0, 0}, 1, "\xFF"}, Title{"\n"},
+           AlignedDimension{{0, 0, 0}, {1, 0, 0}, {kNan, 0, 0}},
+           AlignedDimension{{0, 0, 0}, {1, 0, 0}, {0, 2e100, 0}},
+           AngleDimension{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, kNan}}) {
+    EXPECT_THROW(g.annotate(bad), Error) << bad.index();
+  }
+  g.begin_solid();
+  EXPECT_THROW(g.annotate(Title{"a"}), Error);
+  g.discard_solid();
+  EXPECT_THROW(g.set_annotation_size(kNan), Error);
+  EXPECT_THROW(g.set_annotation_decimals(-1), Error);
+  EXPECT_EQ(dump(g.display_file()), before);
+  EXPECT_FALSE(g.display_file().has_annotations());
+  EXPECT_EQ(g.annotation_style(), AnnotationStyle());
+}
+
+/// After all else of the segment, in the colour of the line style, with the style in force.
+TEST(Annotation, CanonicalDump) {
+  EXPECT_EQ(dump_of("set-window 0 1 0 1\n"
+                    "open-segment 1\n"
+                    "leader-3 .25 .5 0 \"a \\\"q\\\"\"\n"
+                    "move-abs-3 .25 .25 0\n"
+                    "set-annotation-size 7 px\n"
+                    "set-annotation-ends dot\n"
+                    "set-annotation-placement auto\n"
+                    "set-line-style solid 1 0 0\n"
+                    "balloon-3 .5 .5 0 12 \"Shaft\" -4 5\n"
+                    "set-line-style none\n"
+                    "line-abs-3 .75 .25 0\n"
+                    "linear-dimension-3 x .25 .25 0  .75 .5 0  9 .25 0\n"
+                    "title \"\"\n"
+                    "parts-list top-left\n"
+                    "leader-3 2 0 0 \"outside\"\n"
+                    "close-segment\n"),
+            "displayfile-dump 1\n"
+            "segment 1 visible\n"
+            "annotation leader 3.5 mm arrow entered 0 0 0 10.5 10.5 0.25 0.5 0.75 \"a \\\"q\\\"\"\n"
+            "annotation balloon 7 px dot auto 1 0 0 -4 5 0.5 0.5 0.75 \"12\" \"Shaft\"\n"
+            "annotation linear 7 px dot auto 0 0 0 0 0 0.25 0.25 0.75 0.75 0.5 0.75 0.25 0.5 0.75 "
+            "0.75 0.5 0.75 \"0.5\"\n"
+            "annotation title 7 px dot auto 0 0 0 0 0 \"\"\n"
+            "annotation list 7 px dot auto 0 0 0 -1 1 \"\"\n"
+            "end\n");
+}
+
+TEST(Annotation, FirstDifferenceOfDumps) {
+  const auto with = [](std::string_view line) {
+    return dump_of(fmt::format("open-segment 1\n{}\nclose-segment\n", line));
+  };
+  EXPECT_EQ(first_difference(with("set-annotation-size 3 mm\nleader-3 0 0 0 \"a\" 1 2"),
+                             with("leader-3 0 0 0 \"a\" 1 2")),
+            "segment 1, instruction 1 (annotation leader 3 mm arrow entered 0 0 0 1 2 0.5 0.5 0.75 "
+            "\"a\"): size is 3, expected 3.5");
+}
+
+/// The texts of a segment's annotation.
+std::vector<std::string> texts_of(std::string_view program) {
+  const GraphicsSystem g =
+      replayed(fmt::format("set-window -50 50 -50 50\nset-view-depth -100 100\nopen-segment 1\n{}"
+                           "close-segment\n",
+                           program));
+  std::vector<std::string> texts;
+  for (const KeptAnnotation& kept : g.display_file().segment(1).entered()->annotations()) {
+    texts.push_back(kept.characters);
+  }
+  return texts;
+}
+
+/// The number is the model's measure: after the modelling transformation, whatever the view.
+TEST(Annotation, MeasuresAreThoseOfTheModel) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(texts_of("linear-dimension-3 x 1 2 3  4 6 15  0 9 0\n"
+                     "linear-dimension-3 y 1 2 3  4 6 15  9 0 0\n"
+                     "linear-dimension-3 z 4 6 15  1 2 3  9 0 0\n"
+                     "aligned-dimension-3 1 2 3  4 6 15  0 9 0\n"
+                     "diameter-dimension-3 0 0 0  3 4 0\n"
+                     "radius-dimension-3 0 0 0  3 4 0\n"
+                     "angle-dimension-3 1 1 1  2 1 1  1 5 1  3\n"
+                     "angle-dimension-3 0 0 0  1 0 0  -1 1 0  3\n"),
+            (Texts{"3", "4", "12", "13",
+                   "\u00d8"
+                   "5",
+                   "R5", "90\u00b0", "135\u00b0"}));
+  EXPECT_EQ(texts_of("aligned-dimension-3 0 0 0  1 0.33333 0  0 9 0\n"
+                     "set-annotation-decimals 0\n"
+                     "aligned-dimension-3 0 0 0  10.5001 0 0  0 9 0\n"
+                     "aligned-dimension-3 0 0 0  20 0 0  0 9 0\n"
+                     "set-annotation-decimals 4\n"
+                     "aligned-dimension-3 0 0 0  1 0.5 0  0 9 0\n"
+                     "aligned-dimension-3 0 0 0  1.5 0 0  0 9 0\n"),
+            (Texts{"1.05", "11", "20", "1.118", "1.5"}));
+  // Along the axis of the turned and scaled part.
+  EXPECT_EQ(texts_of("scale-3 2 3 1\nrotate-z-3 30\n"
+                     "linear-dimension-3 x 0 0 0  4 7 0  0 -1 0\n"
+                     "linear-dimension-3 y 0 0 0  4 7 0  -1 0 0\n"
+                     "radius-dimension-3 0 0 0  0 0 4\n"),
+            (Texts{"8", "21", "R4"}));
+}
+
+TEST(Annotation, LinesOfTheRecording) {
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  g.open_segment(1);
+  g.annotate(Leader{{0, 0, 0.5}, "a \"b\""});
+  g.annotate(Leader{{0, 0, 0}, "c", Point2(-1, 2.5)});
+  g.annotate(Balloon{{0, 0, 0}, 3});
+  g.annotate(Balloon{{0, 0, 0}, 3, "Nut"});
+  g.annotate(Balloon{{0, 0, 0}, 3, "", Point2(1, 2)});
+  g.set_annotation_size(2.5, AnnotationStyle::Unit::pixels);
+  g.set_annotation_ends(AnnotationStyle::Ends::dot);
+  g.set_annotation_decimals(1);
+  g.set_annotation_placement(AnnotationStyle::Placement::automatic);
+  g.annotate(LinearDimension{LinearDimension::Axis::y, {0, 0, 0}, {0, 0.5, 0}, {0.25, 0, 0}});
+  g.annotate(AlignedDimension{{0, 0, 0}, {0, 0.5, 0}, {0.25, 0, 0}});
+  g.annotate(DiameterDimension{{0, 0, 0}, {0, 0.5, 0}});
+  g.annotate(RadiusDimension{{0, 0, 0}, {0, 0.5, 0}});
+  g.annotate(AngleDimension{{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, 0.75});
+  g.annotate(Title{"t"});
+  g.annotate(PartsList{});
+  g.close_segment();
+  EXPECT_EQ(recording.str(),
+            "open-segment 1\n"
+            "leader-3 0 0 0.5 \"a \\\"b\\\"\"\n"
+            "leader-3 0 0 0 \"c\" -1 2.5\n"
+            "balloon-3 0 0 0 3\n"
+            "balloon-3 0 0 0 3 \"Nut\"\n"
+            "balloon-3 0 0 0 3 \"\" 1 2\n"
+            "set-annotation-size 2.5 px\n"
+            "set-annotation-ends dot\n"
+            "set-annotation-decimals 1\n"
+            "set-annotation-placement auto\n"
+            "linear-dimension-3 y  0 0 0  0 0.5 0  0.25 0 0\n"
+            "aligned-dimension-3 0 0 0  0 0.5 0  0.25 0 0\n"
+            "diameter-dimension-3 0 0 0  0 0.5 0\n"
+            "radius-dimension-3 0 0 0  0 0.5 0\n"
+            "angle-dimension-3 0 0 0  1 0 0  0 0.5 0  0.75\n"
+            "title \"t\"\n"
+            "parts-list bottom-right\n"
+            "close-segment\n");
+  EXPECT_EQ(dump_of(recording.str()), dump(g.display_file()));
+}
+
+// ---- Segments and views -------------------------------------------------------------------------
+
+constexpr std::string_view kTwoSegments =
+    "set-hidden-line-removal on\nset-hidden-method bsp\nset-hidden-scope all\n"
+    "open-segment 1\n"
+    "leader-3 0 0 -0.5 \"behind\"\n"
+    "polygon-abs-3 -.5 -.5 0  .5 -.5 0  .5 .5 0  -.5 .5 0\n"
+    "close-segment\n"
+    "open-segment 2\n"
+    "set-line-style solid 0 0 1\n"
+    "aligned-dimension-3 -.5 0 .5  .5 0 .5  0 .25 0\n"
+    "close-segment\n";
+
+/// Nothing hides it, it stays with its segment, and an image transformation moves its points.
+TEST(Annotation, FollowsASortedScene) {
+  GraphicsSystem g = replayed(kTwoSegments);
+  g.set_image_translation(2, 0.25, 0);
+  SortedDisplayFile sorted;
+  const std::string text = dump(sorted.update(g, HiddenMethod::bsp, {}));
+  const std::string_view expected =
+      "line 0.25 0.75 0.75\n"
+      "annotation leader 3.5 mm arrow entered 0 0 0 10.5 10.5 0.5 0.5 0.625 \"behind\"\n"
+      "segment 2 visible\n"
+      "annotation linear 3.5 mm arrow entered 0 0 1 0 0 0.5 0.5 0.875 1 0.5 0.875 0.5 0.625 0.875 "
+      "1 "
+      "0.625 0.875 \"1\"\n"
+      "end\n";
+  EXPECT_TRUE(text.ends_with(expected)) << text;
+}
+
+/// Marks as numbers, for comparisons.
+std::string in_words(const std::vector<AnnotationMark>& marks) {
+  std::string words;
+  for (const AnnotationMark& mark : marks) {
+    words += fmt::format("{} {} {}:", static_cast<int>(mark.kind), mark.segment, mark.width);
+    for (const Point2& p : mark.points) words += fmt::format(" {:.9f} {:.9f}", p.x, p.y);
+    words += fmt::format(" {} {:.9f} {:.9f} {}\n", mark.text.characters, mark.text.anchor.x,
+                         mark.text.anchor.y, mark.text.turn);
+  }
+  return words;
+}
+
+constexpr AnnotationPage kPage{512, 512, kPixelsOfMillimetre};
+
+/// The display file, the viewed scene and the retained scene have the same, in any view.
+TEST(Annotation, IsRetained) {
+  GraphicsSystem g;
+  RetainedScene scene;
+  g.retain(&scene);
+  replay(kTwoSegments, "scene.draw", g);
+  const std::string drawn = in_words(annotation_marks(g.display_file(), kPage));
+  EXPECT_NE(drawn.find("behind"), drawn.npos);
+  EXPECT_EQ(in_words(annotation_marks(ViewedScene(g.display_file()), kPage)), drawn);
+  SceneViewer viewer(scene, g.display_file());
+  EXPECT_EQ(in_words(annotation_marks(viewer.view({.view = g.view()}), kPage)), drawn);
+  EXPECT_EQ(dump(WorldViews(scene, g.display_file()).as_drawn().display_file),
+            dump(g.display_file()));
+  g.set_image_translation(2, 0.25, 0);
+  const std::string moved = in_words(annotation_marks(g.display_file(), kPage));
+  EXPECT_NE(moved, drawn);
+  EXPECT_EQ(in_words(annotation_marks(viewer.view({.view = g.view()}), kPage)), moved);
+  const View other = look_at({3, 2, 6}, {0, 0, 0});
+  const std::string turned = in_words(annotation_marks(viewer.view({.view = other}), kPage));
+  EXPECT_NE(turned, drawn);
+  EXPECT_EQ(in_words(annotation_marks(viewer.display_file(other), kPage)), turned);
+  g.set_visibility(1, false);
+  EXPECT_EQ(in_words(annotation_marks(g.display_file(), kPage)).find("behind"), drawn.npos);
+}
+
+/// Points of the model outside of the view volume; a dimension line may be outside.
+TEST(Annotation, IsDrawnWhereItsPointsAreInTheView) {
+  EXPECT_EQ(texts_of("leader-3 60 0 0 \"beside\"\n"
+                     "aligned-dimension-3 0 0 0  60 0 0  0 9 0\n"
+                     "aligned-dimension-3 0 0 0  20 0 0  0 90 0\n"
+                     "leader-3 0 0 0 \"inside\"\n"),
+            (std::vector<std::string>{"20", "inside"}));
+  const std::string perspective = dump_of(
+      "set-perspective 0 0 5\nopen-segment 1\n"
+      "aligned-dimension-3 -.5 0 0  .5 0 0  0 0 5.5\n"  // at the eye and behind it
+      "aligned-dimension-3 -.5 0 0  .5 0 0  0 0 1\nclose-segment\n");
+  EXPECT_EQ(perspective.find("annotation"), perspective.rfind("annotation"));
+}
+
+// ---- Lines and texts on the page ---------------------------------------------------------------
+
+/// A picture of 1000 x 1000 pixels of a window from (0, 0) to (1000, 1000): a unit is a pixel. The
+/// letters are 14 pixels high, so lines are 1 wide.
+std::vector<AnnotationMark> marks_of(std::string_view program) {
+  const GraphicsSystem g = replayed(
+      fmt::format("set-window 0 1000 0 1000\nset-view-depth -100 100\nset-annotation-size 14 px\n"
+                  "open-segment 7\n{}close-segment\n",
+                  program));
+  return annotation_marks(g.display_file(), {1000, 1000, kPixelsOfMillimetre});
+}
+
+std::vector<AnnotationMark> of_kind(const std::vector<AnnotationMark>& marks, Kind kind) {
+  std::vector<AnnotationMark> some;
+  for (const AnnotationMark& mark : marks) {
+    if (mark.kind == kind) some.push_back(mark);
+  }
+  return some;
+}
+
+void expect_near(const Point2& actual, const Point2& expected) {
+  EXPECT_LT(glm::distance(actual, expected), 1e-6)
+      << actual.x << " " << actual.y << ", expected " << expected.x << " " << expected.y;
+}
+
+Point2 anchor_of(const AnnotationMark& text) {
+  return {1000.0 * text.text.anchor.x, 1000.0 * text.text.anchor.y};
+}
+
+/// ISO 129-1: a gap and an overshoot of 8 line widths; the number above the middle of the line.
+TEST(AnnotationMarks, LinearDimension) {
+  const auto marks = marks_of("linear-dimension-3 x 100 100 0  400 150 0  0 200 0\n");
+  const auto lines = of_kind(marks, Kind::line), areas = of_kind(marks, Kind::area),
+             texts = of_kind(marks, Kind::text);
+  ASSERT_EQ(lines.size(), 3u);
+  ASSERT_EQ(areas.size(), 2u);
+  ASSERT_EQ(texts.size(), 1u);
+  expect_near(lines[0].points[0], {100, 108});
+  expect_near(lines[0].points[1], {100, 308});
+  expect_near(lines[1].points[0], {400, 158});
+  expect_near(lines[1].points[1], {400, 308});
+  for (const Point2& p : lines[2].points) EXPECT_NEAR(p.y, 300.0, 1e-6);
+  expect_near(areas[0].points[0], {100, 300});
+  expect_near(areas[1].points[0], {400, 300});
+  EXPECT_GT(areas[0].points[1].x, 110.0);
+  EXPECT_LT(areas[1].points[1].x, 390.0);
+  EXPECT_EQ(texts[0].text.characters, "300");
+  EXPECT_EQ(texts[0].text.turn, 0.0);
+  expect_near(anchor_of(texts[0]), {250, 305.6});
+  EXPECT_EQ(texts[0].text.style.alignment, TextStyle::Alignment::centre);
+  for (const AnnotationMark& mark : marks) {
+    EXPECT_EQ(mark.segment, 7);
+    EXPECT_NEAR(mark.width, 1.0, 1e-12);
+  }
+}
+
+/// Numbers are read from the bottom or from the right, and stand above their line.
+TEST(AnnotationMarks, NumbersAreReadable) {
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    const double angle = degrees * 3.14159265358979 / 180.0;
+    const Point2 along(std::cos(angle), std::sin(angle));
+    const auto texts =
+        of_kind(marks_of(fmt::format("aligned-dimension-3 500 500 0  {} {} 0  0 0 0\n",
+                                     500 + 300 * along.x, 500 + 300 * along.y)),
+                Kind::text);
+    ASSERT_EQ(texts.size(), 1u);
+    const double turn = texts[0].text.turn;
+    EXPECT_GT(turn, -89.999) << degrees;
+    EXPECT_LT(turn, 90.001) << degrees;
+    EXPECT_NEAR(std::remainder(turn - degrees, 180.0), 0.0, 1e-5);
+    const Point2 aside = anchor_of(texts[0]) - Point2(500.0) - 150.0 * along;
+    const double turned = turn * 3.14159265358979 / 180.0;
+    EXPECT_NEAR(glm::dot(aside, Point2(-std::sin(turned), std::cos(turned))), 5.6, 1e-4);
+  }
+}
+
+/// Where there is no room arrows come from outside, and the number stands beyond the last end.
+TEST(AnnotationMarks, DimensionsWithoutRoom) {
+  const auto small = marks_of("aligned-dimension-3 100 100 0  120 100 0  0 50 0\n");
+  const auto areas = of_kind(small, Kind::area), texts = of_kind(small, Kind::text);
+  ASSERT_EQ(areas.size(), 2u);
+  expect_near(areas[0].points[0], {100, 150});
+  EXPECT_LT(areas[0].points[1].x, 90.0);
+  expect_near(areas[1].points[0], {120, 150});
+  EXPECT_GT(areas[1].points[1].x, 130.0);
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_GT(anchor_of(texts[0]).x, 145.0);
+  const auto narrow = marks_of(
+      "set-annotation-decimals 9\n"
+      "aligned-dimension-3 100 100 0  150.123456789 100 0  0 50 0\n");
+  EXPECT_GT(of_kind(narrow, Kind::area)[0].points[1].x, 110.0);  // arrows have room
+  EXPECT_GT(anchor_of(of_kind(narrow, Kind::text)[0]).x, 200.0);
+  // Seen end on there is nothing to draw.
+  EXPECT_TRUE(marks_of("aligned-dimension-3 100 100 0  100 100 50  0 50 0\n").empty());
+  EXPECT_TRUE(marks_of("radius-dimension-3 100 100 0  100 100 50\n").empty());
+}
+
+TEST(AnnotationMarks, RadiusAndDiameter) {
+  const auto radius = marks_of("radius-dimension-3 500 500 0  500 300 0\n");
+  const auto arrows = of_kind(radius, Kind::area);
+  ASSERT_EQ(arrows.size(), 1u);
+  expect_near(arrows[0].points[0], {500, 300});
+  EXPECT_GT(arrows[0].points[1].y, 305.0);
+  EXPECT_EQ(of_kind(radius, Kind::text)[0].text.turn, 90.0);
+  const auto small = marks_of("radius-dimension-3 500 500 0  510 500 0\n");
+  const auto from_outside = of_kind(small, Kind::area);
+  expect_near(from_outside[0].points[0], {510, 500});
+  EXPECT_GT(from_outside[0].points[1].x, 515.0);
+  EXPECT_GT(anchor_of(of_kind(small, Kind::text)[0]).x, 530.0);
+  const auto diameter =
+      of_kind(marks_of("diameter-dimension-3 300 500 0  700 500 0\n"), Kind::area);
+  ASSERT_EQ(diameter.size(), 2u);
+  expect_near(diameter[0].points[0], {300, 500});
+  expect_near(diameter[1].points[0], {700, 500});
+}
+
+/// An arc about the vertex, from one direction to the other; extension lines where it is beyond the
+/// points.
+TEST(AnnotationMarks, Angle) {
+  const auto marks = marks_of("angle-dimension-3 100 100 0  200 100 0  100 900 0  400\n");
+  const auto lines = of_kind(marks, Kind::line), areas = of_kind(marks, Kind::area);
+  ASSERT_EQ(lines.size(), 2u);
+  expect_near(lines[0].points[0], {208, 100});
+  expect_near(lines[0].points[1], {508, 100});
+  for (const Point2& p : lines[1].points) EXPECT_NEAR(glm::distance(p, {100, 100}), 400.0, 0.5);
+  ASSERT_EQ(areas.size(), 2u);
+  expect_near(areas[0].points[0], {500, 100});
+  expect_near(areas[1].points[0], {100, 500});
+  const auto text = of_kind(marks, Kind::text)[0];
+  EXPECT_EQ(text.text.characters, "90\u00b0");
+  EXPECT_EQ(text.text.turn, 0.0);
+  EXPECT_GT(glm::distance(anchor_of(text), {100, 100}), 405.0);
+}
+
+/// A text right of the line's end or left of it; an arrow or a dot at the model.
+TEST(AnnotationMarks, Leader) {
+  const auto right = marks_of("leader-3 100 100 0 \"abc\" 60 80\n");
+  const auto lines = of_kind(right, Kind::line);
+  ASSERT_EQ(lines.size(), 2u);
+  expect_near(lines[0].points[0], {160, 180});
+  expect_near(lines[1].points[1], {174, 180});
+  expect_near(of_kind(right, Kind::area)[0].points[0], {100, 100});
+  auto text = of_kind(right, Kind::text)[0];
+  EXPECT_EQ(text.text.style.alignment, TextStyle::Alignment::left);
+  expect_near(anchor_of(text), {179.6, 173});
+  const auto left = marks_of("set-annotation-ends dot\nleader-3 100 100 0 \"abc\" -60 80\n");
+  text = of_kind(left, Kind::text)[0];
+  EXPECT_EQ(text.text.style.alignment, TextStyle::Alignment::right);
+  expect_near(anchor_of(text), {20.4, 173});
+  const auto dot = of_kind(left, Kind::area);
+  ASSERT_EQ(dot.size(), 1u);
+  for (const Point2& p : dot[0].points) EXPECT_NEAR(glm::distance(p, {100, 100}), 3.08, 1e-6);
+  EXPECT_EQ(marks_of("leader-3 100 100 0 \"abc\" 0 0\n").size(), 2u);  // the landing and the text
+}
+
+/// A circle about the number, which hides the figure; the line points to its centre.
+TEST(AnnotationMarks, Balloon) {
+  const auto marks = marks_of("balloon-3 100 100 0 7 \"\" 300 400\n");
+  const auto blanks = of_kind(marks, Kind::blank), lines = of_kind(marks, Kind::line);
+  ASSERT_EQ(blanks.size(), 1u);
+  ASSERT_EQ(lines.size(), 2u);
+  const double radius = glm::distance(blanks[0].points[0], {400, 500});
+  for (const Point2& p : blanks[0].points) {
+    EXPECT_NEAR(glm::distance(p, {400, 500}), radius, 1e-6);
+  }
+  expect_near(lines[0].points[0], Point2(400, 500) - radius * Point2(0.6, 0.8));
+  EXPECT_TRUE(lines[1].closed);
+  EXPECT_EQ(lines[1].points, blanks[0].points);
+  expect_near(anchor_of(of_kind(marks, Kind::text)[0]), {400, 493});
+  const auto wide = of_kind(marks_of("balloon-3 100 100 0 1234 \"\" 300 400\n"), Kind::blank);
+  EXPECT_GT(glm::distance(wide[0].points[0], {400, 500}), 1.5 * radius);
+}
+
+/// Balloons with the same number are one row; the list is in its corner.
+TEST(AnnotationMarks, PartsList) {
+  const std::string balloons =
+      "balloon-3 500 500 0 12 \"Nut\"\nballoon-3 500 600 0 3 \"Shaft\"\n"
+      "balloon-3 500 700 0 12 \"Nut\"\nballoon-3 500 800 0 4\n";
+  for (const bool top : {false, true}) {
+    for (const bool right : {false, true}) {
+      std::vector<AnnotationMark> list;
+      for (const AnnotationMark& mark :
+           marks_of(balloons + fmt::format("parts-list {}-{}\n", top ? "top" : "bottom",
+                                           right ? "right" : "left"))) {
+        if (mark.annotation == 4) list.push_back(mark);
+      }
+      std::string cells;
+      for (const AnnotationMark& text : of_kind(list, Kind::text)) {
+        cells += text.text.characters + " ";
+      }
+      EXPECT_EQ(cells, "No. Name Qty 3 Shaft 1 12 Nut 2 ");
+      const auto blank = of_kind(list, Kind::blank);
+      ASSERT_EQ(blank.size(), 1u);
+      for (const Point2& p : blank[0].points) {
+        EXPECT_GT(std::abs(p.x - (right ? 0.0 : 1000.0)), 500.0);
+        EXPECT_GT(std::abs(p.y - (top ? 0.0 : 1000.0)), 500.0);
+      }
+    }
+  }
+  EXPECT_TRUE(marks_of("parts-list\n").empty());
+}
+
+TEST(AnnotationMarks, TitleAndUnits) {
+  const auto title = marks_of("title \"A vice\"\n");
+  ASSERT_EQ(title.size(), 1u);
+  EXPECT_NEAR(anchor_of(title[0]).x, 500.0, 1e-9);
+  EXPECT_GT(anchor_of(title[0]).y, 950.0);
+  EXPECT_LT(anchor_of(title[0]).y + 20.02, 1000.0);
+  const GraphicsSystem g = replayed(
+      "open-segment 1\nset-annotation-size 2 mm\n"
+      "leader-3 0 0 0 \"a\" 3 0\nclose-segment\n");
+  for (const double millimetre : {1.0, 5.0}) {
+    const auto marks = annotation_marks(g.display_file(), {1000, 500, millimetre});
+    const auto text = of_kind(marks, Kind::text)[0];
+    EXPECT_NEAR(text.text.style.size * 500.0 * 0.72, 2.0 * millimetre, 1e-9);
+    EXPECT_NEAR(of_kind(marks, Kind::line).back().points[0].x, 500.0 + 3.0 * millimetre, 1e-9);
+  }
+}
+
+/// Far outside of the picture it is left out, so that devices get no coordinates beyond their
+/// range.
+TEST(AnnotationMarks, NothingFarOutside) {
+  EXPECT_FALSE(marks_of("aligned-dimension-3 100 100 0  400 100 0  0 10000 0\n").empty());
+  EXPECT_TRUE(marks_of("aligned-dimension-3 100 100 0  400 100 0  0 20000 0\n").empty());
+  EXPECT_TRUE(marks_of("leader-3 100 100 0 \"a\" 20000 0\n").empty());
+}
+
+}  // namespace
+}  // namespace displayfile

@@ -1,7 +1,9 @@
-// --paper, --margin, --pens and --hatch by the command.
+// --paper, --margin, --pens, --hatch, --order and --layers by the command.
 
 #include <algorithm>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "tests/command_fixture.h"
 
@@ -264,6 +266,50 @@ TEST_F(PenCommand, MistakesAreTold) {
   }
   expect_error("draw flat.draw --hatch 0.01 -o a.svg", "hatching 0.01 mm apart");
   expect_error("draw flat.draw --hatch 1,0,width=0 -o a.svg", "by a pen of 0 mm");
+}
+
+TEST_F(PenCommand, PensCutInnerContoursFirst) {
+  write("plate.draw",
+        "set-window 0 1 0 1\nset-line-style solid 1 0 0\nopen-segment 1\n"
+        "move-abs-2 0.1 0.1\nline-abs-2 0.9 0.1\nline-abs-2 0.9 0.9\nline-abs-2 0.1 0.9\n"
+        "line-abs-2 0.1 0.1\nset-line-style solid 0 0 1\nmove-abs-2 0.4 0.4\nline-abs-2 0.6 0.4\n"
+        "line-abs-2 0.5 0.6\nline-abs-2 0.4 0.4\nset-line-style solid 1 0 0\nmove-abs-2 0.2 0.2\n"
+        "line-abs-2 0.3 0.2\nline-abs-2 0.3 0.3\nline-abs-2 0.2 0.2\nclose-segment\n");
+  const auto order_of = [&](const std::string& options) {
+    EXPECT_EQ(run("draw plate.draw -o a.svg --pens " + options), 0) << err_;
+    const std::string svg = read(folder_ / "a.svg");
+    std::string order;
+    for (const char* label : {"#ff0000", "#0000ff"}) {
+      const auto at = svg.find(std::string("inkscape:label=\"1 ") + label);
+      if (at != std::string::npos) order = label;
+    }
+    return order;
+  };
+  EXPECT_EQ(order_of(""), "#ff0000");
+  EXPECT_EQ(order_of("--layers blue"), "#0000ff");
+  EXPECT_EQ(order_of("--layers blue,red"), "#0000ff");
+  EXPECT_EQ(order_of("--layers red,#0000ff --order cut"), "#ff0000");
+  EXPECT_EQ(err_, "");
+  // The triangle in the plate, which has fewer corners, is drawn before it.
+  const std::string svg = read(folder_ / "a.svg");
+  const std::regex path("<path d=\"([^\"]*)\"");
+  std::vector<std::string> paths;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) {
+    paths.push_back((*it)[1]);
+  }
+  ASSERT_EQ(paths.size(), 3u) << svg;
+  EXPECT_LT(paths[0].size(), paths[1].size());
+  ASSERT_EQ(run("draw plate.draw -o a.svg --pens --layers green"), 0) << err_;
+  EXPECT_NE(err_.find("layer #008000 has no effect: no pen of the picture has this colour"),
+            std::string::npos)
+      << err_;
+  expect_error("draw plate.draw -o x.svg --order cut", "--order cut: expected with --pens or");
+  expect_error("draw plate.draw -o x.svg --layers red", "--layers red: expected with --pens or");
+  expect_error("draw plate.draw -o x.svg --pens --order deep",
+               "--order: pens draw in order of travel or cut, not 'deep'");
+  expect_error("draw plate.draw -o x.svg --pens --layers red,", "--layers red,: ''");
+  expect_error("draw plate.draw -o x.svg --pens --layers red,rde", "--layers red,rde: 'rde'");
+  expect_error("draw plate.draw -o x.svg --pens --layers red,#ff0000", "layers 1 and 2 of pens");
 }
 
 }  // namespace

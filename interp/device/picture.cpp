@@ -12,6 +12,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/nearest_word.h"
+#include "clip/base/words.h"
 
 namespace displayfile {
 
@@ -124,7 +125,19 @@ PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height)
   return fit;
 }
 
+PenOrder pen_order(std::string_view text) {
+  constexpr Word<PenOrder> kOrders[] = {{PenOrder::travel, "travel"}, {PenOrder::cut, "cut"}};
+  return value_of(kOrders, text, "pens draw in order of");
+}
+
 void require_pens(const Pens& pens) {
+  for (std::size_t k = 0; k < pens.layers.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      if (pixel_of(pens.layers[i]) != pixel_of(pens.layers[k])) continue;
+      throw Error(fmt::format("layers {} and {} of pens have one colour: expected each colour once",
+                              i + 1, k + 1));
+    }
+  }
   if (!pens.hatching) return;
   const Hatching& hatching = *pens.hatching;
   if (!(hatching.spacing >= kClosestHatching && hatching.spacing <= kLargestSheet)) {

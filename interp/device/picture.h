@@ -132,14 +132,27 @@ struct Hatching {
 };
 inline constexpr double kClosestHatching = 0.05;
 
+/// The order of the paths of one pen (interp/vector/pens/pen_order.md).
+enum class PenOrder {
+  travel,  ///< short pen travel alone
+  cut,     ///< what lies inside of a closed contour first, for cutters
+};
+/// Reads `travel` or `cut`; throws Error for anything else.
+PenOrder pen_order(std::string_view text);
+
 /// Options for a pen plotter or laser cutter: a layer of lines for each pen, no line twice, in an
 /// order with short pen travel (interp/vector/pens/README.md).
 struct Pens {
   std::optional<Hatching> hatching{};  ///< none: no fills are drawn
-  bool crumbs = false;                 ///< as VectorOptions::crumbs
+  PenOrder order = PenOrder::travel;   ///< of the paths of one pen
+  /// Layers of pens with these colours come first, in this order; others follow in order of first
+  /// use. A colour that no pen has is warned of.
+  std::vector<Colour> layers{};
+  bool crumbs = false;  ///< as VectorOptions::crumbs
   bool operator==(const Pens&) const = default;
 };
-/// Throws Error for lengths or angles out of range.
+/// Throws Error for lengths or angles out of range, and for a colour that is twice among the
+/// layers.
 void require_pens(const Pens& pens);
 
 // Vectors.

@@ -47,10 +47,16 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
   }
   const DisplayFile& drawn = by_depth_ ? map.display_file() : file_;
   if (pens_) {
-    return format.write_pens(
+    const PenDrawing by_pens =
         pen_drawing(drawn, request.width, request.height, vectors_.paper.value_or(Paper{}), *pens_,
-                    request.background),
-        to);
+                    request.background);
+    format.write_pens(by_pens, to);
+    if (!warn_) return;
+    for (const std::string& colour : layers_without_pen(by_pens, *pens_)) {
+      warn_({DrawWarning::Kind::no_effect,
+             "layer " + colour + " has no effect: no pen of the picture has this colour"});
+    }
+    return;
   }
   format.write_vectors(drawn, request.width, request.height, to, request.background,
                        is_colour_rule(request.surfaces.method), vectors_);

@@ -52,6 +52,7 @@ class DisplayFileSource : public PictureSource {
         device_(*plan.device),
         pens_(plan.options.pens),
         vectors_(plan.options.vectors),
+        warn_(plan.options.warn),
         kept_(kept) {
     vectors_.crumbs |= plan.options.crumbs;
     if (pens_) pens_->crumbs |= plan.options.crumbs;
@@ -76,6 +77,7 @@ class DisplayFileSource : public PictureSource {
   const RasterDevice& device_;
   std::optional<Pens> pens_;
   VectorOptions vectors_;
+  Warn warn_;
   SoftwareRenderer& kept_;
 };
 

@@ -96,6 +96,27 @@ Seams seams_in(std::string_view word) {
   throw Error(fmt::format("seams '{}': expected trapped or butted", word));
 }
 
+void require_pens_before(std::string_view option, const DrawOptions& options) {
+  if (!options.pens) throw Error(fmt::format("{}: expected it with pens or hatch", option));
+}
+
+/// A sequence of colours.
+std::vector<Colour> layers_in(py::handle value) {
+  if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0) {
+    throw Error("pen_layers: expected a list of colours");
+  }
+  std::vector<Colour> layers;
+  for (const py::handle colour : py::reinterpret_borrow<py::sequence>(value)) {
+    layers.push_back(colour_in(colour, "pen_layers"));
+  }
+  return layers;
+}
+
+/// Those that are read after the paper and the pens are known.
+bool needs_pens(std::string_view option) {
+  return option == "margin" || option == "pen_order" || option == "pen_layers";
+}
+
 using Read = void (*)(py::handle value, DrawOptions& options);
 
 /// By their names.
@@ -141,6 +162,17 @@ const std::map<std::string_view, Read>& readers() {
            throw Error("margin: expected it with paper, pens or hatch");
          }
          if (!o.vectors.paper) o.vectors.paper.emplace();
+      {"pen_order",
+       [](py::handle v, DrawOptions& o) {
+         require_pens_before("pen_order", o);
+         o.pens->order = pen_order(word_in(v, "pen_order"));
+       }},
+      {"pen_layers",
+       [](py::handle v, DrawOptions& o) {
+         require_pens_before("pen_layers", o);
+         o.pens->layers = layers_in(v);
+         require_pens(*o.pens);
+       }},
          o.vectors.paper->margin = number_in(v, "margin");
        }},
       {"vector_precision",
@@ -180,13 +212,13 @@ void read_size(py::handle size, DrawOptions& options) {
 DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
   DrawOptions options;
   read_size(size, options);
-  const auto read = [&](bool margins) {
+  const auto read = [&](bool last) {
     for (const auto& [key, value] : keywords) {
       if (value.is_none()) continue;
       const std::string name = word_in(key, "option");
       const auto reader = readers().find(name);
       if (reader == readers().end()) throw Error(fmt::format("unknown option {}", name));
-      if ((name == "margin") == margins) reader->second(value, options);
+      if (needs_pens(name) == last) reader->second(value, options);
     }
   };
   read(false);

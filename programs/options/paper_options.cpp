@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "programs/options/colour_word.h"
@@ -63,6 +65,33 @@ Hatching hatching_of(const std::string& text) {
   return hatching;
 }
 
+/// COLOUR,...
+std::vector<Colour> layers_of(const std::string& text) {
+  std::vector<Colour> layers;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    const auto colour = colour_of(word);
+    if (!colour) {
+      throw Error(
+          fmt::format("--layers {}: '{}': expected colours separated by commas, each "
+                      "#rrggbb or a CSS name, such as red,#0000ff",
+                      text, word));
+    }
+    layers.push_back(*colour);
+    if (comma == std::string_view::npos) return layers;
+    rest = rest.substr(comma + 1);
+  }
+}
+
+PenOrder order_of(const std::string& word) {
+  try {
+    return pen_order(word);
+  } catch (const Error& error) {
+    throw Error("--order: " + std::string(error.what()));
+  }
+}
+
 }  // namespace
 
 void PaperWords::add_to(CLI::App& command) {
@@ -96,12 +125,31 @@ void PaperWords::add_to(CLI::App& command) {
           "covers another, --hidden none or back-face")
       ->type_name("SPACING,...")
       ->group(kPaperOptions);
+  command
+      .add_option("--order", order,
+                  "with --pens or --hatch, the order of the paths of a pen: for short travel, or "
+                  "for a cutter, what lies inside of closed contours before them [travel]")
+      ->type_name("travel|cut")
+      ->group(kPaperOptions);
+  command
+      .add_option("--layers", layers,
+                  "with --pens or --hatch, the order of the layers by the pens' colours, each "
+                  "#rrggbb or a CSS name: red,#0000ff; other pens follow in order of first use")
+      ->type_name("COLOUR,...")
+      ->group(kPaperOptions);
 }
 
 void PaperWords::read(DrawOptions& options) const {
   if (!paper.empty()) options.vectors.paper = paper_of(paper);
   if (pens || !hatch.empty()) options.pens.emplace();
   if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
+  for (const auto& [option, word] :
+       {std::pair("--order", &order), std::pair("--layers", &layers)}) {
+    if (!*word || options.pens) continue;
+    throw Error(fmt::format("{} {}: expected with --pens or --hatch", option, **word));
+  }
+  if (order) options.pens->order = order_of(*order);
+  if (layers) options.pens->layers = layers_of(*layers);
   if (!margin) return;
   if (!options.vectors.paper && !options.pens) {
     throw Error(fmt::format("--margin {}: expected with --paper, --pens or --hatch", *margin));

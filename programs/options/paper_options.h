@@ -8,10 +8,11 @@
 
 namespace displayfile {
 
-/// The options --paper, --margin, --pens and --hatch, as words.
+/// The options --paper, --margin, --pens, --hatch, --order and --layers, as words.
 struct PaperWords {
   std::string paper, hatch;
   std::optional<double> margin;
+  std::optional<std::string> order, layers;
   bool pens = false;
 
   void add_to(CLI::App& command);

@@ -498,6 +498,10 @@ class System(_displayfile.System):
             options: hidden, hidden_lines, scope, precision and threads, as in draw.
 
         Returns:
+            pen_order: With pens or hatch, "travel", or "cut": what lies inside of closed contours
+                is drawn before them.
+            pen_layers: With pens or hatch, a list of colours: the pens with these colours come
+                first, in this order.
             The text of the command's dump (displayfile/text/drawing_programs.md). It determines the
             drawing bit for bit.
         """

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "displayfile/looks/background.h"
@@ -30,6 +31,8 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
 /// The same as they are to be drawn.
 PenDrawing pen_drawing(const DisplayFile& display_file, int width, int height, const Paper& paper,
                        const Pens& pens, const Background& background = {});
+/// The colours of Pens::layers that no layer of the drawing has, as #rrggbb.
+std::vector<std::string> layers_without_pen(const PenDrawing& drawing, const Pens& pens);
 /// True if a pen draws anything of it: then pen_drawing returns a layer. Errors as above.
 bool has_pen_strokes(const DisplayFile& display_file, int width, int height, const Paper& paper,
                      const Pens& pens, const Background& background = {});

@@ -32,7 +32,7 @@ void begin_at(PenPath& path, std::size_t point) {
 
 /// Always to what is nearest, as long as anything is left: an end of an open path, any point of a
 /// closed one.
-void go_to_the_nearest(std::vector<PenPath>& paths) {
+void go_to_the_nearest(std::vector<PenPath>& paths, SheetPoint pen) {
   struct Entry {
     std::uint32_t path, point;
   };
@@ -52,7 +52,6 @@ void go_to_the_nearest(std::vector<PenPath>& paths) {
   PointTree tree(points);
   std::vector<PenPath> ordered;
   ordered.reserve(paths.size());
-  SheetPoint pen{0, 0};
   for (std::uint32_t next = tree.nearest(pen); next != PointTree::kNone; next = tree.nearest(pen)) {
     const auto [k, point] = entries[next];
     for (std::uint32_t i = first[k]; i < first[k + 1]; ++i) tree.remove(i);
@@ -113,8 +112,8 @@ double travel(const std::vector<PenPath>& paths) {
   return sum;
 }
 
-void order_for_pen(std::vector<PenPath>& paths) {
-  go_to_the_nearest(paths);
+void order_for_pen(std::vector<PenPath>& paths, const SheetPoint& from) {
+  go_to_the_nearest(paths, from);
   const bool has_loops = std::ranges::any_of(paths, &PenPath::closed);
   for (int round = 0; round < (has_loops ? 3 : 1); ++round) {
     exchange(paths);

@@ -12,7 +12,7 @@ double travel(const std::vector<PenPath>& paths);
 /// Orders paths, each in one of its directions and a closed one from one of its points, for short
 /// pen travel (interp/vector/pens/pen_order.md): first nearest neighbour from the sheet's upper
 /// left corner, then improved by exchanges until none shortens the way. A function of the paths
-/// alone. The time grows little more than their number.
-void order_for_pen(std::vector<PenPath>& paths);
+/// alone. The time grows little more than their number. `from`: where the pen is at first.
+void order_for_pen(std::vector<PenPath>& paths, const SheetPoint& from = {0, 0});
 
 }  // namespace displayfile

@@ -17,6 +17,11 @@ struct SurfacePlan {
   RootChoice root = RootChoice::free;
   /// Whether methods that find lines also draw hidden parts (hidden/lines/lines_in_order.h).
   HiddenLines hidden_lines = HiddenLines::none;
+  /// The order of visible lines that overlap, and with `depth` the gap beside the farther one, in
+  /// pixels of a picture of that size.
+  LineOrder line_order = LineOrder::entry;
+  double line_halo = 0.0;
+  int width = 512, height = 512;
   /// Whether they also draw lines along which polygons intersect
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
@@ -44,7 +49,13 @@ struct SurfacePlan {
   /// True if both find the same surfaces and lines of the same scene, shadows apart.
   bool finds_as(const SurfacePlan& o) const {
     return method == o.method && precision == o.precision && root == o.root &&
-           hidden_lines == o.hidden_lines && intersections == o.intersections;
+           hidden_lines == o.hidden_lines && intersections == o.intersections && orders_lines_as(o);
+  }
+  /// True if both draw lines that overlap in the same way.
+  bool orders_lines_as(const SurfacePlan& o) const {
+    if (line_order == LineOrder::entry || o.line_order == LineOrder::entry)
+      return line_order == o.line_order;
+    return line_halo == o.line_halo && width == o.width && height == o.height;
   }
 };
 

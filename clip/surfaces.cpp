@@ -1,5 +1,7 @@
 #include "clip/surfaces.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <system_error>
 
@@ -14,6 +16,8 @@ constexpr Word<HiddenScope> kScopes[] = {{HiddenScope::segment, "segment"},
                                          {HiddenScope::all, "all"}};
 constexpr Word<HiddenLines> kHiddenLines[] = {{HiddenLines::none, "none"},
                                               {HiddenLines::dashed, "dashed"}};
+constexpr Word<LineOrder> kLineOrders[] = {{LineOrder::entry, "entry"},
+                                           {LineOrder::depth, "depth"}};
 
 }  // namespace
 
@@ -26,6 +30,16 @@ HiddenLines hidden_lines(std::string_view text) {
   return value_of(kHiddenLines, text, "hidden lines are");
 }
 std::string_view name_of(HiddenLines lines) { return word_of(kHiddenLines, lines); }
+
+LineOrder line_order(std::string_view text) {
+  return value_of(kLineOrders, text, "the order of lines is");
+}
+std::string_view name_of(LineOrder order) { return word_of(kLineOrders, order); }
+
+void require_line_halo(double halo) {
+  if (halo >= 0.0 && halo <= kWidestHalo) return;
+  throw Error(fmt::format("a line halo of {}: expected 0 to {} pixels", halo, kWidestHalo));
+}
 
 Precision precision(std::string_view text) {
   constexpr std::string_view kWithValue = "roundoff=";

@@ -129,6 +129,21 @@ enum class HiddenLines {
 HiddenLines hidden_lines(std::string_view text);
 std::string_view name_of(HiddenLines lines);
 
+/// The order in which visible lines and sides are drawn where they overlap in the picture.
+enum class LineOrder {
+  entry,  ///< the one entered later is drawn over the other
+  depth,  ///< the nearer one is (hidden/lines/strokes_by_depth.md)
+};
+
+/// Reads `entry` or `depth`; throws Error for anything else.
+LineOrder line_order(std::string_view text);
+std::string_view name_of(LineOrder order);
+
+/// The widest halo of a line in pixels.
+inline constexpr double kWidestHalo = 1e6;
+/// Throws Error unless it is 0 to kWidestHalo.
+void require_line_halo(double halo);
+
 /// How `bsp` chooses the root of a (sub)tree of polygons.
 enum class RootChoice {
   last,    ///< the textbook's: the polygon entered last (algorithm 9.8)
@@ -150,6 +165,12 @@ struct HiddenSurfaceOptions {
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;
   std::optional<HiddenLines> hidden_lines = std::nullopt;
+  /// `depth`: all visible segments are taken together, whatever the scope. Error where the method
+  /// or the device cannot draw so.
+  std::optional<LineOrder> line_order = std::nullopt;
+  /// With `depth`: the gap beside a line that crosses another one in front of it, in pixels of the
+  /// picture, as widths of lines; 0: none. Error outside of 0 to kWidestHalo, and without `depth`.
+  std::optional<double> line_halo = std::nullopt;
   RootChoice root = RootChoice::free;     ///< for `bsp`; Error with any other method
   int threads = 1;                        ///< maximum, at least 1; the result does not depend on it
   std::size_t most_pieces = kMostPieces;  ///< limit on pieces that a sort makes; Error above it

@@ -148,6 +148,8 @@ struct HiddenSurfaces {
   std::optional<HiddenScope> scope = std::nullopt;  ///< none: `segment` when segments are closed
   Precision precision = {};
   HiddenLines hidden_lines = HiddenLines::none;
+  LineOrder line_order = LineOrder::entry;
+  double line_halo = 0.0;
   LineSelection lines = {};
   Touching touching = kUnlessSet;
 };
@@ -174,6 +176,13 @@ struct HiddenSurfaceSettings {
   /// (hidden/lines/README.md): when a segment is closed, or with scope `all` when a picture is
   /// drawn.
   std::optional<HiddenLines> hidden_lines = std::nullopt;
+  /// Whether of two lines that overlap in a picture the one entered later is drawn over the other,
+  /// or the nearer one. `depth` takes all visible segments together, and acts where lines are drawn
+  /// over fills or without them: not in order of entry, nor in vectors by bsp or depth-sort.
+  std::optional<LineOrder> line_order = std::nullopt;
+  /// With `depth`: the gap beside a line where another one crosses in front of it, in pixels, as
+  /// widths of lines. Error: outside of 0 to kWidestHalo.
+  std::optional<double> line_halo = std::nullopt;
   /// Which sides of polygons are drawn as lines (displayfile/segments/line_kinds.md), for segments
   /// closed from now on, whatever the method: the selected kinds, of sides that have a line style.
   /// Any value except `all` alone retains the scene in the system from now on, if none is retained.

@@ -284,6 +284,11 @@ class RandomApplication {
             {.method = needs_surface(method) ? HiddenMethod::franklin : method});
       }
       case 27:
+        if (chance(20)) {
+          return system_.set_hidden_surfaces(
+              {.line_order = chance(50) ? LineOrder::entry : LineOrder::depth});
+        }
+        if (chance(10)) return system_.set_hidden_surfaces({.line_halo = uniform(-1.0, 4.0)});
         if (chance(50)) {
           return system_.set_hidden_surfaces(
               {.hidden_lines = chance(50) ? HiddenLines::none : HiddenLines::dashed});

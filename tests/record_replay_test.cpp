@@ -31,6 +31,8 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.attributes().back_face_removal, b.attributes().back_face_removal);
   EXPECT_EQ(a.hidden_surfaces().method, b.hidden_surfaces().method);
   EXPECT_EQ(a.hidden_surfaces().hidden_lines, b.hidden_surfaces().hidden_lines);
+  EXPECT_EQ(a.hidden_surfaces().line_order, b.hidden_surfaces().line_order);
+  EXPECT_EQ(a.hidden_surfaces().line_halo, b.hidden_surfaces().line_halo);
   EXPECT_EQ(a.hidden_surfaces().z_buffer, b.hidden_surfaces().z_buffer);
   EXPECT_EQ(a.attributes().shading, b.attributes().shading);
   EXPECT_EQ(a.crease_degrees(), b.crease_degrees());
@@ -80,7 +82,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 79u);
+    EXPECT_EQ(routines.size(), 81u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

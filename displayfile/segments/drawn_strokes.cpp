@@ -6,8 +6,10 @@
 #include <cstdint>
 
 #include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/sorted_scene.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/line_ends.h"
+#include "hidden/lines/strokes_by_depth.h"
 
 namespace displayfile {
 
@@ -35,6 +37,41 @@ std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPiec
                        pieces.is_hidden(k)});
   }
   return strokes_once(strokes, lines_apart(scene.touching_of_ends()));
+}
+
+void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const StrokeOrder& order,
+                  std::vector<StrokePart>& parts) {
+  const std::size_t first = std::min(pieces.first_stroke, pieces.pieces.size());
+  const std::vector<std::uint32_t> looks = looks_of_lines(scene);
+  const auto end_of_hidden = std::stable_partition(
+      parts.begin(), parts.end(),
+      [&](const StrokePart& part) { return pieces.is_hidden(first + part.stroke); });
+  const std::span<const StrokePart> seen(end_of_hidden, parts.end());
+  std::vector<DeepStroke> strokes;
+  strokes.reserve(seen.size());
+  for (const StrokePart& part : seen) {
+    const SortedPiece& piece = pieces.pieces[first + part.stroke];
+    const Point3 &from = pieces.points[piece.first], &to = pieces.points[piece.first + 1];
+    const LineKinds kinds = pieces.visible[piece.first + 1];
+    const bool kinds_differ = !scene.line_style(piece.item).of_kinds.empty();
+    const std::uint32_t look = looks.empty() ? 0 : looks[piece.item];
+    strokes.push_back({StrokePart::at(from, to, part.from), StrokePart::at(from, to, part.to),
+                       style_of_stroke(scene, piece.item, kinds).width,
+                       256 * look + (kinds_differ ? kinds : 0u), piece.item});
+  }
+  const StrokePicture picture{order.pixels, lines_apart(scene.touching_of_ends())};
+  std::vector<StrokePart> all(parts.begin(), end_of_hidden);
+  all.reserve(parts.size());
+  for (const PartByDepth& of : strokes_by_depth(strokes, picture, order.halo, order.threads)) {
+    StrokePart part = seen[of.stroke];
+    const double length = part.to - part.from;
+    if (of.to != 1.0) part.to = part.from + of.to * length;
+    if (of.from != 0.0) part.from += of.from * length;
+    part.cuts = of.cuts;
+    part.is_alone = part.is_alone || of.is_between_gaps;
+    all.push_back(part);
+  }
+  parts = std::move(all);
 }
 
 std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const FoundLines& found,

@@ -82,7 +82,7 @@ SortWanted sort_wanted(const GraphicsSystem& system, const HiddenSurfaceOptions&
       plan.shadows && method == HiddenMethod::map && system.display_file().has_shadows();
   const auto usual = applications && !finds_shadows ? HiddenScope::segment : HiddenScope::all;
   const HiddenScope set = system.hidden_surfaces().scope.value_or(usual);
-  const bool picked = set_method == HiddenMethod::automatic;
+  const bool picked = set_method == HiddenMethod::automatic || plan.line_order == LineOrder::depth;
   return {method, applications, set, picked ? HiddenScope::all : options.scope.value_or(set)};
 }
 
@@ -116,7 +116,7 @@ const DisplayFile& SortedDisplayFile::update(const GraphicsSystem& system,
 const DisplayFile& SortedDisplayFile::update(const DisplayFile& entered, const SurfacePlan& plan) {
   const BudgetInForce in_force(plan.budget);
   return sort_anew(entered, [&] {
-    if (plan.scope == HiddenScope::segment) {
+    if (plan.scope == HiddenScope::segment && plan.line_order == LineOrder::entry) {
       sort_segments(plan);
     } else {
       sort_together(plan);

@@ -37,7 +37,8 @@ class SortedDisplayFile {
   ///    options have another precision or other hidden lines, is sorted again;
   ///  - a method of the options sorts all visible segments together, each group that overlaps by
   ///    itself (displayfile/segments/segment_groups.h), or each on its own if the options or the
-  ///    application set that scope; one that `automatic` means sorts all together, whatever the
+  ///    application set that scope; one that `automatic` means, and any with line order `depth`,
+  ///    sorts all together, whatever the scope.
   /// If it does not sort, a method of the options is drawn from the polygons as entered, and one
   /// set by the application from the segments as closed. Invisible segments stay unchanged.
   const DisplayFile& update(const GraphicsSystem& system, const HiddenSurfaceOptions& options,
@@ -50,7 +51,7 @@ class SortedDisplayFile {
 
   /// Updates it from another display file, such as that of a new view: its visible segments are
   /// sorted by the plan's method, a sort or one that finds lines, together unless the plan's scope
-  /// is `segment`.
+  /// is `segment` and its line order is that of entry.
   const DisplayFile& update(const DisplayFile& entered, const SurfacePlan& plan);
 
   /// The display file after the last successful update.

@@ -24,7 +24,10 @@ std::size_t count(const SortedScene& sorted, bool lines) {
 }  // namespace
 
 std::span<const StrokePart> OrderedScene::strokes_of_picture() const {
-  std::call_once(of_picture->are_found, [&] { of_picture->parts = drawn_strokes(*scene, pieces); });
+  std::call_once(of_picture->are_found, [&] {
+    of_picture->parts = drawn_strokes(*scene, pieces);
+    if (strokes.order == LineOrder::depth) put_by_depth(*scene, pieces, strokes, of_picture->parts);
+  });
   return of_picture->parts;
 }
 

@@ -39,10 +39,23 @@ struct SortCounts {
   }
 };
 
+/// In which order strokes that overlap are drawn: the part of a SurfacePlan.
+struct StrokeOrder {
+  LineOrder order = LineOrder::entry;
+  double halo = 0.0;            ///< pixels
+  Point2 pixels{512.0, 512.0};  ///< the picture's size
+  int threads = 1;
+
+  static StrokeOrder of(const SurfacePlan& plan) {
+    return {plan.line_order, plan.line_halo, Point2(plan.width, plan.height), plan.threads};
+  }
+};
+
 /// A scene and the order that a sort found: its pieces, back to front.
 struct OrderedScene {
   std::shared_ptr<const ViewedScene> scene;
   SortedPieces pieces;  ///< of the scene's items
+  StrokeOrder strokes = {};
 
   /// Its strokes as drawn in a picture (displayfile/segments/drawn_strokes.h). Found on first use,
   /// by any thread.
@@ -106,15 +119,14 @@ class PieceWriter {
   /// Sends lines that are drawn after all polygons.
   void save_strokes(const OrderedScene& ordered) {
     const std::size_t first = ordered.pieces.first_stroke;
-    if constexpr (kDrawsPicture) {
-      for (const StrokePart& part : ordered.strokes_of_picture()) {
-        part_ = part;
-        save_piece(ordered, first + part.stroke);
-      }
-      part_ = kWholeStroke;
-    } else {
-      save_pieces(ordered, first, ordered.pieces.pieces.size());
+    if (!kDrawsPicture && ordered.strokes.order == LineOrder::entry) {
+      return save_pieces(ordered, first, ordered.pieces.pieces.size());
     }
+    for (const StrokePart& part : ordered.strokes_of_picture()) {
+      part_ = part;
+      save_piece(ordered, first + part.stroke);
+    }
+    part_ = kWholeStroke;
   }
 
   void save_pieces(const OrderedScene& ordered, std::size_t from, std::size_t to) {
@@ -269,7 +281,8 @@ class PieceWriter {
     LineCuts cuts;
     if (is_stroke_) {
       cuts = ordered_->pieces.stroke_cuts(piece);
-      cuts = {cuts.at_start && part_.from == 0.0, cuts.at_end && part_.to == 1.0};
+      cuts = {part_.cuts.at_start || (cuts.at_start && part_.from == 0.0),
+              part_.cuts.at_end || (cuts.at_end && part_.to == 1.0)};
     } else {
       const PointRow ends = scene().points(piece.item);
       cuts = {part[0] != ends[0], part[1] != ends[1]};

@@ -7,6 +7,8 @@ SurfacePlan resolve_surfaces(const HiddenSurfaceOptions& options) {
           .precision = options.precision.value_or(Precision{}),
           .root = options.root,
           .hidden_lines = options.hidden_lines.value_or(HiddenLines::none),
+          .line_order = options.line_order.value_or(LineOrder::entry),
+          .line_halo = options.line_halo.value_or(0.0),
           .scope = options.scope,
           .threads = options.threads,
           .most_pieces = options.most_pieces,
@@ -22,6 +24,8 @@ SurfacePlan resolve_surfaces(const GraphicsSystem& system, const HiddenSurfaceOp
   if (!whole.scope) whole.scope = set.scope;
   if (!whole.precision) whole.precision = set.precision;
   if (!whole.hidden_lines) whole.hidden_lines = set.hidden_lines;
+  if (!whole.line_order) whole.line_order = set.line_order;
+  if (!whole.line_halo) whole.line_halo = set.line_halo;
   SurfacePlan plan = resolve_surfaces(whole);
   plan.intersections = contains(set.lines.kinds, LineKind::intersection);
   return plan;

@@ -54,6 +54,11 @@ HiddenLines ProgramLine::take<HiddenLines>() {
 }
 
 template <>
+LineOrder ProgramLine::take<LineOrder>() {
+  return understood(take_word(), line_order);
+}
+
+template <>
 Shading ProgramLine::take<Shading>() {
   return understood(take_word(), shading);
 }

@@ -20,6 +20,8 @@ HiddenScope ProgramLine::take<HiddenScope>();
 template <>
 HiddenLines ProgramLine::take<HiddenLines>();
 template <>
+LineOrder ProgramLine::take<LineOrder>();
+template <>
 Shading ProgramLine::take<Shading>();
 template <>
 SurfaceCurves ProgramLine::take<SurfaceCurves>();

@@ -319,6 +319,14 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
     counted<setting<&HiddenSurfaceSettings::hidden_lines>>(
         "set-hidden-lines", "none|dashed",
         "Whether hidden parts of lines are drawn dashed [none]."),
+    counted<setting<&HiddenSurfaceSettings::line_order>>(
+        "set-line-order", "entry|depth",
+        "Which of two lines that overlap in the picture is drawn over the other: the one entered "
+        "later, or the nearer one [entry]."),
+    counted<setting<&HiddenSurfaceSettings::line_halo>>(
+        "set-line-halo", "width",
+        "With line order depth, the gap beside a line where another one crosses in front of it, in "
+        "pixels [0]."),
     counted<setting<&HiddenSurfaceSettings::touching>>(
         "set-touching", "auto|off|LENGTH",
         "Distance within which polygons touch, for segments opened from now on: a polygon that "

@@ -28,6 +28,7 @@ void GraphicsSystem::State::require(const HiddenSurfaceSettings& settings) {
   if (settings.precision) require_precision(*settings.precision);
   if (settings.lines) require_selection(*settings.lines);
   if (settings.touching) require_touching(*settings.touching);
+  if (settings.line_halo) require_line_halo(*settings.line_halo);
   if (settings.method) {
     const HiddenMethod known = hidden_method(name_of(*settings.method));  // or refuses
     if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
@@ -65,6 +66,14 @@ void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceSettings& settings) 
   if (settings.hidden_lines) {
     s.surfaces_.hidden_lines = *settings.hidden_lines;
     s.record("set-hidden-lines", {name_of(*settings.hidden_lines)});
+  }
+  if (settings.line_order) {
+    s.surfaces_.line_order = *settings.line_order;
+    s.record("set-line-order", {name_of(*settings.line_order)});
+  }
+  if (settings.line_halo) {
+    s.surfaces_.line_halo = *settings.line_halo;
+    s.record("set-line-halo", {*settings.line_halo});
   }
   if (settings.lines) {
     if (!s.lines_replaced_) s.surfaces_.lines = *settings.lines;

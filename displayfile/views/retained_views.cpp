@@ -224,7 +224,8 @@ RetainedViews::RetainedViews(const RetainedScene& scene, const DisplayFile& attr
 
 bool RetainedViews::take_up(const SurfacePlan& plan) {
   const bool are_of = plan.scope == plan_.scope && plan.precision == plan_.precision &&
-                      plan.hidden_lines == plan_.hidden_lines && plan.root == plan_.root;
+                      plan.hidden_lines == plan_.hidden_lines && plan.root == plan_.root &&
+                      plan.orders_lines_as(plan_);
   const std::size_t limit = most_pieces_of_sort(plan, 0);
   const auto is_within = [&](const auto& part) { return part->pieces() <= limit; };
   if (!are_of || (limit < limit_ && !std::ranges::all_of(parts_, is_within))) return false;

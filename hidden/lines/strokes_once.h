@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "clip/surfaces.h"
 #include "hidden/lines/lines_on_lines.h"
 
 namespace displayfile {
@@ -25,6 +26,7 @@ struct StrokePart {
   double from, to;
   /// True if it joins no visible stroke: it is a crumb if it is shorter than the pen is wide.
   bool is_alone;
+  LineCuts cuts = {};  ///< the ends at which a nearer stroke cuts it
   bool is_whole() const { return from == 0.0 && to == 1.0; }
   /// The point at a fraction of the stroke from `start` to `end`.
   static Point3 at(const Point3& start, const Point3& end, double share) {

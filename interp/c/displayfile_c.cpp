@@ -68,6 +68,8 @@ DrawOptions draw_options(const df_options& options) {
   if (options.precision != nullptr) result.surfaces.precision = precision(options.precision);
   if (options.hidden_lines != nullptr)
     result.surfaces.hidden_lines = hidden_lines(options.hidden_lines);
+  if (options.line_order != nullptr) result.surfaces.line_order = line_order(options.line_order);
+  if (options.line_halo != 0.0) result.surfaces.line_halo = options.line_halo;
   if (options.device != nullptr) result.device = options.device;
   result.background = background_of(options);
   if (options.samples != 0) result.samples = options.samples;

@@ -202,6 +202,8 @@ typedef struct {
   int end_row;                 /**< and up to before this one, from the top; both 0: all */
   uint64_t most_comparisons;   /**< limit on comparisons of polygons and lines in one call */
   uint64_t most_bytes;         /**< limit on the memory of one operation's tables */
+  const char* line_order; /**< "entry" or "depth": which of two lines is drawn over the other */
+  double line_halo;       /**< with "depth": the gap beside the farther one, in pixels */
 } df_options;
 /** Values of df_options.background. */
 enum df_background {
@@ -213,7 +215,7 @@ enum df_background {
 #define DF_OPTIONS_INIT                                                                          \
   {                                                                                              \
     sizeof(df_options), 0, 0, NULL, NULL, NULL, NULL, NULL, 0, {0.0, 0.0, 0.0}, 0, 0, 0, 0.0, 0, \
-        0, 0, 0                                                                                  \
+        0, 0, 0, NULL, 0.0                                                                       \
   }
 
 /** Draws into the caller's memory, top row first.

@@ -67,6 +67,10 @@ MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, P
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are wanted
   if (is_colour_rule(method)) background.reset();                          // they hide at least
   MethodChoice chosen = choose_method(system.display_file(), kind, background);
+  const bool by_depth = plan.surfaces.line_order == LineOrder::depth;
+  if (by_depth && chosen.method == HiddenMethod::none) {
+    chosen = {HiddenMethod::franklin, "lines in order of depth, and no fills: visible lines only"};
+  }
   if (is_colour_rule(method)) chosen.method = colour_rule_by(chosen.method);
   return chosen;
 }

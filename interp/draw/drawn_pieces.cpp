@@ -2,6 +2,8 @@
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/segments/surface_plan.h"
 #include "interp/draw/draw.h"
+#include "interp/draw/picture_checks.h"
+#include "interp/draw/picture_plan.h"
 
 namespace displayfile {
 
@@ -11,7 +13,12 @@ namespace {
 const DisplayFile& in_order(const GraphicsSystem& system, const DrawOptions& options,
                             SortedDisplayFile& kept) {
   const HiddenMethod method = drawing_method(system, options, PictureKind::vector);
-  const DisplayFile& file = kept.update(system, method, options.surfaces);
+  PicturePlan picture{.options = options, .device = &first_device()};
+  picture.surfaces = resolve_surfaces(system, options.surfaces);
+  require_line_order_obeyed(method, picture, PictureKind::vector);
+  picture.surfaces.width = options.width;
+  picture.surfaces.height = options.height;
+  const DisplayFile& file = kept.update(system, options.surfaces, picture.surfaces, method);
   require_hidden_lines_dumped(file, method, options.surfaces);
   return file;
 }

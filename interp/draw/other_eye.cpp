@@ -26,6 +26,7 @@ auto settings_of(const GraphicsSystem& system) {
   return std::tuple(system.hidden_surfaces().removal, system.hidden_surfaces().z_buffer,
                     system.hidden_surfaces().method, system.hidden_surfaces().scope,
                     system.hidden_surfaces().precision, system.hidden_surfaces().hidden_lines,
+                    system.hidden_surfaces().line_order, system.hidden_surfaces().line_halo,
                     system.hidden_surfaces().lines, system.background(), system.aspect_ratio());
 }
 

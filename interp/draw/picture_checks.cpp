@@ -87,6 +87,46 @@ void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
   }
 }
 
+namespace {
+
+/// Why lines that overlap stay in the order of entry; empty if they do not.
+std::string why_not_by_depth(HiddenMethod method, const PicturePlan& plan, PictureKind kind) {
+  const HiddenMethod surfaces = surfaces_of(method);
+  if (!plan.is_on_first_device()) {
+    return fmt::format("the {} device draws lines in order of entry", plan.device->choice.name);
+  }
+  if (is_colour_rule(method)) {
+    return fmt::format("hidden-line method '{}' compares lines with fills alone", name_of(method));
+  }
+  if (surfaces == HiddenMethod::none || surfaces == HiddenMethod::back_face) {
+    return fmt::format("hidden-surface method '{}' draws in order of entry", name_of(method));
+  }
+  const bool sorts = surfaces == HiddenMethod::bsp || surfaces == HiddenMethod::plain_bsp ||
+                     surfaces == HiddenMethod::depth_sort;
+  if (sorts && kind == PictureKind::vector) {
+    return fmt::format("in vectors hidden-surface method '{}' draws lines among fills",
+                       name_of(method));
+  }
+  return "";
+}
+
+}  // namespace
+
+bool draws_lines_by_depth(HiddenMethod method, const PicturePlan& plan, PictureKind kind) {
+  return plan.surfaces.line_order == LineOrder::depth &&
+         why_not_by_depth(method, plan, kind).empty();
+}
+
+void require_line_order_obeyed(HiddenMethod method, const PicturePlan& plan, PictureKind kind) {
+  if (plan.options.surfaces.line_order != LineOrder::depth) return;
+  const std::string why = why_not_by_depth(method, plan, kind);
+  if (why.empty()) return;
+  throw Error(fmt::format("line order depth: {}: expected {}, or line order entry", why,
+                          plan.is_on_first_device()
+                              ? "z-buffer, franklin or another method that finds surfaces or lines"
+                              : fmt::format("the {} device", first_device().choice.name)));
+}
+
 void require_scope_of_view(const DrawOptions& options) {
   if (options.surfaces.scope != HiddenScope::segment) return;
   throw Error(
@@ -247,8 +287,30 @@ std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
   return all;
 }
 
+namespace {
+
+/// Settings of the application; the same options are refused.
+std::vector<std::string> line_settings_without_effect(const PicturePlan& plan) {
+  const bool by_depth = plan.surfaces.line_order == LineOrder::depth;
+  const std::string why = by_depth ? why_not_by_depth(plan.method, plan, plan.kind()) : "";
+  if (!why.empty()) return {"line order depth has no effect: " + why};
+  if (!by_depth && plan.surfaces.line_halo > 0.0) {
+    return {"a line halo has no effect: expected line order depth"};
+  }
+  const bool of_segments = plan.options.surfaces.scope == HiddenScope::segment;
+  if (by_depth && of_segments && is_object_space(plan.method)) {
+    return {"scope segment has no effect: line order depth takes all segments together"};
+  }
+  return {};
+}
+
+}  // namespace
+
 void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn) {
   if (!plan.options.warn) return;
+  for (const std::string& text : line_settings_without_effect(plan)) {
+    plan.options.warn({DrawWarning::Kind::no_effect, text});
+  }
   const bool by_device = plan.kind() == PictureKind::raster && !plan.is_on_first_device();
   for (const std::string& text :
        options_without_effect(plan.options.surfaces, plan.surfaces, plan.method, drawn,
@@ -312,6 +374,11 @@ void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& 
     }
     if (set.hidden_lines && *set.hidden_lines != order.hidden_lines()) {
       refuse_for_order("hidden lines", name_of(*set.hidden_lines), name_of(order.hidden_lines()));
+    }
+    const LineOrder lines =
+        order.sorted == nullptr ? LineOrder::entry : order.sorted->plan.line_order;
+    if (set.line_order && *set.line_order != lines) {
+      refuse_for_order("line order", name_of(*set.line_order), name_of(lines));
     }
     if (order.sorted == nullptr) continue;
     const Precision made = order.sorted->plan.precision;

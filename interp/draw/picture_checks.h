@@ -38,6 +38,12 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens);
 void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
                                 const PicturePlan& plan);
 
+/// True if lines that overlap are drawn in order of depth.
+bool draws_lines_by_depth(HiddenMethod method, const PicturePlan& plan, PictureKind kind);
+/// Throws Error if the options set line order `depth` and the method, or the device, draws in order
+/// of entry. (If the application set it, a warning says so.)
+void require_line_order_obeyed(HiddenMethod method, const PicturePlan& plan, PictureKind kind);
+
 /// Throws Error for scope `segment` in a view of a retained scene: all its segments are drawn
 /// together.
 void require_scope_of_view(const DrawOptions& options);

@@ -24,6 +24,7 @@ void require_numbers(const DrawOptions& options) {
     throw Error(
         fmt::format("{} samples along a pixel's side: expected 1 to {}", samples, kMostSamples));
   }
+  if (options.surfaces.line_halo) require_line_halo(*options.surfaces.line_halo);
   require_vector_options(options.vectors);
   require_picture_size(options.width, options.height);
   if (const auto& rows = options.rows;
@@ -79,6 +80,9 @@ DrawOptions PicturePlan::without_system() const {
   settled.surfaces.scope.reset();
   settled.surfaces.precision = surfaces.precision;
   settled.surfaces.hidden_lines = surfaces.hidden_lines;
+  settled.surfaces.line_order = surfaces.line_order;
+  const bool by_depth = surfaces.line_order == LineOrder::depth;
+  settled.surfaces.line_halo = by_depth ? surfaces.line_halo : 0.0;
   return settled;
 }
 
@@ -92,6 +96,16 @@ void require_root(const PicturePlan& plan) {
       fmt::format("a root of a BSP tree is set, and the hidden-surface method is {}: "
                   "expected bsp, or no root",
                   name_of(method)));
+}
+
+/// Sets the size of the picture in which lines overlap; a halo is part of an order by depth.
+void set_line_picture(PicturePlan& plan) {
+  plan.surfaces.width = plan.options.width;
+  plan.surfaces.height = plan.options.height;
+  const bool is_set = plan.options.surfaces.line_halo.value_or(0.0) > 0.0;
+  if (!is_set || plan.surfaces.line_order == LineOrder::depth) return;
+  throw Error(fmt::format("a line halo of {} pixels in line order entry: expected line order depth",
+                          plan.surfaces.line_halo));
 }
 
 /// Those in force, once the method is known. Only samples that were set can be refused.
@@ -123,6 +137,7 @@ PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
 PicturePlan resolve(const DrawOptions& options, const Destination* to) {
   PicturePlan plan = resolve_picture(options, to);
   require_root(plan);
+  set_line_picture(plan);
   plan.samples = samples_in_force(plan);
   return plan;
 }
@@ -152,7 +167,8 @@ bool sets_nothing_of_surfaces(const GraphicsSystem& system) {
 SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options) {
   SurfacePlan plan = resolve_surfaces(system, options.surfaces);
   if (options.surfaces.method || !sets_nothing_of_surfaces(system)) return plan;
-  if (!has_one_depth(system.display_file())) plan.method = HiddenMethod::automatic;
+  const bool by_depth = plan.line_order == LineOrder::depth;
+  if (by_depth || !has_one_depth(system.display_file())) plan.method = HiddenMethod::automatic;
   return plan;
 }
 
@@ -166,6 +182,7 @@ PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given
   PicturePlan plan = resolve_picture(options, to);
   plan.surfaces = surfaces_of_picture(system, options);
   require_root(plan);
+  set_line_picture(plan);
   plan.samples = samples_in_force(plan);
   plan.surfaces.shadows = plan.kind() == PictureKind::vector;
   return plan;

@@ -83,6 +83,7 @@ RasterRequest raster_request(const ViewedWorld& world, const PicturePlan& plan) 
 void require_drawn(const PicturePlan& plan) {
   require_drawable_by(plan.method, plan);
   require_hidden_lines_drawn(plan.surfaces.hidden_lines, plan.method, plan);
+  require_line_order_obeyed(plan.method, plan, plan.kind());
 }
 
 /// Lines are to be drawn where they are hidden, and the method draws in order of entry.
@@ -318,6 +319,7 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareR
                   const Draw& draw) {
   kept.take(in.scene, in.attributes);
   warn_if_stretched(in.view, in.settings, plan.options);
+  require_line_order_obeyed(plan.method, plan, plan.kind());
   warn_of_options_without_effect(plan, in.attributes);
   plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
@@ -499,6 +501,14 @@ DrawnPixel pixel_drawn(const GraphicsSystem& system, const DrawOptions& options,
   return drawn;
 }
 
+/// After it the software renderer has the lines of the picture.
+void draw_row_of_lines(const GraphicsSystem& system, const DrawOptions& options,
+                       const Picker::Pixel& at, const KeptForPictures& kept) {
+  DrawOptions row = row_of_pixel(options, at);
+  row.with_ids = row.with_depth = false;
+  kept.software.give_back(draw_in_memory(system, resolve(system, row), kept));
+}
+
 }  // namespace
 
 std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, double y,
@@ -522,6 +532,11 @@ std::optional<Pick> Renderer::pick(const GraphicsSystem& system, double x, doubl
   }
   const auto at = picker->pixel_at(x, y, reach);
   if (!at) return std::nullopt;
+  if (reach > 0.0 && draws_lines_by_depth(plan.method, plan, PictureKind::raster)) {
+    draw_row_of_lines(system, options, *at, {kept.sorted, kept.software, kept.of_scene});
+    if (const auto line = kept.software.line_at(size, *at, reach)) return line;
+    reach = 0.0;
+  }
   const ItemBufferIs item_buffer = item_buffer_of(system, plan);
   if (item_buffer == ItemBufferIs::truth) return picker->pick(*at, reach);
   if (finds_lines(plan.method)) {

@@ -128,6 +128,12 @@ const std::map<std::string_view, Read>& readers() {
        [](py::handle v, DrawOptions& o) {
          o.surfaces.hidden_lines = hidden_lines(word_in(v, "hidden_lines"));
        }},
+      {"line_order",
+       [](py::handle v, DrawOptions& o) {
+         o.surfaces.line_order = line_order(word_in(v, "line_order"));
+       }},
+      {"line_halo",
+       [](py::handle v, DrawOptions& o) { o.surfaces.line_halo = number_in(v, "line_halo"); }},
       {"scope",
        [](py::handle v, DrawOptions& o) { o.surfaces.scope = hidden_scope(word_in(v, "scope")); }},
       {"precision",
@@ -156,12 +162,6 @@ const std::map<std::string_view, Read>& readers() {
          o.pens = Pens{.hatching = hatching_in(v)};
          require_pens(*o.pens);
        }},
-      {"margin",
-       [](py::handle v, DrawOptions& o) {
-         if (!o.vectors.paper && !o.pens) {
-           throw Error("margin: expected it with paper, pens or hatch");
-         }
-         if (!o.vectors.paper) o.vectors.paper.emplace();
       {"pen_order",
        [](py::handle v, DrawOptions& o) {
          require_pens_before("pen_order", o);
@@ -173,6 +173,12 @@ const std::map<std::string_view, Read>& readers() {
          o.pens->layers = layers_in(v);
          require_pens(*o.pens);
        }},
+      {"margin",
+       [](py::handle v, DrawOptions& o) {
+         if (!o.vectors.paper && !o.pens) {
+           throw Error("margin: expected it with paper, pens or hatch");
+         }
+         if (!o.vectors.paper) o.vectors.paper.emplace();
          o.vectors.paper->margin = number_in(v, "margin");
        }},
       {"vector_precision",
@@ -222,7 +228,7 @@ DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
     }
   };
   read(false);
-  read(true);  // the paper is known by then
+  read(true);
   return options;
 }
 
@@ -355,7 +361,7 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
 }
 
 py::tuple pieces(System& self, const py::kwargs& keywords) {
-  const DrawOptions options = draw_options_in(py::int_(1), keywords);
+  const DrawOptions options = draw_options_in(py::int_(512), keywords);
   return arrays_of(
       self.work([&](GraphicsSystem& system, Renderer&) { return drawn_pieces(system, options); }));
 }

@@ -15,6 +15,8 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/user_routines/system_inside.h"
+#include "hidden/lines/strokes_by_depth.h"
+#include "hidden/lines/strokes_once.h"
 #include "interp/device/output_device.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
@@ -277,9 +279,46 @@ py::tuple arrays_found(const PiecesRequest& request) {
                         owned(std::move(is_hidden)), owned(std::move(pieces.cuts)));
 }
 
+/// Segments in the order of depth: of which each part is, its points, and which of its ends another
+/// segment cuts. x and y times `pixels` are pixels; equal `looks` continue each other.
+py::tuple segments_by_depth(py::handle segments, py::handle widths, py::handle looks,
+                            py::handle pixels, py::handle halo, py::handle apart) {
+  const std::vector<Point3> ends = segments_in(segments, "segments");
+  const std::vector<double> width = numbers_in(widths, "widths");
+  const std::vector<std::int32_t> look = whole_numbers_in(looks, "looks");
+  const std::vector<double> size = numbers_in(pixels, "pixels");
+  require_coordinates(ends);
+  if (2 * width.size() != ends.size() || look.size() != width.size() || size.size() != 2) {
+    throw Error("segments: expected a width and a look of each, and two numbers of pixels");
+  }
+  const double gap = number_in(halo, "halo");
+  require_line_halo(gap);
+  const StrokePicture picture{{size[0], size[1]}, number_in(apart, "apart")};
+  std::vector<DeepStroke> strokes;
+  for (std::size_t k = 0; k < width.size(); ++k) {
+    strokes.push_back({ends[2 * k], ends[2 * k + 1], width[k], static_cast<std::uint32_t>(look[k]),
+                       static_cast<std::uint32_t>(k)});
+  }
+  const std::vector<PartByDepth> parts =
+      without_interpreter([&] { return strokes_by_depth(strokes, picture, gap, 1); });
+  std::vector<std::int32_t> of;
+  std::vector<Point3> points;
+  std::vector<std::uint8_t> cuts;
+  for (const PartByDepth& part : parts) {
+    const DeepStroke& s = strokes[part.stroke];
+    of.push_back(static_cast<std::int32_t>(part.stroke));
+    points.push_back(StrokePart::at(s.from, s.to, part.from));
+    points.push_back(StrokePart::at(s.from, s.to, part.to));
+    cuts.push_back(part.cuts.at_start ? 1 : 0);
+    cuts.push_back(part.cuts.at_end ? 1 : 0);
+  }
+  return py::make_tuple(owned(std::move(of)), owned(std::move(points)), owned(std::move(cuts)));
+}
+
 }  // namespace
 
 void add_polygons(py::module_& module) {
+  module.def("_segments_by_depth", segments_by_depth);
   module.def("_pieces_of", [](py::handle polygons, py::handle sides, py::handle method,
                               py::handle threads, py::handle segments, py::handle whole,
                               py::handle touching) {

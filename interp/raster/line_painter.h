@@ -42,6 +42,11 @@ class LinePainter {
   void line(const DrawnLine& line, Plot&& plot) {
     draw_line(line, WholeLine(), plot);
   }
+  /// The part of a line that is_seen.
+  template <class Plot>
+  void line(const DrawnLine& line, const SeenOfLine& is_seen, Plot&& plot) {
+    draw_line(line, is_seen, plot);
+  }
 
   template <class Plot>
   void edges(const DrawnPolygon& polygon, Plot&& plot) {

@@ -7,6 +7,7 @@
 #include "displayfile/segments/drawn_strokes.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/scene_lines.h"
+#include "displayfile/segments/sorted_scene.h"
 
 namespace displayfile {
 
@@ -29,12 +30,37 @@ void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
   }
 }
 
+/// All lines, in the order of depth, without crumbs.
+void take_by_depth(LinesOverFills::Group& group, const FoundLines& found) {
+  const ViewedScene& scene = *group.scene;
+  const SurfacePlan& plan = group.wanted.plan;
+  const OrderedScene ordered{group.scene, lines_in_order(scene, found, plan.hidden_lines),
+                             StrokeOrder::of(plan)};
+  const SortedPieces& lines = ordered.pieces;
+  for (const StrokePart& part : ordered.strokes_of_picture()) {
+    const std::size_t k = lines.first_stroke + part.stroke;
+    const SortedPiece& piece = lines.pieces[k];
+    const Point3 &from = lines.points[piece.first], &to = lines.points[piece.first + 1];
+    LineStyle style = style_of_stroke(scene, piece.item, lines.visible[piece.first + 1]);
+    if (lines.is_hidden(k)) style = hidden_line_style(style);
+    const Point2 start(part.at(from, to, part.from)), end(part.at(from, to, part.to));
+    const bool is_crumb = is_shorter_than_wide(start, end, group.wanted.pixels, style.width);
+    if (part.is_alone && is_crumb) continue;
+    group.by_depth.push_back(
+        {{from, to, style}, part.from, part.to, lines.pick_item(piece), lines.is_hidden(k)});
+  }
+}
+
 LinesOverFills::Group lines_of(std::shared_ptr<const ViewedScene> scene,
                                const LinesOverFills::Wanted& wanted) {
-  LinesOverFills::Group group{std::move(scene), wanted, {}, {}, {}};
+  LinesOverFills::Group group{std::move(scene), wanted, {}, {}, {}, {}};
   if (!group.scene->has_lines()) return group;
   const SurfacePlan& plan = wanted.plan;
   const FoundLines found = find_lines(*group.scene, plan);
+  if (plan.line_order == LineOrder::depth) {
+    take_by_depth(group, found);
+    return group;
+  }
   if (plan.hidden_lines != HiddenLines::none || plan.intersections) take_strokes(group, found);
   group.pieces = pieces_of_picture(*group.scene, found, wanted.pixels);
   return group;
@@ -52,6 +78,10 @@ LinesOverFills::Wanted LinesOverFills::Wanted::beside(const SurfacePlan& fills,
   return {{.method = HiddenMethod::franklin,
            .precision = fills.precision,
            .hidden_lines = fills.hidden_lines,
+           .line_order = fills.line_order,
+           .line_halo = fills.line_halo,
+           .width = fills.width,
+           .height = fills.height,
            .intersections = fills.intersections,
            .threads = fills.threads,
            .most_pieces = most_pieces_in_force()},

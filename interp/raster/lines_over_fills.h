@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -9,6 +11,8 @@
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"
+#include "interp/device/interpreter.h"
+#include "interp/raster/line_painter.h"
 
 namespace displayfile {
 
@@ -34,6 +38,13 @@ class LinesOverFills {
     Point3 from, to;
     LineStyle style;
   };
+  /// A part of a line that is drawn in its place in the order of depth.
+  struct DeepPart {
+    Stroke stroke;
+    double from, to;     ///< the part, as fractions of it
+    std::uint32_t item;  ///< whose line it is
+    bool is_hidden = false;
+  };
   /// Lines of one scene, which lives as long as it is drawn.
   struct Group {
     std::shared_ptr<const ViewedScene> scene;
@@ -41,14 +52,26 @@ class LinesOverFills {
     std::vector<Stroke> hidden;         ///< drawn before the others
     std::vector<VisiblePiece> pieces;   ///< of the scene's lines
     std::vector<Stroke> intersections;  ///< their visible parts
+    /// With line order `depth` in place of all these: the one drawn last is nearest.
+    std::vector<DeepPart> by_depth;
 
-    bool is_nothing() const { return hidden.empty() && pieces.empty() && intersections.empty(); }
+    bool is_nothing() const {
+      return hidden.empty() && pieces.empty() && intersections.empty() && by_depth.empty();
+    }
     /// By a LinePainter.
     template <class Painter, class Plot>
     void draw(Painter& painter, double line_scale, const Plot& plot) const {
       painter.strokes(hidden, line_scale, plot);
       painter.seen(*scene, pieces, line_scale, plot);
       painter.strokes(intersections, line_scale, plot);
+      for (const DeepPart& part : by_depth) draw(part, painter, line_scale, plot);
+    }
+    template <class Painter, class Plot>
+    static void draw(const DeepPart& part, Painter& painter, double line_scale, const Plot& plot) {
+      const VisiblePiece seen{0, 0, part.from, part.to};
+      const LineStyle style = scaled(part.stroke.style, line_scale);
+      painter.line({part.stroke.from, part.stroke.to, style}, SeenOfLine(std::span(&seen, 1)),
+                   plot);
     }
   };
 

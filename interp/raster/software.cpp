@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -203,8 +204,10 @@ void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                                      const RasterRequest& request) {
   const SortedScene* const together = display_file.sorted().get();
   const bool in_image_space = is_image_space(request.surfaces.method);
-  const bool as_they_come = !in_image_space && together != nullptr &&
-                            (finds_lines(together->plan.method) || !has_lines(*together));
+  const bool as_they_come =
+      !in_image_space && together != nullptr &&
+      ((finds_lines(together->plan.method) && together->plan.line_order == LineOrder::entry) ||
+       !has_lines(*together));
   if (is_colour_rule(request.surfaces.method) || as_they_come) return lines_.clear();
   if (in_image_space) return lines_.take(scene_, wanted_of(request));
   if (together == nullptr)
@@ -320,6 +323,60 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
 std::size_t SoftwareRenderer::bytes_of_picture() const {
   const auto held = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
   return held(picture_.pixels) + held(picture_.ids) + held(picture_.depth);
+}
+
+namespace {
+
+/// The depth of the part at the pixel, if it is drawn there.
+std::optional<double> depth_shown(const LinesOverFills::DeepPart& part, const PictureSize& size,
+                                  const Picker::Pixel& at) {
+  std::optional<double> depth;
+  LinePainter painter({size, at.row, at.row + 1});
+  LinesOverFills::Group::draw(part, painter, 1.0, [&](int x, int, double z, std::uint32_t) {
+    if (x == at.column) depth = z;
+  });
+  return depth;
+}
+
+struct NearPart {
+  double distance, depth;
+};
+
+/// How far the part's axis is from the pixel's centre, in pixels, and its depth there.
+NearPart nearest_of(const LinesOverFills::DeepPart& part, const PictureSize& size,
+                    const Picker::Pixel& at) {
+  const Point2 pixels(size.width, size.height), centre(at.column + 0.5, at.row + 0.5);
+  const Point3 &from = part.stroke.from, &to = part.stroke.to;
+  const Point2 start = Point2(from) * pixels, way = Point2(to - from) * pixels;
+  const double squared = glm::dot(way, way);
+  const double along = squared > 0.0 ? glm::dot(centre - start, way) / squared : part.from;
+  const double t = std::clamp(along, part.from, part.to);
+  return {glm::distance(centre, start + t * way), from.z + t * (to.z - from.z)};
+}
+
+}  // namespace
+
+std::optional<Pick> SoftwareRenderer::line_at(const PictureSize& size, const Picker::Pixel& at,
+                                              double reach) const {
+  const LinesOverFills::Group* const group = lines_.all();
+  if (group == nullptr) return std::nullopt;
+  const auto pick = [&](const LinesOverFills::DeepPart& part, double depth) {
+    const ViewedScene& scene = *group->scene;
+    const bool is_line = scene.kind(part.item) == Primitives::Kind::line;
+    return Pick{is_line ? Pick::Kind::line : Pick::Kind::edge, scene.pick_of_item(part.item),
+                scene.segment_name(part.item), depth, std::nullopt};
+  };
+  std::optional<Pick> nearest;
+  double least = reach;
+  for (auto part = group->by_depth.rbegin(); part != group->by_depth.rend(); ++part) {
+    if (part->is_hidden) continue;
+    if (const auto depth = depth_shown(*part, size, at)) return pick(*part, *depth);
+    const NearPart near = nearest_of(*part, size, at);
+    if (near.distance > least || (nearest && near.distance == least)) continue;
+    least = near.distance;
+    nearest = pick(*part, near.depth);
+  }
+  return nearest;
 }
 
 std::shared_ptr<const ViewedScene> SoftwareRenderer::scene_of(

@@ -18,6 +18,7 @@
 #include "interp/raster/retained_casters.h"
 #include "interp/raster/shadows.h"
 #include "interp/visibility/image_space.h"
+#include "interp/visibility/picker.h"
 
 namespace displayfile {
 
@@ -57,6 +58,11 @@ class SoftwareRenderer {
     return draw(scene, request, KeptBetweenPictures{});
   }
   Picture take_picture() { return std::move(picture_); }
+  /// The line that the last picture, of that size and in line order depth, shows at a pixel, row 0
+  /// at the bottom: the one drawn last of those that cover its centre, or else the one whose axis
+  /// is nearest to it, within `reach` pixels. Hidden parts are not found. None also if there are no
+  /// lines.
+  std::optional<Pick> line_at(const PictureSize& size, const Picker::Pixel& at, double reach) const;
   /// A picture whose memory the next one may use.
   void give_back(Picture picture) { picture_ = std::move(picture); }
   std::size_t bytes_of_picture() const;  ///< held for the next one

@@ -15,6 +15,10 @@ export interface Options {
   /** "exact", or "roundoff=1e-9". */
   precision?: string;
   hiddenLines?: 'none' | 'dashed';
+  /** Which of two lines that overlap is drawn over the other: the one entered later, or the nearer. */
+  lineOrder?: 'entry' | 'depth';
+  /** With "depth": the gap beside a line where another one crosses in front of it, in pixels. */
+  lineHalo?: number;
   /** Red, green and blue in [0,1]; default: the application's. */
   background?: [number, number, number] | 'none';
   /** Samples per pixel side, 1 to 16; default 4, or as many as a picture of this size may have. */

@@ -89,7 +89,8 @@
       return value;
     };
     const kOptions = new Set(['width', 'height', 'method', 'scope', 'precision', 'hiddenLines',
-      'background', 'samples', 'mostPieces', 'mostSeconds', 'ids', 'depth', 'reach']);
+      'lineOrder', 'lineHalo', 'background', 'samples', 'mostPieces', 'mostSeconds', 'ids', 'depth',
+      'reach']);
 
     function options_in(lent, options = {}) {
       for (const name of Object.keys(options)) {
@@ -110,6 +111,8 @@
         samples: whole('samples', options.samples, 1, 16),
         most_pieces: whole('mostPieces', options.mostPieces, 1, Number.MAX_SAFE_INTEGER),
         most_seconds: options.mostSeconds,
+        line_order: lent.text(options.lineOrder),
+        line_halo: options.lineHalo,
       });
     }
 

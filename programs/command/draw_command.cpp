@@ -133,6 +133,20 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->type_name("WIDTH")
       ->group(kPictureOptions);
   command
+      .add_option("--line-order", line_order,
+                  "which of two lines that overlap in the picture is drawn over the other, "
+                  "overriding programs: the one entered later, or the nearer one, as in pictures "
+                  "of knots and pipes; depth takes all segments together [entry]")
+      ->type_name("entry|depth")
+      ->group(kPictureOptions);
+  command
+      .add_option("--halo", halo,
+                  "gap beside a line where another one crosses in front of it, overriding "
+                  "programs; needs line order depth; in pixels, in mm with --paper or --pens, or "
+                  "with a unit (1mm, 3pt, 4px); 0 for none [0]")
+      ->type_name("WIDTH")
+      ->group(kPictureOptions);
+  command
       .add_option("--turntable", turntable,
                   "N views at equal angles around the up axis: OUT.png becomes OUT-000.png, "
                   "OUT-001.png, ..., --ids and --depth likewise. All are drawn from one BSP tree, "
@@ -166,6 +180,18 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->group(kPictureOptions);
 }
 
+namespace {
+
+/// On the paper of the options, if they set one.
+PixelSize pixel_size_of(const DrawOptions& all) {
+  std::optional<Paper> sheet = all.vectors.paper;
+  if (!sheet && all.pens) sheet.emplace();
+  if (!sheet) return {};
+  return {fit_on_paper(*sheet, all.width, all.height).pixel, true};
+}
+
+}  // namespace
+
 /// With those that are words on the command line.
 DrawOptions DrawCommand::all_options() const {
   DrawOptions all = options;
@@ -178,6 +204,8 @@ DrawOptions DrawCommand::all_options() const {
   all.background = background.background();
   all.vectors = vectors.options();
   paper.read(all);
+  if (line_order) all.surfaces.line_order = displayfile::line_order(*line_order);
+  if (halo) all.surfaces.line_halo = halo_of_option(*halo, pixel_size_of(all));
   if (turntable && all.pens && !all.pens->hatching && !all.surfaces.method) {
     all.surfaces.method = HiddenMethod::franklin;
   }
@@ -196,14 +224,7 @@ ViewsDrawn DrawCommand::views_drawn() const {
   return {all, range.first, range.end};
 }
 
-/// On the paper of the options, if they set one.
-PixelSize DrawCommand::pixel_size() const {
-  const DrawOptions all = all_options();
-  std::optional<Paper> sheet = all.vectors.paper;
-  if (!sheet && all.pens) sheet.emplace();
-  if (!sheet) return {};
-  return {fit_on_paper(*sheet, all.width, all.height).pixel, true};
-}
+PixelSize DrawCommand::pixel_size() const { return pixel_size_of(all_options()); }
 
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;

@@ -92,6 +92,16 @@ double line_width_of_option(const std::string& word, const PixelSize& pixel) {
               "0.35mm, 1pt or 2px");
 }
 
+double halo_of_option(const std::string& word, const PixelSize& pixel) {
+  const std::string what = "--halo " + word;
+  const auto length = line_length_of(word);
+  if (length && length->value == 0.0) return 0.0;
+  if (length) return length->in_pixels(pixel, what);
+  throw Error(what +
+              ": expected a width, in pixels, in mm with --paper or --pens, or with a unit: 1mm, "
+              "3pt or 4px");
+}
+
 LineWords::LineWords(std::string_view text) {
   if (text.empty() || text.ends_with(',')) select(text.empty() ? text : "");
   for (std::string_view rest = text; !rest.empty();) read(part_before(rest, ','));

@@ -30,6 +30,8 @@ std::optional<LineLength> line_length_of(std::string_view word);
 /// What --line-width sets, in pixels. Throws Error, naming the option, for another word, and as
 /// in_pixels.
 double line_width_of_option(const std::string& word, const PixelSize& pixel);
+/// What --halo sets, likewise; it may be 0.
+double halo_of_option(const std::string& word, const PixelSize& pixel);
 
 /// The style of lines of one kind.
 struct StyleOfKind {

@@ -144,6 +144,8 @@ class CProgram {
     if (chance(10)) said.scope = one_of({"all", "segment", "none"});
     if (chance(10)) said.precision = one_of({"exact", "roundoff", "roundoff=1e-7", "roundoff=2"});
     if (chance(10)) said.hidden_lines = one_of({"dashed", "none", "dotted"});
+    if (chance(10)) said.line_order = one_of({"entry", "depth", "width"});
+    if (chance(10)) said.line_halo = number();
     if (chance(5)) said.device = one_of({"software", "plotter"});
     if (chance(10)) said.background = input_.below(5) - 1;
     if (chance(10)) said.background_colour[input_.below(3)] = number();

@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.path import Path
 from mpl_toolkits.mplot3d import Axes3D, art3d
 
+from . import _displayfile
 from . import _matplotlib_private as private
 from ._matplotlib_artists import (
     Lines,
@@ -66,7 +67,15 @@ def is_taken(artist: Any) -> bool:
 class Scene(Collection):  # type: ignore[misc]
     """Draws the polygons and lines of several artists, and tells which markers are hidden."""
 
-    def __init__(self, ax: Axes3D, artists: list[Any], method: str, lift: float) -> None:
+    def __init__(
+        self,
+        ax: Axes3D,
+        artists: list[Any],
+        method: str,
+        lift: float,
+        line_order: str,
+        halo: float,
+    ) -> None:
         super().__init__()
         self.axes = ax
         self.set_figure(ax.figure)
@@ -75,6 +84,7 @@ class Scene(Collection):  # type: ignore[misc]
         self.tints: dict[Any, Floats] = {}
         """What covers each marker: a colour, and how much of the marker's is left."""
         self._artists, self._method, self._lift = artists, method, lift
+        self._by_depth, self._halo = line_order == "depth", halo
         self._runs: list[PathCollection] = []
 
     def do_3d_projection(self) -> float:
@@ -118,7 +128,8 @@ class Scene(Collection):  # type: ignore[misc]
         whole_line = lines.segments, np.arange(len(lines.segments))
         if polygons.attributes is None:
             uncut = np.zeros((len(lines.segments), 2), bool)
-            add_polylines(self.axes, lines, *whole_line, uncut, styles, paths)
+            drawn = self._in_line_order(lines, *whole_line, uncut)
+            add_polylines(self.axes, lines, *drawn, styles, paths)
             return
         opaque = polygons.is_opaque()
         low, high = polygons.points.min(axis=0), polygons.points.max(axis=0)
@@ -169,9 +180,31 @@ class Scene(Collection):  # type: ignore[misc]
         if is_marker.any():
             self._tint_markers(polygons, pieces, of_item - count, is_marker, markers, shown)
         on_top = ~behind_part & ~of_marker
-        add_polylines(
-            self.axes, lines, parts[on_top] - raised, item[on_top], cuts[on_top], styles, paths
+        drawn = self._in_line_order(lines, parts[on_top] - raised, item[on_top], cuts[on_top])
+        add_polylines(self.axes, lines, *drawn, styles, paths)
+
+    def _in_line_order(
+        self, lines: Lines, parts: Floats, item: Indices, cuts: npt.NDArray[np.bool_]
+    ) -> tuple[Floats, Indices, npt.NDArray[np.bool_]]:
+        """Parts of segments, of which each is one, and their cut ends, in the order of drawing."""
+        if not self._by_depth or lines.attributes is None or len(item) < 2:
+            return parts, item, cuts
+        line = lines.line[item]
+        corners = self.axes.transData.transform([(0.0, 0.0), (1.0, 1.0)])
+        pixels_of_point = self.axes.figure.dpi / 72.0
+        limits = np.reshape(self.axes.get_w_lims(), (3, 2))
+        of, points, cut = _displayfile._segments_by_depth(
+            parts,
+            lines.attributes.width[line] * pixels_of_point,
+            line,
+            np.abs(corners[1] - corners[0]),
+            self._halo * pixels_of_point,
+            16 * rounding_of_projected(limits, self.axes.M),
         )
+        points = points.reshape(-1, 2, 3)
+        is_end = points == parts[of]
+        own = cuts[of] & is_end.all(axis=2)
+        return points, item[of], cut.reshape(-1, 2).astype(bool) | own
 
     def _tint_markers(
         self,

@@ -266,6 +266,8 @@ class System(_displayfile.System):
         hidden: str | None = ...,
         lines: str | None = ...,
         hidden_lines: str | None = ...,
+        line_order: str | None = ...,
+        line_halo: float | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
         background: _Colour | typing.Literal["none"] | None = ...,
@@ -286,6 +288,8 @@ class System(_displayfile.System):
         hidden: str | None = ...,
         lines: str | None = ...,
         hidden_lines: str | None = ...,
+        line_order: str | None = ...,
+        line_halo: float | None = ...,
         scope: str | None = ...,
         precision: str | None = ...,
         background: _Colour | typing.Literal["none"] | None = ...,
@@ -305,6 +309,8 @@ class System(_displayfile.System):
         hidden: str | None = None,
         lines: str | None = None,
         hidden_lines: str | None = None,
+        line_order: str | None = None,
+        line_halo: float | None = None,
         scope: str | None = None,
         precision: str | None = None,
         background: _Colour | typing.Literal["none"] | None = None,
@@ -330,6 +336,11 @@ class System(_displayfile.System):
                 segments are closed, so the value must equal the system's.
             hidden_lines: "none", or "dashed" to also draw hidden parts of lines. An Error if there
                 are some and the method, such as "none", draws in order of entry.
+            line_order: Which of two lines that overlap is drawn over the other: "entry", the one
+                entered later, or "depth", the nearer one. An Error if the method draws in order of
+                entry.
+            line_halo: With "depth", the gap beside a line where another one crosses in front of it,
+                in pixels; 0 for none.
             scope: "segment" or "all": what is sorted together.
             precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
             background: A colour, or "none" for a transparent one.
@@ -353,6 +364,8 @@ class System(_displayfile.System):
             depth=depth,
             hidden=hidden,
             hidden_lines=hidden_lines,
+            line_order=line_order,
+            line_halo=line_halo,
             scope=scope,
             precision=precision,
             background=background,
@@ -485,6 +498,10 @@ class System(_displayfile.System):
             hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or
                 a dictionary of spacing, angle (45 degrees), cross (True: dark fills get
                 perpendicular lines too), colour and width (0.3 mm).
+            pen_order: With pens or hatch, "travel", or "cut": what lies inside of closed contours
+                is drawn before them.
+            pen_layers: With pens or hatch, a list of colours: the pens with these colours come
+                first, in this order.
 
         Raises:
             Error: An option out of range, an unknown format, or a file that cannot be written.
@@ -495,13 +512,10 @@ class System(_displayfile.System):
         """Return the instructions of all segments.
 
         Args:
-            options: hidden, hidden_lines, scope, precision and threads, as in draw.
+            options: hidden, hidden_lines, line_order, line_halo, scope, precision and threads, as in
+                draw; lines overlap as in a picture of 512 x 512 pixels.
 
         Returns:
-            pen_order: With pens or hatch, "travel", or "cut": what lies inside of closed contours
-                is drawn before them.
-            pen_layers: With pens or hatch, a list of colours: the pens with these colours come
-                first, in this order.
             The text of the command's dump (displayfile/text/drawing_programs.md). It determines the
             drawing bit for bit.
         """
@@ -515,7 +529,8 @@ class System(_displayfile.System):
         visible.
 
         Args:
-            options: hidden, hidden_lines, scope, precision and threads, as in draw.
+            options: hidden, hidden_lines, line_order, line_halo, scope, precision and threads, as in
+                draw; lines overlap as in a picture of 512 x 512 pixels.
 
         Returns:
             Arrays of pieces of polygons and lines, in drawing order.

@@ -17,10 +17,17 @@ from ._matplotlib_scene import Markers, Scene, is_scatter, is_taken
 __all__ = ["Exact", "exact"]
 
 _METHODS = ("depth-sort", "bsp")
+_LINE_ORDERS = ("entry", "depth")
 
 
 def exact(
-    ax: Axes3D, *, method: str = "depth-sort", lift: float = 0.0, off: bool = False
+    ax: Axes3D,
+    *,
+    method: str = "depth-sort",
+    lift: float = 0.0,
+    line_order: str = "entry",
+    halo: float = 0.0,
+    off: bool = False,
 ) -> Exact:
     """Make the axes draw with exact visibility from now on.
 
@@ -32,6 +39,11 @@ def exact(
         method: "depth-sort", or "bsp", which cuts more.
         lift: Moves lines and markers toward the viewer by this fraction of the scene's depth. Lines
             and markers in a surface are visible without it.
+        line_order: Which of two lines that cross is drawn over the other: "entry", the later one,
+            or "depth", the nearer one. Lines behind translucent polygons stay in the order of
+            method.
+        halo: With "depth", the gap beside a line where another one crosses in front of it, in
+            points; 0 for none.
         off: Restore the axes.
 
     Returns:
@@ -47,12 +59,20 @@ def exact(
         raise Error(f"method '{method}': expected depth-sort or bsp")
     if not 0.0 <= lift < 1.0:
         raise Error(f"lift: {lift}: expected 0 or more, and less than 1")
+    if line_order not in _LINE_ORDERS:
+        raise Error(f"line_order '{line_order}': expected entry or depth")
+    if not 0.0 <= halo <= 1e4:
+        raise Error(f"halo: {halo}: expected 0 to 10000 points")
+    if halo > 0.0 and line_order == "entry":
+        raise Error(f"halo: {halo} with line_order 'entry': expected line_order depth")
     private.require_axes(ax)
     handle = getattr(vars(ax).get("draw"), "__self__", None)
     if not isinstance(handle, Exact):
         handle = Exact(ax)
     handle.method = method
     handle.lift = lift
+    handle.line_order = line_order
+    handle.halo = halo
     ax.stale = True
     if off:
         handle.remove()
@@ -67,6 +87,10 @@ class Exact:
     method: str
     """As in exact; it may be set."""
     lift: float
+    """As in exact; it may be set."""
+    line_order: str
+    """As in exact; it may be set."""
+    halo: float
     """As in exact; it may be set."""
 
     def __init__(self, ax: Axes3D) -> None:
@@ -94,7 +118,9 @@ class Exact:
         shown: list[Any] = []
         for entry in drawn:
             if isinstance(entry, list):
-                scene = Scene(ax, entry, self.method, self.lift)
+                scene = Scene(
+                    ax, entry, self.method, self.lift, self.line_order, self.halo
+                )
                 shown.append(scene)
                 shown += [Markers(scene, artist) for artist in entry if is_scatter(artist)]
             else:

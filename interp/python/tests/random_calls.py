@@ -395,6 +395,7 @@ class RandomCalls:
         options = [
             f"hidden={method}", "hidden_lines='dashed'", "scope='all'", "scope='segment'",
             "precision='roundoff'", "background=(0, 0, 0)", "background='none'", "lines=None",
+            "line_order='depth'", "line_order='x'", "line_halo=2", "line_halo=-1",
             "threads=2", "hidden=None", "hidden='magic'", "hidden=5", "hidden_lines='x'",
             "background=(1, 2, 3)", "background=[nan] * 3", "background=raising('__array__')",
             "threads=0", "threads=True", "lines='outline'", "lines='all'", "scope=b'all'",

@@ -284,6 +284,52 @@ def test_lines_in_faces_are_whole_without_a_lift(proj_type: str) -> None:
         assert (pictures[0] & pictures[1]).sum() > 0.98 * pictures[1].sum()
 
 
+def crossing_lines(**options: Any) -> Any:
+    """The red line, drawn later, is behind the blue one."""
+    ax = axes()
+    ax.view_init(90, -90)
+    ax.plot([-0.8, 0.8], [0.1, 0.1], [0.5, 0.5], color="blue", linewidth=6)
+    ax.plot([0.1, 0.1], [-0.8, 0.8], [-0.5, -0.5], color="red", linewidth=6)
+    exact(ax, **options)
+    return ax
+
+
+def test_of_lines_that_cross_the_nearer_one_is_over_the_farther_one() -> None:
+    for options, colour in [({}, "red"), ({"line_order": "depth"}, "blue")]:
+        ax = crossing_lines(**options)
+        # Where they cross in the picture: the nearer one's middle is over the other somewhere.
+        picture = pixels(ax)
+        red = (picture == rgb("red")).all(axis=2)
+        blue = (picture == rgb("blue")).all(axis=2)
+        column = int(np.median(np.flatnonzero(red.any(axis=0))))
+        row = int(np.median(np.flatnonzero(blue.any(axis=1))))
+        assert (red if colour == "red" else blue)[row, column]
+
+
+def test_a_halo_leaves_a_gap_in_the_farther_line() -> None:
+    ax = crossing_lines(line_order="depth", halo=4.0)
+    picture = pixels(ax)
+    red = (picture == rgb("red")).all(axis=2)
+    blue = (picture == rgb("blue")).all(axis=2)
+    column = int(np.median(np.flatnonzero(red.any(axis=0))))
+    rows = np.flatnonzero(red[:, column])
+    gap = np.diff(rows).max() - 1
+    # 4 points on both sides of a line of 6, and the pixels at its ends that are partly covered.
+    assert abs(gap - (2 * 4 + 6) * 100 / 72) <= 3
+    assert blue[:, column].sum() >= 6
+
+
+def test_a_surface_beside_lines_keeps_their_order() -> None:
+    ax = crossing_lines(line_order="depth")
+    ax.plot_surface(*SQUARE, np.full((2, 2), -0.9), color="white", shade=False)
+    picture = pixels(ax)
+    blue = (picture == rgb("blue")).all(axis=2)
+    rows = np.flatnonzero(blue.any(axis=1))
+    row = int(np.median(rows))
+    columns = np.flatnonzero(blue[row])
+    assert (np.diff(columns) == 1).all()  # not interrupted
+
+
 def test_dashes_go_on_behind_what_hides_a_part() -> None:
     ax = axes()
     ax.view_init(90, -90)
@@ -655,6 +701,14 @@ def test_copies_and_pickles_do_no_harm() -> None:
 
 
 def test_errors_say_what_is_wrong() -> None:
+    for options, words in [
+        ({"line_order": "deep"}, "line_order 'deep': expected entry or depth"),
+        ({"halo": 2.0}, "halo: 2.0 with line_order 'entry'"),
+        ({"line_order": "depth", "halo": -1.0}, "halo: -1.0: expected 0 to 10000 points"),
+        ({"line_order": "depth", "halo": float("nan")}, "halo: nan"),
+    ]:
+        with pytest.raises(displayfile.Error, match=words):
+            exact(axes(), **options)
     flat = pyplot.figure().add_subplot()
     with pytest.raises(displayfile.Error, match="exact: expected an Axes3D, not "):
         exact(flat)

@@ -9,9 +9,9 @@
 
 #include "interp/annotation/annotation_marks.h"
 #include "interp/device/interpreter.h"
-#include "interp/vector/pens/pen_annotation.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/cut_order.h"
+#include "interp/vector/pens/pen_annotation.h"
 #include "interp/vector/pens/pen_order.h"
 #include "interp/vector/pens/unique_strokes.h"
 

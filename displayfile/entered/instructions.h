@@ -148,6 +148,7 @@ class Instructions {
   std::size_t polygons() const { return polygons_; }
   std::size_t lines() const { return lines_; }
   bool has_texts() const { return !texts_.empty(); }
+  std::string_view characters() const { return characters_; }  ///< of all texts
   std::size_t codes() const { return op_.size(); }
   std::size_t points() const { return points_.size() + flat_points_.size(); }
   bool stores_z() const { return stores_z_; }

@@ -22,6 +22,7 @@ class Cairo {
 #define DISPLAYFILE_CAIRO(name) DISPLAYFILE_LIBRARY_FUNCTION(library_, cairo_, name)
   DISPLAYFILE_CAIRO(clip);
   DISPLAYFILE_CAIRO(close_path);
+  DISPLAYFILE_CAIRO(copy_path_flat);
   DISPLAYFILE_CAIRO(create);
   DISPLAYFILE_CAIRO(destroy);
   DISPLAYFILE_CAIRO(fill);
@@ -38,6 +39,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(mask);
   DISPLAYFILE_CAIRO(move_to);
   DISPLAYFILE_CAIRO(new_path);
+  DISPLAYFILE_CAIRO(path_destroy);
   DISPLAYFILE_CAIRO(pattern_add_color_stop_rgb);
   DISPLAYFILE_CAIRO(pattern_create_linear);
   DISPLAYFILE_CAIRO(pattern_destroy);
@@ -62,6 +64,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(set_line_width);
   DISPLAYFILE_CAIRO(set_source);
   DISPLAYFILE_CAIRO(set_source_rgb);
+  DISPLAYFILE_CAIRO(set_tolerance);
   DISPLAYFILE_CAIRO(show_page);
   DISPLAYFILE_CAIRO(show_text);
   DISPLAYFILE_CAIRO(status);
@@ -74,6 +77,7 @@ class Cairo {
   DISPLAYFILE_CAIRO(tag_begin);
   DISPLAYFILE_CAIRO(tag_end);
   DISPLAYFILE_CAIRO(text_extents);
+  DISPLAYFILE_CAIRO(text_path);
   DISPLAYFILE_CAIRO(translate);
 #undef DISPLAYFILE_CAIRO
 };

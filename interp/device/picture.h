@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -139,6 +140,22 @@ enum class PenOrder {
 };
 /// Reads `travel` or `cut`; throws Error for anything else.
 PenOrder pen_order(std::string_view text);
+/// How the letters of texts are drawn, which are otherwise written in a font of the system.
+struct Lettering {
+  static constexpr std::string_view kHershey = "hershey";
+  /// The name of a font of the system, such as DejaVu Serif; or `hershey`, or `hershey:NAME`, such
+  /// as hershey:scripts: the strokes of a Hershey font, in the width of the line style in force, of
+  /// Debian's package hershey-fonts-data.
+  std::string font = "sans-serif";
+  /// In vectors, letters as filled outlines, the same in every viewer; by pens as lines.
+  bool outlines = false;
+
+  bool is_of_strokes() const;
+  bool is_of_paths() const { return outlines || is_of_strokes(); }
+  bool operator==(const Lettering&) const = default;
+};
+/// Throws Error for a font that is no name; a Hershey font that is not installed; outlines of one.
+void require_lettering(const Lettering& lettering);
 
 /// Options for a pen plotter or laser cutter: a layer of lines for each pen, no line twice, in an
 /// order with short pen travel (interp/vector/pens/README.md).
@@ -149,6 +166,8 @@ struct Pens {
   /// use. A colour that no pen has is warned of.
   std::vector<Colour> layers{};
   bool crumbs = false;  ///< as VectorOptions::crumbs
+  /// Texts are drawn if this is of paths; their letters are areas otherwise.
+  Lettering lettering{};
   bool operator==(const Pens&) const = default;
 };
 /// Throws Error for lengths or angles out of range, and for a colour that is twice among the
@@ -174,6 +193,7 @@ struct VectorOptions {
   std::optional<Paper> paper = std::nullopt;
   bool crumbs = false;    ///< also draws isolated strokes shorter than they are wide
   bool pick_ids = false;  ///< SVG only: one named element per pick identifier
+  Lettering lettering{};  ///< as DrawOptions::lettering
 
   static constexpr double kFinestPrecision = 0.001, kCoarsestPrecision = 1.0;
 };

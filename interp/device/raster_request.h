@@ -25,8 +25,9 @@ struct RasterRequest {
   bool sorted = false;
   Background background = {};
   bool ids = false, depth = false;
-  bool crumbs = false;      ///< as DrawOptions::crumbs
-  bool texts = true;        ///< drawn over the pixels, which must be kept
+  bool crumbs = false;  ///< as DrawOptions::crumbs
+  bool texts = true;    ///< drawn over the pixels, which must be kept
+  Lettering lettering = {};
   double line_scale = 1.0;  ///< of the widths and dashes of lines
   /// Depths closer than this count as equal; none: exact.
   std::optional<double> roundoff() const {

@@ -59,8 +59,9 @@ struct DrawOptions {
   /// parts or hide nothing (draws_for_pens); `automatic` is franklin, or the map where fills are
   /// hatched.
   std::optional<Pens> pens = std::nullopt;
-  std::string ids = {};    ///< path of an item buffer as int32 .npy, if not empty
-  std::string depth = {};  ///< path of the visible fills' depth as float64 .npy, if not empty
+  Lettering lettering = {};  ///< of texts; by pens they are drawn if it is of paths
+  std::string ids = {};      ///< path of an item buffer as int32 .npy, if not empty
+  std::string depth = {};    ///< path of the visible fills' depth as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< fill these members of a Picture in memory
   VectorOptions vectors = {};
   /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched` and

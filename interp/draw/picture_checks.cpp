@@ -19,6 +19,7 @@
 #include "displayfile/text/output.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
+#include "interp/text/letter_paths.h"
 #include "interp/visibility/image_space.h"
 
 namespace displayfile {
@@ -315,6 +316,9 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
   for (const std::string& text :
        options_without_effect(plan.options.surfaces, plan.surfaces, plan.method, drawn,
                               by_device ? FoundBy::device : FoundBy::method)) {
+    plan.options.warn({DrawWarning::Kind::no_effect, text});
+  }
+  for (const std::string& text : lettering_warnings(plan.options.lettering, drawn)) {
     plan.options.warn({DrawWarning::Kind::no_effect, text});
   }
 }

@@ -26,6 +26,12 @@ void require_numbers(const DrawOptions& options) {
   }
   if (options.surfaces.line_halo) require_line_halo(*options.surfaces.line_halo);
   require_vector_options(options.vectors);
+  require_lettering(options.lettering);
+  if (options.pens && options.lettering.font != Lettering().font &&
+      !options.lettering.is_of_paths()) {
+    throw Error(fmt::format("font {} for pens: expected hershey, or texts as outlines",
+                            options.lettering.font));
+  }
   require_picture_size(options.width, options.height);
   if (const auto& rows = options.rows;
       rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {

@@ -33,6 +33,7 @@ RasterRequest raster_request(const PicturePlan& plan) {
   request.depth = options.with_depth || !options.depth.empty();
   request.background = options.background.value_or(Background{});
   request.crumbs = options.crumbs;
+  request.lettering = options.lettering;
   return request;
 }
 

@@ -55,7 +55,10 @@ class DisplayFileSource : public PictureSource {
         warn_(plan.options.warn),
         kept_(kept) {
     vectors_.crumbs |= plan.options.crumbs;
-    if (pens_) pens_->crumbs |= plan.options.crumbs;
+    vectors_.lettering = plan.options.lettering;
+    if (!pens_) return;
+    pens_->crumbs |= plan.options.crumbs;
+    pens_->lettering = plan.options.lettering;
   }
 
   Picture draw(const RasterRequest& request) const override {

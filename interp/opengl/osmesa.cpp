@@ -312,9 +312,11 @@ Picture draw_with_osmesa(const DisplayFile& display_file, const RasterRequest& r
   Picture picture = OsmesaBuffers(display_file, request, depth_bits).picture();
   if (request.texts) {
     paint_texts(seen_texts(display_file, is_image_space(request.surfaces.method)),
-                {request.width, request.height}, 0, request.height, picture);
+                {request.lettering, request.line_scale}, {request.width, request.height}, 0,
+                request.height, picture);
     paint_annotation(annotation_marks(display_file, annotation_page(request)), request.background,
-                     {request.width, request.height}, 0, request.height, picture);
+                     {request.lettering, request.line_scale}, {request.width, request.height}, 0,
+                     request.height, picture);
   }
   return picture;
 }

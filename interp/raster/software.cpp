@@ -311,9 +311,10 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
   } else {
     paint_in_order(*drawn.display_file, request, rows);
   }
-  paint_texts(texts_, {request.width, request.height}, rows.begin, rows.end, picture_);
-  paint_annotation(annotation_, request.background, {request.width, request.height}, rows.begin,
-                   rows.end, picture_);
+  paint_texts(texts_, {request.lettering, request.line_scale}, {request.width, request.height},
+              rows.begin, rows.end, picture_);
+  paint_annotation(annotation_, request.background, {request.lettering, request.line_scale},
+                   {request.width, request.height}, rows.begin, rows.end, picture_);
   if (spare) {
     std::swap(picture_.depth, spare_depth_);
     picture_.depth.clear();

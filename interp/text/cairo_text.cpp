@@ -1,29 +1,29 @@
 #include "interp/text/cairo_text.h"
 
+#include <fontconfig/fontconfig.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
 #include <numbers>
+#include <string_view>
+
+#include "clip/base/shared_library.h"
+#include "displayfile/text/characters.h"
 
 namespace displayfile {
 
 namespace {
-
-/// How much of a text's width stands left of its anchor.
-double part_before_anchor(TextStyle::Alignment alignment) {
-  switch (alignment) {
-    case TextStyle::Alignment::left: return 0.0;
-    case TextStyle::Alignment::centre: return 0.5;
-    case TextStyle::Alignment::right: break;
-  }
-  return 1.0;
-}
 
 void require_success(cairo_t* context) {
   require_cairo_success(cairo().status(context), "Cairo cannot draw a text");
 }
 
 /// Left to itself Cairo fits letters to pixels.
-void set_font(cairo_t* context, double size) {
-  cairo().select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+void set_font(cairo_t* context, const std::string& font, double size) {
+  cairo().select_font_face(context, font.c_str(), CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
   cairo().set_font_size(context, size);
   cairo_font_options_t* const options = cairo().font_options_create();
@@ -36,13 +36,14 @@ void set_font(cairo_t* context, double size) {
 
 }  // namespace
 
-CairoText::CairoText(cairo_t* context, const DeviceText& text, const Point2& anchor, double size)
+CairoText::CairoText(cairo_t* context, const std::string& font, const DeviceText& text,
+                     const Point2& anchor, double size)
     : context_(context), text_(text) {
   if (text.turn != 0.0) {
     const double angle = text.turn * std::numbers::pi / 180.0;
     along_ = {std::cos(angle), -std::sin(angle)};
   }
-  set_font(context, size);
+  set_font(context, font, size);
   cairo().text_extents(context, text.characters.c_str(), &extents_);
   require_success(context);
   const double before = part_before_anchor(text.style.alignment) * extents_.x_advance;
@@ -74,6 +75,120 @@ void CairoText::show() const {
   cairo().show_text(context_, text_.characters.c_str());
   cairo().restore(context_);
   require_success(context_);
+}
+
+namespace {
+
+/// The closed paths of a Cairo path, whose curves are lines already, moved.
+LetterPaths::Letter closed_paths(const cairo_path_t& path, const Point2& move) {
+  LetterPaths::Letter paths;
+  for (int i = 0; i < path.num_data; i += path.data[i].header.length) {
+    const cairo_path_data_t& entry = path.data[i];
+    if (entry.header.type == CAIRO_PATH_CLOSE_PATH) continue;
+    if (entry.header.type == CAIRO_PATH_MOVE_TO || paths.empty()) paths.emplace_back();
+    const auto& point = path.data[i + 1].point;
+    paths.back().push_back(Point2(point.x, point.y) + move);
+  }
+  for (auto& points : paths) {
+    if (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  }
+  std::erase_if(paths, [](const auto& points) { return points.size() < 3; });
+  return paths;
+}
+
+}  // namespace
+
+/// A letter's place is where those before it end, as show() has them. It is outlined at the origin:
+/// Cairo leaves letters out that are far from a context's surface.
+std::vector<LetterPaths::Letter> CairoText::outlines() const {
+  constexpr double kTolerance = 0.01;
+  const auto destroy = [](cairo_path_t* path) { cairo().path_destroy(path); };
+  cairo().set_tolerance(context_, kTolerance);
+  std::vector<LetterPaths::Letter> letters;
+  double x = start_.x;
+  for (std::string_view rest = text_.characters; !rest.empty();) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(rest), 1);
+    const std::string letter(rest.substr(0, length));
+    rest.remove_prefix(length);
+    cairo().new_path(context_);
+    cairo().move_to(context_, 0.0, 0.0);
+    cairo().text_path(context_, letter.c_str());
+    const std::unique_ptr<cairo_path_t, decltype(destroy)> path(cairo().copy_path_flat(context_));
+    require_success(context_);
+    require_cairo_success(path->status, "Cairo cannot outline a text");
+    letters.push_back(closed_paths(*path, {x, start_.y}));
+    cairo_text_extents_t extents;
+    cairo().text_extents(context_, letter.c_str(), &extents);
+    x += extents.x_advance;
+  }
+  return letters;
+}
+
+std::vector<LetterPaths::Letter> letter_outlines(const std::string& font, const DeviceText& text,
+                                                 const Point2& anchor, double size) {
+  const auto destroy_surface = [](cairo_surface_t* s) { cairo().surface_destroy(s); };
+  const auto destroy = [](cairo_t* c) { cairo().destroy(c); };
+  const std::unique_ptr<cairo_surface_t, decltype(destroy_surface)> surface(
+      cairo().image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const std::unique_ptr<cairo_t, decltype(destroy)> context(cairo().create(surface.get()));
+  return CairoText(context.get(), font, text, anchor, size).outlines();
+}
+
+namespace {
+
+/// Fontconfig, which Cairo finds fonts by.
+struct Fontconfig {
+  SharedLibrary library{"libfontconfig.so.1"};
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, PatternCreate);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, PatternAddString);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, PatternGetString);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, PatternDestroy);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, ConfigSubstitute);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, DefaultSubstitute);
+  DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, FontMatch);
+};
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// Any of the names that the pattern has for its family, in several languages.
+bool has_family(const Fontconfig& fc, FcPattern* pattern, const std::string& family) {
+  FcChar8* name = nullptr;
+  for (int i = 0; fc.PatternGetString(pattern, FC_FAMILY, i, &name) == FcResultMatch; ++i) {
+    const std::string found = reinterpret_cast<const char*>(name);
+    if (in_small_letters(found) == in_small_letters(family)) return true;
+  }
+  return false;
+}
+
+bool is_kind_of_font(const std::string& family) {
+  constexpr std::string_view kKinds[] = {"sans-serif", "sans",    "serif",
+                                         "monospace",  "cursive", "fantasy"};
+  return std::ranges::find(kKinds, family) != std::end(kKinds);
+}
+
+}  // namespace
+
+std::string font_in_place_of(const std::string& family) try {
+  if (is_kind_of_font(family)) return {};
+  static const Fontconfig fc;
+  const auto destroy = [](FcPattern* pattern) { fc.PatternDestroy(pattern); };
+  using Pattern = std::unique_ptr<FcPattern, decltype(destroy)>;
+  const Pattern wanted(fc.PatternCreate());
+  if (wanted == nullptr) return {};
+  fc.PatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
+  fc.ConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  fc.DefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const Pattern found(fc.FontMatch(nullptr, wanted.get(), &result));
+  if (found == nullptr || has_family(fc, found.get(), family)) return {};
+  FcChar8* name = nullptr;
+  if (fc.PatternGetString(found.get(), FC_FAMILY, 0, &name) != FcResultMatch) return {};
+  return reinterpret_cast<const char*>(name);
+} catch (const Error&) {  // there is no Fontconfig
+  return {};
 }
 
 }  // namespace displayfile

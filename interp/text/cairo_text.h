@@ -1,21 +1,28 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "clip/point.h"
 #include "clip/rectangle.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "interp/device/cairo.h"
+#include "interp/text/letter_paths.h"
 
 namespace displayfile {
 
-/// A text on a Cairo context, in the font "sans-serif", whose shapes and widths are the same at any
+/// A text on a Cairo context, in a font of the system, whose shapes and widths are the same at any
 /// size and place. Coordinates are the context's, y down.
 class CairoText {
  public:
   /// Sets the context's font. `size` is of the letters. Throws Error if Cairo fails.
-  CairoText(cairo_t* context, const DeviceText& text, const Point2& anchor, double size);
+  CairoText(cairo_t* context, const std::string& font, const DeviceText& text, const Point2& anchor,
+            double size);
 
   Rectangle ink() const;  ///< what the letters cover
   void show() const;      ///< in the context's source colour; throws Error if Cairo fails
+  /// Letter by letter. Throws Error if Cairo fails.
+  std::vector<LetterPaths::Letter> outlines() const;
 
  private:
   cairo_t* context_;

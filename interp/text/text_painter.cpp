@@ -70,12 +70,21 @@ std::uint32_t blended(std::uint32_t below, std::uint32_t colour, std::uint32_t c
 class TextPainter {
  public:
   /// The rows in memory, counted from the top.
-  TextPainter(const PictureSize& size, int top, int bottom, Picture& picture)
-      : size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
+  TextPainter(const DrawnLetters& letters, const PictureSize& size, int top, int bottom,
+              Picture& picture)
+      : letters_(letters), size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
 
   void paint(const DeviceText& text) const {
-    paint(on_page(text, measure_.context()).ink(), pixel_of(text.line.colour),
-          [&](cairo_t* context) { on_page(text, context).show(); });
+    if (!letters_.lettering.is_of_strokes()) {
+      return paint(on_page(text, measure_.context()).ink(), pixel_of(text.line.colour),
+                   [&](cairo_t* context) { on_page(text, context).show(); });
+    }
+    const auto paths = letter_paths(letters_.lettering, text, anchor(text), size(text));
+    const double width = paths->stroke.width * letters_.line_scale;
+    Rectangle ink = paths->around();
+    ink = {ink.x_min - width, ink.x_max + width, ink.y_min - width, ink.y_max + width};
+    paint(ink, pixel_of(text.line.colour),
+          [&](cairo_t* context) { stroke(*paths, width, context); });
   }
   void paint(const AnnotationMark& mark, const Background& background) const {
     using enum AnnotationMark::Kind;
@@ -125,11 +134,26 @@ class TextPainter {
     cairo().stroke(context);
   }
 
+  Point2 anchor(const DeviceText& text) const {
+    return {text.anchor.x * size_.width, size_.height - text.anchor.y * size_.height};
+  }
+  double size(const DeviceText& text) const { return text.style.size * size_.height; }
   CairoText on_page(const DeviceText& text, cairo_t* context) const {
-    return {context,
-            text,
-            {text.anchor.x * size_.width, size_.height - text.anchor.y * size_.height},
-            text.style.size * size_.height};
+    return {context, letters_.lettering.font, text, anchor(text), size(text)};
+  }
+
+  static void stroke(const LetterPaths& paths, double width, cairo_t* context) {
+    cairo().set_line_width(context, width);
+    cairo().set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+    cairo().set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo().new_path(context);
+    for (const LetterPaths::Letter& letter : paths.letters) {
+      for (const auto& points : letter) {
+        cairo().move_to(context, points[0].x, points[0].y);
+        for (const Point2& p : points) cairo().line_to(context, p.x, p.y);
+      }
+    }
+    cairo().stroke(context);
   }
 
   template <class Draw>
@@ -147,6 +171,7 @@ class TextPainter {
     }
   }
 
+  DrawnLetters letters_;
   PictureSize size_;
   Tile held_;
   Picture& picture_;
@@ -166,19 +191,20 @@ void require_cairo(std::string_view what) {
 
 }  // namespace
 
-void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
-                 int end_row, Picture& rows) {
+void paint_texts(std::span<const DeviceText> texts, const DrawnLetters& letters,
+                 const PictureSize& size, int first_row, int end_row, Picture& rows) {
   if (texts.empty()) return;
   require_cairo("texts");
-  const TextPainter painter(size, size.height - end_row, size.height - first_row, rows);
+  const TextPainter painter(letters, size, size.height - end_row, size.height - first_row, rows);
   for (const DeviceText& text : texts) painter.paint(text);
 }
 
 void paint_annotation(std::span<const AnnotationMark> marks, const Background& background,
-                      const PictureSize& size, int first_row, int end_row, Picture& rows) {
+                      const DrawnLetters& letters, const PictureSize& size, int first_row,
+                      int end_row, Picture& rows) {
   if (marks.empty()) return;
   require_cairo("annotations");
-  const TextPainter painter(size, size.height - end_row, size.height - first_row, rows);
+  const TextPainter painter(letters, size, size.height - end_row, size.height - first_row, rows);
   for (const AnnotationMark& mark : marks) painter.paint(mark, background);
 }
 

@@ -10,13 +10,19 @@
 
 namespace displayfile {
 
+/// How letters are drawn: widths of strokes are multiplied by line_scale.
+struct DrawnLetters {
+  const Lettering& lettering;
+  double line_scale = 1.0;
+};
+
 /// Paints texts, in their order, over rows first_row <= j < end_row of a picture of that size,
 /// which are all that is in memory of it. Letters are antialiased, by Cairo; no other pixel
 /// changes, nor do identifiers and depths. The pixels are the same whichever rows are in memory.
 /// Throws Error if there is a text and this system has no Cairo; if there is none, it is not
 /// looked for.
-void paint_texts(std::span<const DeviceText> texts, const PictureSize& size, int first_row,
-                 int end_row, Picture& rows);
+void paint_texts(std::span<const DeviceText> texts, const DrawnLetters& letters,
+                 const PictureSize& size, int first_row, int end_row, Picture& rows);
 
 /// The picture in which annotation is laid out, in its samples.
 inline AnnotationPage annotation_page(const RasterRequest& request) {
@@ -26,6 +32,7 @@ inline AnnotationPage annotation_page(const RasterRequest& request) {
 
 /// The same for annotation; `background` is the picture's.
 void paint_annotation(std::span<const AnnotationMark> marks, const Background& background,
-                      const PictureSize& size, int first_row, int end_row, Picture& rows);
+                      const DrawnLetters& letters, const PictureSize& size, int first_row,
+                      int end_row, Picture& rows);
 
 }  // namespace displayfile

@@ -208,8 +208,8 @@ std::vector<std::string> SvgDevice::style_rules() const {
   for (const auto& [key, number] : text_classes_) {
     const auto [pixel, size, alignment] = key;
     std::string& rule = texts[number - 1];
-    rule =
-        fmt::format(".t{}{}{{fill:{};font-family:sans-serif;font-size:", number, kOwn, hex(pixel));
+    rule = fmt::format(".t{}{}{{fill:{};font-family:{};font-size:", number, kOwn, hex(pixel),
+                       css_font(options().lettering.font));
     append_coordinate(rule, size);
     rule += fmt::format("px;text-anchor:{}}}\n", text_anchor(alignment));
   }

@@ -283,7 +283,7 @@ void VectorDevice::draw_texts(const DisplayFile& display_file) {
       if (segment != 0) end_segment();
       begin_segment(segment = text.segment);
     }
-    paint_text(text, anchor, text.style.size * height_);
+    paint_letters(text, anchor);
   }
   if (segment != 0) end_segment();
 }
@@ -305,7 +305,7 @@ void VectorDevice::draw_annotation(const DisplayFile& display_file, double milli
 void VectorDevice::paint_mark(const AnnotationMark& mark) {
   using enum AnnotationMark::Kind;
   if (mark.kind == text) {
-    return paint_text(mark.text, to_page(mark.text.anchor), mark.text.style.size * height_);
+    return paint_letters(mark.text, to_page(mark.text.anchor));
   }
   path_.clear();
   path_.start(mark.kind != AnnotationMark::Kind::line || mark.closed);
@@ -316,6 +316,26 @@ void VectorDevice::paint_mark(const AnnotationMark& mark) {
   }
   if (mark.kind == blank && background_.kind == Background::Kind::none) return;
   paint_fill(path_, {pixel_of(mark.kind == blank ? background_.colour : mark.colour)}, false);
+}
+
+/// As paths, or in a font.
+void VectorDevice::paint_letters(const DeviceText& text, const Point2& anchor) {
+  const double size = text.style.size * height_;
+  const auto letters = letter_paths(options_.lettering, text, anchor, size);
+  if (!letters) return paint_text(text, anchor, size);
+  for (const LetterPaths::Letter& letter : letters->letters) {
+    path_.clear();
+    for (const auto& points : letter) {
+      path_.start(letters->are_outlines);
+      path_.points.insert(path_.points.end(), points.begin(), points.end());
+    }
+    if (path_.empty()) continue;
+    if (letters->are_outlines) {
+      paint_fill(path_, {pixel_of(letters->stroke.colour)}, false);
+    } else {
+      paint_lines(path_, letters->stroke, kDrawn, LineCap::round);
+    }
+  }
 }
 
 void VectorDevice::finish_lines() {

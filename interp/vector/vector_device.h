@@ -10,6 +10,7 @@
 #include "displayfile/segments/viewed_scene.h"
 #include "interp/annotation/annotation_marks.h"
 #include "interp/device/output_device.h"
+#include "interp/text/letter_paths.h"
 #include "interp/vector/disjoint_fills.h"
 #include "interp/vector/polygon_paints.h"
 
@@ -106,6 +107,7 @@ class VectorDevice : public OutputDevice {
   bool near_the_page(const Point2& p, double reach) const;
   FillPaint paint_of(const DrawnPolygon& polygon);
   void paint_mark(const AnnotationMark& mark);
+  void paint_letters(const DeviceText& text, const Point2& anchor);
   void paint_edges(const DrawnPolygon& polygon, LineKinds kinds);
   void paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds);
   void add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds);

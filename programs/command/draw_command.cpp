@@ -203,6 +203,7 @@ DrawOptions DrawCommand::all_options() const {
   all.surfaces = hidden_surfaces.options(options.surfaces.threads);
   all.background = background.background();
   all.vectors = vectors.options();
+  all.lettering = vectors.lettering();
   paper.read(all);
   if (line_order) all.surfaces.line_order = displayfile::line_order(*line_order);
   if (halo) all.surfaces.line_halo = halo_of_option(*halo, pixel_size_of(all));

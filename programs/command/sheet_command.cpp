@@ -196,6 +196,14 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("DATE")
       ->group(kPictureOptions);
   command
+      .add_option("--font", font,
+                  "font of texts in .svg and .pdf, by the name that the system has for it; or "
+                  "hershey, or hershey:NAME: letters as strokes, in .dxf too (Debian: "
+                  "hershey-fonts-data)")
+      ->type_name("NAME|hershey[:NAME]")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command
       .add_option("--threads", threads,
                   "maximum number of threads; the sheet does not depend on it")
       ->type_name("N")
@@ -208,7 +216,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
 int SheetCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
-  require_sheet_file(output);
+  require_sheet_file(output, font);
   require_files_of_their_own({output}, inputs, lists);
   SheetWords words;
   read_paper(paper, margin, words);
@@ -252,7 +260,8 @@ int SheetCommand::run() {
         inputs.front());
   }
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
-  const DrawingSheet sheet = arrange(views, words, chosen);
+  DrawingSheet sheet = arrange(views, words, chosen);
+  sheet.font = font;
   write_sheet(sheet, output);
   for (const std::string& field : sheet.shortened) {
     warnings() << fmt::format("{}: too long for the title block, shortened: {}\n", output, field);

@@ -13,6 +13,7 @@ namespace displayfile {
 struct SheetCommand {
   std::vector<std::string> inputs;
   std::string output, paper = "a3", scale, projection = "third", unit = "mm", title, date, up;
+  std::string font = "sans-serif";
   std::string lines = "outline,boundary,crease";
   std::vector<std::string> sections;
   double margin = 10.0, hatch = 2.0;

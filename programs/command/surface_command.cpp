@@ -188,6 +188,7 @@ DrawOptions SurfaceCommand::drawing() const {
   drawing.samples = samples;
   drawing.background = background.background();
   drawing.vectors = vectors.options();
+  drawing.lettering = vectors.lettering();
   paper.read(drawing);
   return drawing;
 }

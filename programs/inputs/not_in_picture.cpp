@@ -31,12 +31,13 @@ void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options
     if (options.vectors.pick_ids) add(kElements);
     if (options.vectors.seams != VectorOptions().seams) add(kSeams);
     if (options.vectors.precision != VectorOptions().precision) add(kPrecision);
+    if (options.lettering.outlines) add(kOutlines);
     const bool by_other_device = options.device != DrawOptions().device;
     if (by_other_device && system.display_file().has_shadows()) add(kShadowsOfDevice);
   }
   if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
-  if (options.pens && drawn.has_texts()) add(kTexts);
+  if (options.pens && drawn.has_texts() && !options.lettering.is_of_paths()) add(kTexts);
   const HiddenMethod by = drawing_method(system, options, kind);
   const bool fills = !finds_lines(by) && (!options.pens || options.pens->hatching);
   if (fills && has_stored(drawn, &Instructions::stored_normals)) add(kPhong);
@@ -68,7 +69,9 @@ void NotInPicture::warn(const std::string& output) const {
   if (has(kPhong)) left_out.emplace_back("Phong shading (drawn as Gouraud shading)");
   if (has(kShadows)) left_out.emplace_back("shadows (those of map are drawn, of all segments)");
   if (has(kSamples)) left_out.emplace_back("--samples");
-  if (has(kTexts)) left_out.emplace_back("texts, whose letters no pen draws");
+  if (has(kTexts)) {
+    left_out.emplace_back("texts, which pens draw with --font hershey or --text outlines");
+  }
   if (has(kPickIds)) left_out.emplace_back("--pick-ids, which name fills of map");
   if (!left_out.empty()) {
     warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
@@ -77,6 +80,7 @@ void NotInPicture::warn(const std::string& output) const {
   if (has(kElements)) not_in_pixels.emplace_back("--pick-ids");
   if (has(kSeams)) not_in_pixels.emplace_back("--seams");
   if (has(kPrecision)) not_in_pixels.emplace_back("--vector-precision");
+  if (has(kOutlines)) not_in_pixels.emplace_back("--text outlines");
   if (has(kShadowsOfDevice)) not_in_pixels.emplace_back("shadows, which osmesa does not draw");
   if (not_in_pixels.empty()) return;
   warnings() << fmt::format("{}: pixels leave out {}\n", output, fmt::join(not_in_pixels, ", "));

@@ -36,6 +36,7 @@ class NotInPicture {
     kSeams = 128,
     kPrecision = 256,
     kShadowsOfDevice = 512,
+    kOutlines = 1024,  // of letters, in pixels
   };
   void add(LeftOut what) { left_out_ |= what; }
   bool has(LeftOut what) const { return (left_out_ & what) != 0; }

@@ -10,9 +10,12 @@
 namespace displayfile {
 
 bool pens_draw_nothing(const DisplayFile& drawn, const DrawOptions& options) {
-  return options.pens && !has_pen_strokes(drawn, options.width, options.height,
-                                          options.vectors.paper.value_or(Paper{}), *options.pens,
-                                          options.background.value_or(Background{}));
+  if (!options.pens) return false;
+  Pens pens = *options.pens;
+  pens.lettering = options.lettering;
+  return !has_pen_strokes(drawn, options.width, options.height,
+                          options.vectors.paper.value_or(Paper{}), pens,
+                          options.background.value_or(Background{}));
 }
 
 void warn_that_pens_draw_nothing(const std::string& output, const DrawOptions& options) {

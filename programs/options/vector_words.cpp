@@ -26,6 +26,41 @@ void VectorWords::add_to(CLI::App& command) {
           "--pick-ids", pick_ids,
           "visible surfaces in .svg: one element per pick identifier, with data-pick and a title")
       ->group(kVectorOptions);
+  command
+      .add_option("--font", font,
+                  "font of texts, by the name that the system has for it; or hershey, or "
+                  "hershey:NAME such as hershey:scripts: letters as strokes, also with --pens, in "
+                  "the width of the line style (Debian: hershey-fonts-data) [sans-serif]")
+      ->type_name("NAME|hershey[:NAME]")
+      ->group(kPictureOptions);
+  command
+      .add_option(
+          "--text", text,
+          "letters in vectors: text, in the viewer's font, or outlines, the same everywhere "
+          "and for --pens [text]")
+      ->type_name("text|outlines")
+      ->group(kVectorOptions);
+}
+
+Lettering VectorWords::lettering() const {
+  Lettering lettering;
+  if (!font.empty()) lettering.font = font;
+  lettering.outlines = text == "outlines";
+  if (!text.empty() && text != "text" && !lettering.outlines) {
+    throw Error("--text " + text + ": expected text or outlines");
+  }
+  require_lettering_of_option(lettering);
+  return lettering;
+}
+
+void require_lettering_of_option(const Lettering& lettering) {
+  try {
+    require_lettering(lettering);
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    const bool names_option = what.starts_with("font ");
+    throw Error((names_option ? "--" : "--font " + lettering.font + ": ") + what);
+  }
 }
 
 VectorOptions VectorWords::options() const {

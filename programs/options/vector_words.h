@@ -11,10 +11,16 @@ namespace displayfile {
 struct VectorWords {
   std::string precision, seams;
   bool pick_ids = false;
+  std::string font, text;
 
   void add_to(CLI::App& command);
+  /// What --font and --text set. Throws Error for an unknown word, or as require_lettering.
+  Lettering lettering() const;
   /// Throws Error for an unknown word, or for a precision out of its range.
   VectorOptions options() const;
 };
+
+/// Throws Error as require_lettering does, naming the option --font.
+void require_lettering_of_option(const Lettering& lettering);
 
 }  // namespace displayfile

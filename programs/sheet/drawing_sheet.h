@@ -47,6 +47,7 @@ struct DrawingSheet {
   std::string title;
   std::vector<Line> lines;
   std::vector<Text> texts;
+  std::string font = "sans-serif";  ///< of texts, or hershey, as in Lettering
   std::vector<std::string>
       shortened;  ///< what the title block has of fields that it has no room for
 };
@@ -56,8 +57,9 @@ inline constexpr double kCapitalsOfFont = 0.72;
 /// Writes a sheet in the format that the file's name ends in: .svg, .pdf or .dxf; whole or not at
 /// all. Throws Error if it cannot.
 void write_sheet(const DrawingSheet& sheet, const std::string& file);
-/// Throws Error for another ending, or one whose library this build lacks.
-void require_sheet_file(const std::string& file);
+/// Throws Error for another ending, one whose library this build lacks, or a font that is none, or
+/// not hershey for DXF, whose texts are in the font of its reader.
+void require_sheet_file(const std::string& file, const std::string& font);
 
 void write_sheet_svg(const DrawingSheet& sheet, const std::string& file);
 void write_sheet_pdf(const DrawingSheet& sheet, const std::string& file);

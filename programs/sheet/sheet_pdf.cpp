@@ -25,7 +25,7 @@ void draw_lines(const DrawingSheet& sheet, SheetLayer layer, cairo_t* context) {
 }
 
 void draw_texts(const DrawingSheet& sheet, cairo_t* context) {
-  cairo().select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+  cairo().select_font_face(context, sheet.font.c_str(), CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
   for (const auto& text : sheet.texts) {
     cairo().set_font_size(context, text.height / kCapitalsOfFont);

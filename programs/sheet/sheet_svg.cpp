@@ -59,7 +59,7 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
         SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
     write_layer(sheet, layer, out);
   }
-  out << "</g>\n<g font-family=\"sans-serif\">\n";
+  fmt::print(out, "</g>\n<g font-family=\"{}\">\n", css_font(sheet.font));
   for (const auto& text : sheet.texts) {
     fmt::print(out, "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\"{}>{}</text>\n", text.at.x,
                sheet.height - text.at.y, text.height / kCapitalsOfFont,

@@ -493,6 +493,9 @@ class System(_displayfile.System):
             seams: "trapped", or "butted" for smaller files, in which the background may show
                 between neighbours.
             pick_ids: True: one element with a title per pick identifier, in SVG.
+            font: The font of texts, by the name that the system has for it; or "hershey", or
+                "hershey:NAME", for strokes (Debian: hershey-fonts-data); for pixels too.
+            text: "outlines": letters as outlines, the same in every viewer; default "text".
             pens: True: strokes only, none drawn twice, in layers by pen and ordered for short
                 travel, for plotters and laser cutters; on A4 unless paper is set.
             hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or

@@ -405,7 +405,8 @@ class RandomCalls:
         if of_vectors:
             options += [
                 "paper='A4'", "paper='A99'", "seams='butted'", "vector_precision=0.1", "pick_ids=True",
-                "vector_precision=nan", "vector_precision=-1", "seams='x'", "paper=4",
+                "font='serif'", "font='a;b'", "text='outlines'", "text=3", "paper=4",
+                "vector_precision=nan", "vector_precision=-1", "seams='x'",
             ]  # fmt: skip
         else:
             options += [

@@ -54,6 +54,7 @@ class AnnotationStrokes {
   }
   void letters() {
     const DeviceText& text = mark_.text;
+    if (device_.draw_text(text)) return;
     const double turn = text.turn * std::numbers::pi / 180.0;
     const Point2 along(std::cos(turn), std::sin(turn)), up(-along.y, along.x);
     const Point2 anchor(text.anchor.x * picture_.x, text.anchor.y * picture_.y);

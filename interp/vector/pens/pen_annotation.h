@@ -8,8 +8,9 @@
 
 namespace displayfile {
 
-/// Draws annotation by a pen as wide as its lines: areas by lines close together, texts in stroke
-/// letters. Blank areas, which hide the figure, are not drawn. `picture` is its size in pixels.
+/// Draws annotation by a pen as wide as its lines: areas by lines close together, texts in the
+/// lettering that is set, or stroke letters where that fills areas. Blank areas, which hide the
+/// figure, are not drawn. `picture` is its size in pixels.
 void draw_annotation(std::span<const AnnotationMark> marks, const Point2& picture,
                      PenDevice& device);
 

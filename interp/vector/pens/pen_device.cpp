@@ -8,6 +8,8 @@
 #include "clip/corners.h"
 #include "displayfile/entered/instructions.h"
 #include "interp/device/picture.h"
+#include "interp/text/letter_paths.h"
+#include "interp/text/seen_texts.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/sheet_point.h"
 #include "interp/vector/pens/stroke_chains.h"
@@ -35,6 +37,7 @@ std::int32_t units_of_width(double millimetres) {
 PenDevice::PenDevice(const Picture& picture, const Pens& pens, const Colour& background)
     : picture_(picture),
       crumbs_(pens.crumbs),
+      lettering_(pens.lettering),
       darkness_(background, pen_on(background, pens.hatching)) {
   const std::optional<Hatching>& hatching = pens.hatching;
   const PaperFit& fit = picture.fit;
@@ -67,8 +70,8 @@ std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
   return collected_[last_].strokes;
 }
 
-void PenDevice::add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const {
-  const Point2 a = on_sheet(from), b = on_sheet(to);
+/// From a point of the sheet to another.
+void PenDevice::add(const Point2& a, const Point2& b, std::vector<Stroke>& strokes) const {
   if (!is_finite(a) || !is_finite(b)) return;
   const auto inside = part_in_rectangle(a, b, frame_);
   if (!inside) return;
@@ -81,7 +84,29 @@ void PenDevice::add(const Point3& from, const Point3& to, std::vector<Stroke>& s
   if (!stroke.is_dot() || a == b) strokes.push_back(stroke);
 }
 
-void PenDevice::line(const DrawnLine& line) { add(line.from, line.to, strokes_of(line.style)); }
+void PenDevice::line(const DrawnLine& line) {
+  add(on_sheet(line.from), on_sheet(line.to), strokes_of(line.style));
+}
+
+void PenDevice::draw_texts(const DisplayFile& display_file) {
+  if (!lettering_.is_of_paths()) return;
+  for (const DeviceText& text : seen_texts(display_file, false)) draw_text(text);
+}
+
+bool PenDevice::draw_text(const DeviceText& text) {
+  if (!lettering_.is_of_paths()) return false;
+  const double millimetres = picture_.height * picture_.fit.pixel;
+  const auto letters =
+      letter_paths(lettering_, text, on_sheet(text.anchor), text.style.size * millimetres);
+  std::vector<Stroke>& strokes = strokes_of(letters->stroke);
+  for (const LetterPaths::Letter& letter : letters->letters) {
+    for (const auto& points : letter) {
+      for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i], strokes);
+      if (letters->are_outlines) add(points.back(), points.front(), strokes);
+    }
+  }
+  return true;
+}
 
 void PenDevice::edges(const DrawnPolygon& polygon) {
   std::vector<Stroke>& strokes = strokes_of(polygon.line);
@@ -90,7 +115,7 @@ void PenDevice::edges(const DrawnPolygon& polygon) {
     const Point3 &from = v[previous_corner(i, v.size())], &to = v[i];
     if (polygon.sides[i] != op::line || Point2(from) == Point2(to)) continue;
     if (!polygon.kinds.empty() && polygon.kinds[i] == 0) continue;
-    add(from, to, strokes);
+    add(on_sheet(from), on_sheet(to), strokes);
   }
 }
 

@@ -41,6 +41,10 @@ class PenDevice : public OutputDevice {
   void fill(const DrawnPolygon& polygon) override;
   void edges(const DrawnPolygon& polygon) override;
   void line(const DrawnLine& line) override;
+  /// Converts the texts that are seen of the visible segments, if their letters are paths.
+  void draw_texts(const DisplayFile& display_file);
+  /// Converts a text if its letters are paths, or returns false.
+  bool draw_text(const DeviceText& text);
 
   /// All strokes, with dashed lines cut into dashes. Must be called once.
   std::vector<PenStrokes> strokes();
@@ -53,10 +57,11 @@ class PenDevice : public OutputDevice {
   };
   Point2 on_sheet(const Point3& device) const;
   std::vector<Stroke>& strokes_of(const LineStyle& style);
-  void add(const Point3& from, const Point3& to, std::vector<Stroke>& strokes) const;
+  void add(const Point2& a, const Point2& b, std::vector<Stroke>& strokes) const;
 
   Picture picture_;
   bool crumbs_;
+  Lettering lettering_;
   Rectangle frame_;
   Pen hatching_pen_{};
   Darkness darkness_;

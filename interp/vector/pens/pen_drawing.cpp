@@ -25,6 +25,7 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
   PenDevice device({width, height, fit_on_paper(paper, width, height)}, pens,
                    transparent ? Colour(1.0) : background.colour);
   interpret(display_file, device);
+  device.draw_texts(display_file);
   const double millimetre = 1.0 / fit_on_paper(paper, width, height).pixel;
   draw_annotation(annotation_marks(display_file, {width, height, millimetre}), {width, height},
                   device);
@@ -68,7 +69,9 @@ bool has_pen_strokes(const DisplayFile& display_file, int width, int height, con
     return std::ranges::any_of(all,
                                [](const PenStrokes& of_pen) { return !of_pen.strokes.empty(); });
   };
-  return has({.crumbs = pens.crumbs}) || (pens.hatching && has(pens));
+  Pens without_hatching = pens;
+  without_hatching.hatching.reset();
+  return has(without_hatching) || (pens.hatching && has(pens));
 }
 
 }  // namespace displayfile

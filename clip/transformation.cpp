@@ -99,7 +99,7 @@ void ModellingTransformation::create() {
 }
 
 void ModellingTransformation::save() {
-  saved_.push_back({matrix_, called_});
+  saved_.push_back({without_place(), called_});
   called_ = glm::dmat4(1.0);
 }
 
@@ -115,8 +115,18 @@ void ModellingTransformation::then(const glm::dmat4& step) {
   compose();
 }
 
+glm::dmat4 ModellingTransformation::without_place() const {
+  return saved_.empty() ? called_ : saved_.back().matrix * called_;
+}
+
+void ModellingTransformation::place(const Point3& move) {
+  place_ = move;
+  compose();
+}
+
 void ModellingTransformation::compose() {
-  matrix_ = saved_.empty() ? called_ : saved_.back().matrix * called_;
+  matrix_ = without_place();
+  if (place_ != Point3(0.0)) matrix_[3] += HomogeneousPoint(place_, 0.0);
   affine_ = glm::dmat4x3(matrix_);
   identity_ = matrix_ == glm::dmat4(1.0);
 }

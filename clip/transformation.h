@@ -36,6 +36,9 @@ class ModellingTransformation {
   void rotate_x(double degrees);  ///< Counterclockwise, seen from the positive axis.
   void rotate_y(double degrees);
   void rotate_z(double degrees);
+  /// Moves everything by this in world coordinates, after all calls and whatever is saved, in place
+  /// of an earlier move.
+  void place(const Point3& move);
 
   bool is_identity() const { return identity_; }
   /// Its last row is 0 0 0 1.
@@ -58,6 +61,7 @@ class ModellingTransformation {
  private:
   void then(const glm::dmat4& step);
   void compose();
+  glm::dmat4 without_place() const;
 
   /// The transformation when it was saved, and the calls since the previous save.
   struct Saved {
@@ -65,6 +69,7 @@ class ModellingTransformation {
   };
   glm::dmat4 called_{1.0};  // since it was saved last, in order
   std::vector<Saved> saved_;
+  Point3 place_{0.0};
   glm::dmat4 matrix_{1.0};    // all of it
   glm::dmat4x3 affine_{1.0};  // the same
   bool identity_ = true;

@@ -313,7 +313,7 @@ void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
 void RetainedScene::open_segment(int name, const View& view, const Touching& touching) {
   const auto points = static_cast<std::uint32_t>(points_.size());
   const auto texts = static_cast<std::uint32_t>(texts_.size());
-  segments_.push_back({name, view, size(), size(), points, points, texts, texts, nullptr});
+  segments_.push_back({name, view, size(), size(), points, points, texts, texts, opened_++});
   segments_.back().touching = touching;
 }
 

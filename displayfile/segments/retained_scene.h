@@ -44,6 +44,7 @@ class RetainedScene : public Watched<RetainedScene> {
     std::uint32_t first, end;              ///< of its primitives
     std::uint32_t first_point, end_point;  ///< of their points, all of them used
     std::uint32_t first_text = 0, end_text = 0;
+    std::uint32_t opened = 0;  ///< how many segments the scene had opened before it
     /// Which sides are lines; null: all that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
     bool intersections = false;  ///< also draws lines where polygons intersect
@@ -270,6 +271,7 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<Point3> vertex_normals_;  // of corners up to those of the last polygon that has some
   std::vector<std::uint32_t> number_of_shared_;  // as points, or kNotKept
   bool has_cuts_ = false;                        // a polygon was cut by cutting planes
+  std::uint32_t opened_ = 0;                     // segments, removed ones too
 };
 
 }  // namespace displayfile

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -40,6 +42,9 @@ void GraphicsSystem::open_segment(int name) {
   if (!state_->is_viewed_later()) segment.keep_entered(state_->surfaces_.touching, volume);
   state_->view_stage_.emplace(volume);
   state_->open_ = name;
+  if (const std::size_t k = state_->segments_opened_++; !state_->places_.empty()) {
+    state_->modelling_.place(k < state_->places_.size() ? state_->places_[k] : Point3(0.0));
+  }
   if (RetainedScene* scene = state_->retaining())
     scene->open_segment(name, view, state_->surfaces_.touching);
   state_->windows_.opened(name, view, state_->explicit_);
@@ -117,6 +122,7 @@ void GraphicsSystem::State::follow_retained() {
 
 GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
   return {.segments = display_file_.segments().size(),
+          .segments_opened = segments_opened_,
           .pen = pen_,
           .ordinal = ordinal_,
           .triangulated = triangulated_,
@@ -144,6 +150,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
     if (RetainedScene* scene = retaining()) scene->remove(name);
   }
   follow_retained();
+  segments_opened_ = before.segments_opened;
   pen_ = before.pen;
   ordinal_ = before.ordinal;
   triangulated_ = before.triangulated;
@@ -265,6 +272,39 @@ void GraphicsSystem::retain() {
 void SystemInside::retain_alone(GraphicsSystem& system, RetainedScene& scene) {
   system.retain(&scene);
   system.state_->retains_alone_ = true;
+}
+
+void SystemInside::place_segments(GraphicsSystem& system, std::vector<Point3> places) {
+  system.state_->places_ = std::move(places);
+  system.state_->segments_opened_ = 0;
+}
+
+const std::vector<Point3>& SystemInside::places(const GraphicsSystem& system) {
+  return system.state_->places_;
+}
+
+std::size_t SystemInside::segments_opened(const GraphicsSystem& system) {
+  return system.state_->segments_opened_;
+}
+
+void SystemInside::enter_segment_of_lines(GraphicsSystem& system,
+                                          std::span<const std::pair<Point3, Point3>> lines,
+                                          double narrower) {
+  GraphicsSystem::State& s = *system.state_;
+  int last = 0;
+  for (const Segment& segment : s.display_file_.segments()) last = std::max(last, segment.name());
+  if (last == std::numeric_limits<int>::max()) {
+    throw Error(fmt::format("segment {} is in use: expected smaller names", last));
+  }
+  const Attributes before = s.attributes_;
+  system.open_segment(last + 1);
+  const LineStyle style = before.line;
+  s.attributes_.line = {LineStyle::Kind::solid, style.colour, narrower * style.width};
+  s.attributes_changed();
+  for (const auto& [from, to] : lines) s.enter_world_line(from, to);
+  s.attributes_ = before;
+  s.attributes_changed();
+  system.close_segment();
 }
 
 bool SystemInside::retains_alone(const GraphicsSystem& system) {

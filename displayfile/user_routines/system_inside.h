@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "displayfile/graphics_system.h"
 
@@ -45,6 +49,20 @@ class SystemInside {
                                       const LineKindStyle& style);
 
   static const CuttingPlanes& cutting_planes(const GraphicsSystem& system);
+
+  /// Moves the segments opened from now on by these in world coordinates, in the order in which
+  /// they are opened, whatever their modelling transformations; those after the last by nothing.
+  /// Not recorded.
+  static void place_segments(GraphicsSystem& system, std::vector<Point3> places);
+  static const std::vector<Point3>& places(const GraphicsSystem& system);
+  /// How many segments were opened, since place_segments was called if it was.
+  static std::size_t segments_opened(const GraphicsSystem& system);
+  /// Enters lines in world coordinates as a segment of its own, with the first name above all names
+  /// in use: solid, in the colour of the line style in force, `narrower` times as wide. Not
+  /// recorded line by line. Throws Error as open_segment and close_segment.
+  static void enter_segment_of_lines(GraphicsSystem& system,
+                                     std::span<const std::pair<Point3, Point3>> lines,
+                                     double narrower);
 
   /// Adds a comment line to the recorded program.
   static void comment(GraphicsSystem& system, std::string_view text);

@@ -33,7 +33,7 @@ struct GraphicsSystem::State {
 
   /// All state that entering primitives changes besides the segments, and settings made meanwhile.
   struct Entered {
-    std::size_t segments;
+    std::size_t segments, segments_opened;
     Pen pen;
     std::int64_t ordinal, triangulated, empty_solids;
     std::int32_t pick;
@@ -131,6 +131,8 @@ struct GraphicsSystem::State {
   PictureWindows windows_;
   ExplicitSettings explicit_;
   ModellingTransformation modelling_;
+  std::vector<Point3> places_;  // where segments are moved to, in the order of their opening
+  std::size_t segments_opened_ = 0;
   DisplayFile display_file_;
   std::optional<int> open_;
   std::optional<PolygonStage> view_stage_;  // of the open segment

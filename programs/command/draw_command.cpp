@@ -147,6 +147,15 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->type_name("WIDTH")
       ->group(kPictureOptions);
   command
+      .add_option(
+          "--explode", explode,
+          "an exploded view: the inputs, or the segments or objects of one, are moved apart "
+          "along an axis in the order of their boxes, with gaps of FACTOR times their mean "
+          "length [0.5]; or radially, by FACTOR times the distances of their middles from "
+          "the middle of all [1]. Dash-dotted trace lines show the moves")
+      ->type_name("x|y|z|-x|-y|-z|radial[=FACTOR]")
+      ->group(kPictureOptions);
+  command
       .add_option("--turntable", turntable,
                   "N views at equal angles around the up axis: OUT.png becomes OUT-000.png, "
                   "OUT-001.png, ..., --ids and --depth likewise. All are drawn from one BSP tree, "
@@ -233,6 +242,7 @@ MeshWords DrawCommand::entering() const {
     words.lines = lines->selection();
     words.line_styles = lines->styles(pixel_size());
   }
+  if (explode) words.explosion = explosion_of_option(*explode);
   if (line_width) words.line_width = line_width_of_option(*line_width, pixel_size());
   words.touching = hidden_surfaces.touching_in_force();
   const bool for_pens = paper.pens || !paper.hatch.empty();

@@ -44,6 +44,7 @@ struct DrawCommand {
   std::optional<std::string> line_width;  ///< in words (programs/options/line_words.h)
   std::optional<std::string> line_order;  ///< entry or depth
   std::optional<std::string> halo;        ///< in words, as line_width
+  std::optional<std::string> explode;     ///< in words (programs/options/explosion.h)
   std::optional<std::string> pick;        ///< where (programs/options/pick_option.h)
   std::optional<std::string> turntable;  ///< number of views (programs/command/turntable_command.h)
   std::optional<std::string> views;      ///< which of them

@@ -24,6 +24,7 @@
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
+#include "programs/inputs/exploded_parts.h"
 #include "programs/inputs/mistaken_words.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -98,6 +99,26 @@ void enter_ahead(const Mesh& mesh, GraphicsSystem& ahead) {
   }
 }
 
+/// The vertices of a mesh whose segments were opened last, in world coordinates, moved as they are.
+void append_placed_vertices(const Mesh& mesh, const GraphicsSystem& ahead,
+                            std::vector<Point3>& world) {
+  const std::vector<Point3>& places = SystemInside::places(ahead);
+  if (places.empty()) {
+    return append_used_vertices(mesh, ahead.modelling_transformation(), world);
+  }
+  ModellingTransformation placed = ahead.modelling_transformation();
+  std::size_t opened = SystemInside::segments_opened(ahead) - mesh.objects.size();
+  for (const Mesh::Object& object : mesh.objects) {
+    placed.place(opened < places.size() ? places[opened] : Point3(0.0));
+    ++opened;
+    for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+      for (const std::uint32_t corner : mesh.face(i)) {
+        world.push_back(placed.apply(mesh.vertices[corner]));
+      }
+    }
+  }
+}
+
 /// In files.
 std::size_t bytes_of_meshes(std::span<const std::string> inputs) {
   constexpr std::uintmax_t kMost = std::uintmax_t{1} << 32;
@@ -118,6 +139,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   RetainedScene drawn;
   GraphicsSystem ahead;
   ahead.retain(&drawn);
+  SystemInside::place_segments(ahead, SystemInside::places(system));
   ahead.set_shading(system.attributes().shading);
   const bool crease_is_set = system.explicit_settings().contains(Setting::crease_angle);
   const auto set_crease = [&] { ahead.set_crease_angle(system.crease_degrees()); };
@@ -139,7 +161,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
     if (before.explicit_settings().contains(Setting::window)) continue;
     if (read.bare.empty()) read.before = {before.view(), before.explicit_settings()};
-    append_used_vertices(mesh, ahead.modelling_transformation(), read.bare);
+    append_placed_vertices(mesh, ahead, read.bare);
     read.upright.add(mesh, ahead.modelling_transformation());
   }
   if (crease_is_set && !read.meshes.empty() && !any_smooth) {
@@ -164,6 +186,7 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   RetainedScene drawn;
   GraphicsSystem fitted;
   fitted.retain(&drawn);
+  SystemInside::place_segments(fitted, SystemInside::places(system));
   fitted.set_aspect_ratio(system.aspect_ratio());
   fit_view(read.bare, fitted, read.upright.camera(), read.before);
   View shared = fitted.view();
@@ -298,7 +321,20 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
     throw Error("--colour: expected a mesh among the inputs");
   }
   meshes.start(system, aspect);
+  std::optional<ExplodedParts> exploded;
+  if (meshes.explosion) {
+    exploded = exploded_parts(inputs, *meshes.explosion, options.import_limits, aspect);
+    SystemInside::place_segments(system, exploded->places);
+    if (!exploded->cut_off.empty()) {
+      warnings() << fmt::format(
+          "{}: --explode {} moves segments out of the view that is set: {}: expected a larger "
+          "window or view depth\n",
+          inputs.front(), meshes.explosion->word, fmt::join(exploded->cut_off, ", "));
+    }
+  }
   const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes);
+  constexpr double kTraceOfWidth = 0.5;
+  if (exploded) SystemInside::enter_segment_of_lines(system, exploded->traces, kTraceOfWidth);
   meshes.require_fitted(fitted.has_value());
   return fitted;
 }

@@ -8,6 +8,7 @@
 #include "clip/surfaces.h"
 #include "displayfile/mesh/mesh.h"
 #include "programs/options/camera_options.h"
+#include "programs/options/explosion.h"
 #include "programs/options/import_words.h"
 #include "programs/options/line_words.h"
 
@@ -25,6 +26,7 @@ struct MeshWords : CameraWords {
   std::optional<Touching> touching;
   /// No option: the lines of meshes, where neither --lines nor a program selects any.
   std::optional<LineSelection> lines_of_meshes;
+  std::optional<Explosion> explosion;  ///< no option: what --explode sets of all inputs
 
   void add_to(CLI::App& command);
   /// Throws Error for a word that is not understood.

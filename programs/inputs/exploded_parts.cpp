@@ -1,0 +1,206 @@
+#include "programs/inputs/exploded_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+#include "clip/base/error.h"
+#include "clip/view_volume.h"
+#include "programs/inputs/assembled_inputs.h"
+#include "programs/inputs/inputs.h"
+#include "programs/process/warnings.h"
+
+namespace displayfile {
+
+namespace {
+
+Point3 middle_of(const AssemblyPart& part) { return 0.5 * part.low + 0.5 * part.high; }
+
+/// Along an axis; coordinates are multiplied by `sign`, so that it is upward.
+void move_along(std::vector<AssemblyPart>& parts, int axis, double sign, double factor) {
+  const auto begins = [&](const AssemblyPart& p) {
+    return sign > 0.0 ? p.low[axis] : -p.high[axis];
+  };
+  const auto ends = [&](const AssemblyPart& p) { return sign > 0.0 ? p.high[axis] : -p.low[axis]; };
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t i) { return std::pair(begins(parts[i]), ends(parts[i])); });
+  double lengths = 0.0, longest = 0.0;
+  for (const AssemblyPart& part : parts) {
+    lengths += part.high[axis] - part.low[axis];
+    longest = std::max(longest, glm::length(part.high - part.low));
+  }
+  const double mean = lengths / static_cast<double>(parts.size());
+  const double gap = factor * (mean > 0.0 ? mean : longest);  // all of them flat
+  double end = ends(parts[order.front()]), move = 0.0;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    AssemblyPart& part = parts[order[k]];
+    part.neighbour[axis] = sign * move;
+    move = std::max(end - begins(part), move) + gap;
+    part.move[axis] = sign * move;
+    end = std::max(end, ends(part) + move);
+  }
+}
+
+void move_radially(std::vector<AssemblyPart>& parts, const Explosion& explosion) {
+  Point3 low = parts.front().low, high = parts.front().high;
+  for (const AssemblyPart& part : parts) {
+    low = glm::min(low, part.low);
+    high = glm::max(high, part.high);
+  }
+  const Point3 centre = 0.5 * low + 0.5 * high;
+  for (AssemblyPart& part : parts) part.move = explosion.factor * (middle_of(part) - centre);
+  const bool any =
+      std::ranges::any_of(parts, [](const AssemblyPart& part) { return part.move != Point3(0.0); });
+  if (any) return;
+  throw Error(
+      fmt::format("--explode {}: the parts have one middle: expected an axis, such as --explode z",
+                  explosion.word));
+}
+
+}  // namespace
+
+void move_apart(std::vector<AssemblyPart>& parts, const Explosion& explosion) {
+  if (!explosion.axis) return move_radially(parts, explosion);
+  move_along(parts, *explosion.axis, explosion.downward ? -1.0 : 1.0, explosion.factor);
+}
+
+void append_dash_dots(const Point3& from, const Point3& to, double period,
+                      std::vector<std::pair<Point3, Point3>>& pieces) {
+  constexpr double kDash = 0.58, kGap = 0.15, kDot = 0.12;  // of the period; two gaps
+  const double length = glm::distance(from, to);
+  if (!(length > period * kDash)) {
+    if (length > 0.0) pieces.emplace_back(from, to);
+    return;
+  }
+  // Whole periods and one more dash.
+  const double periods = std::max(1.0, std::round(length / period - kDash));
+  const double unit = 1.0 / (periods + kDash);
+  const auto at = [&](double t) { return glm::mix(from, to, std::min(t * unit, 1.0)); };
+  for (int k = 0; k <= static_cast<int>(periods); ++k) {
+    pieces.emplace_back(at(k), at(k + kDash));
+    if (k == static_cast<int>(periods)) break;
+    pieces.emplace_back(at(k + kDash + kGap), at(k + kDash + kGap + kDot));
+  }
+}
+
+namespace {
+
+/// The part of each segment that is opened; kNoPart for those that show nothing.
+constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
+
+std::vector<std::size_t> parts_of(const AssembledInputs& assembly,
+                                  std::vector<AssemblyPart>& parts) {
+  std::vector<std::size_t> visible;  // segments of the scene
+  const auto& segments = assembly.scene.segments();
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (assembly.is_visible(segments[k]) && !assembly.scene.points(segments[k]).empty())
+      visible.push_back(k);
+  }
+  const auto input_of = [&](std::size_t k) { return assembly.opening(segments[k]).input; };
+  const bool of_inputs = std::ranges::any_of(
+      visible, [&](std::size_t k) { return input_of(k) != input_of(visible.front()); });
+  std::vector<std::size_t> part_of_opening(assembly.openings.size(), kNoPart);
+  std::map<std::size_t, std::size_t> known;  // parts, by input or segment
+  for (const std::size_t k : visible) {
+    const auto [part, is_new] = known.emplace(of_inputs ? input_of(k) : k, parts.size());
+    const auto points = assembly.scene.points(segments[k]);
+    if (is_new) parts.push_back({points.front(), points.front()});
+    AssemblyPart& box = parts[part->second];
+    for (const Point3& p : points) {
+      box.low = glm::min(box.low, p);
+      box.high = glm::max(box.high, p);
+    }
+    part_of_opening[segments[k].opened] = part->second;
+  }
+  return part_of_opening;
+}
+
+/// A line for each part that moved against the one before it, through its middle.
+std::vector<std::pair<Point3, Point3>> traces_of(std::span<const AssemblyPart> parts) {
+  Point3 low = parts.front().low, high = parts.front().high;
+  for (const AssemblyPart& part : parts) {
+    low = glm::min(low, part.low + part.move);
+    high = glm::max(high, part.high + part.move);
+  }
+  constexpr double kPeriods = 30.0;  // across all parts
+  const double period = glm::length(high - low) / kPeriods;
+  std::vector<std::pair<Point3, Point3>> pieces;
+  for (const AssemblyPart& part : parts) {
+    append_dash_dots(middle_of(part) + part.neighbour, middle_of(part) + part.move, period, pieces);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+namespace {
+
+/// The names of segments that were whole in their view, and are not as they are moved. A view is
+/// fitted to what is moved where there are meshes and no window is set.
+std::vector<int> cut_off_by_moves(const AssembledInputs& assembly,
+                                  std::span<const std::string> inputs,
+                                  std::span<const Point3> places) {
+  const bool is_fitted = !std::ranges::all_of(inputs, is_drawing_program) &&
+                         !assembly.system.explicit_settings().contains(Setting::window);
+  if (is_fitted) return {};
+  std::vector<int> names;
+  for (const RetainedScene::Segment& segment : assembly.scene.segments()) {
+    const Point3& move = places[segment.opened];
+    if (move == Point3(0.0)) continue;
+    const ViewVolume volume(segment.view);
+    bool was_whole = true, is_whole = true;
+    for (const Point3& p : assembly.scene.points(segment)) {
+      was_whole = was_whole && volume.outcode(volume.transform(p)) == 0;
+      is_whole = is_whole && volume.outcode(volume.transform(p + move)) == 0;
+    }
+    if (was_whole && !is_whole) names.push_back(segment.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+ExplodedParts exploded_parts(std::span<const std::string> inputs, const Explosion& explosion,
+                             const ImportLimits& limits, double aspect) {
+  if (std::ranges::find(inputs, "-") != inputs.end()) {
+    throw Error(
+        fmt::format("--explode {}: standard input can be read once only, and its parts are looked "
+                    "for before it is drawn: expected a file",
+                    explosion.word));
+  }
+  std::ostringstream warned_when_they_are_drawn;
+  std::optional<CollectedWarnings> collected(std::in_place, warned_when_they_are_drawn);
+  const AssembledInputs assembly(inputs, limits, aspect);
+  collected.reset();
+  std::vector<AssemblyPart> parts;
+  const std::vector<std::size_t> part_of_opening = parts_of(assembly, parts);
+  if (parts.size() < 2) {
+    throw Error(
+        fmt::format("--explode {}: {}{} {}: expected several inputs, or one of several segments or "
+                    "objects",
+                    explosion.word, inputs.front(), inputs.size() > 1 ? " and others" : "",
+                    parts.empty()       ? "have no part"
+                    : inputs.size() > 1 ? "are one part"
+                                        : "is one part"));
+  }
+  move_apart(parts, explosion);
+  ExplodedParts exploded;
+  for (const std::size_t part : part_of_opening) {
+    exploded.places.push_back(part == kNoPart ? Point3(0.0) : parts[part].move);
+  }
+  exploded.traces = traces_of(parts);
+  exploded.cut_off = cut_off_by_moves(assembly, inputs, exploded.places);
+  return exploded;
+}
+
+}  // namespace displayfile

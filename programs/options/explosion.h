@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace displayfile {
+
+/// An exploded view, as --explode sets it.
+struct Explosion {
+  /// 0 to 2: parts are moved along x, y or z; none: away from the middle of all.
+  std::optional<int> axis;
+  bool downward = false;  ///< along the axis toward its negative end
+  double factor = 0.5;
+  std::string word;  ///< of the option, for messages
+};
+
+/// Reads x, y, z, -x, -y, -z or radial, and after = a number above 0, at most 1000. Without it the
+/// factor is 0.5 along an axis, and 1 for radial. Throws Error, naming --explode, for anything
+/// else.
+Explosion explosion_of_option(const std::string& word);
+
+}  // namespace displayfile

@@ -1,0 +1,192 @@
+// --explode by the command.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+/// Pictures of 100 x 100 pixels, seen along -z: (x, y) is the pixel (x, 100 - y).
+class ExplodeCommand : public Command {
+ protected:
+  ExplodeCommand() {
+    write("view.draw", "set-window 0 100 0 100\nset-line-style none\n");
+    write("three.draw", "set-window 0 100 0 100\nset-line-style none\n" +
+                            segment(1, 10, 20, 0, 10) + segment(2, 20, 40, 0, 10) +
+                            segment(3, 10, 40, 10, 15));
+  }
+
+  static std::string rectangle(int x0, int x1, int y0, int y1) {
+    return fmt::format("polygon-abs-2 {0} {2}  {1} {2}  {1} {3}  {0} {3}\n", x0, x1, y0, y1);
+  }
+  static std::string segment(int name, int x0, int x1, int y0, int y1) {
+    return fmt::format("open-segment {}\n{}close-segment\n", name, rectangle(x0, x1, y0, y1));
+  }
+  /// The picture's fills, as they are without hidden-surface removal, in order.
+  std::vector<std::string> fills(const std::string& arguments) {
+    EXPECT_EQ(run("draw " + arguments + " -o a.svg --size 100x100 --hidden none"), 0) << err_;
+    const std::string svg = read(folder_ / "a.svg");
+    std::vector<std::string> all;
+    for (auto at = svg.find("<path class=\"f"); at != svg.npos;
+         at = svg.find("<path class=\"f", at + 1)) {
+      const auto data = svg.find(" d=\"", at) + 4;
+      all.push_back(svg.substr(data, svg.find('"', data) - data));
+    }
+    return all;
+  }
+  std::string::difference_type strokes() const {
+    const std::string svg = read(folder_ / "a.svg");
+    std::string::difference_type n = 0;
+    for (auto at = svg.find("<path class=\"l"); at != svg.npos;
+         at = svg.find("<path class=\"l", at + 1))
+      ++n;
+    return n;
+  }
+};
+
+/// Along x the parts are 10, 20 and 30 long: gaps of half of their mean, 20, follow each.
+TEST_F(ExplodeCommand, PartsAreMovedAlongAnAxisInTheirOrder) {
+  const std::vector<std::string> before = fills("three.draw");
+  ASSERT_EQ(before.size(), 3u);
+  EXPECT_EQ(before[0], "M10 90l0 10 10 0 0-10Z");
+  EXPECT_EQ(strokes(), 0);
+  // The first begins at 10 and ends at 20; so does the third begin at 10, but it ends at 40.
+  const std::vector<std::string> after = fills("three.draw --explode x");
+  ASSERT_EQ(after.size(), 3u);
+  EXPECT_EQ(after[0], before[0]);
+  EXPECT_EQ(after[2], "M30 85l0 5 30 0 0-5Z");    // from 20 + 10 to 60
+  EXPECT_EQ(after[1], "M70 90l0 10 20 0 0-10Z");  // from 60 + 10 to 90
+  EXPECT_GT(strokes(), 3);
+  EXPECT_EQ(fills("three.draw --explode x=0.5"), after);
+  const std::vector<std::string> farther = fills("three.draw --explode x=0.75");
+  EXPECT_EQ(farther[2], "M35 85l0 5 30 0 0-5Z");
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(ExplodeCommand, TheOtherWayTheLastStays) {
+  write("right.draw", "set-window -100 0 0 100\nset-line-style none\n" +
+                          segment(1, -30, -20, 0, 10) + segment(2, -20, -10, 0, 10));
+  const std::vector<std::string> moved = fills("right.draw --explode -x=2");
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_EQ(moved[0], "M50 90l0 10 10 0 0-10Z");  // its end from 80 to 60
+  EXPECT_EQ(moved[1], "M80 90l0 10 10 0 0-10Z");
+}
+
+/// The middles of the boxes are 15, 30 and 25 in x and 5, 5 and 12.5 in y; that of all is
+/// (25, 7.5).
+TEST_F(ExplodeCommand, PartsAreMovedAwayFromTheMiddle) {
+  write("centre.draw", "set-window -50 50 -50 50\nset-line-style none\n" +
+                           segment(1, -10, 0, 0, 10) + segment(2, 0, 10, 0, 10));
+  const std::vector<std::string> moved = fills("centre.draw --explode radial");
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_EQ(moved[0], "M35 40l0 10 10 0 0-10Z");
+  EXPECT_EQ(moved[1], "M55 40l0 10 10 0 0-10Z");
+  EXPECT_EQ(fills("centre.draw --explode radial=3")[0], "M25 40l0 10 10 0 0-10Z");
+}
+
+/// Of several inputs each is a part, with all of its segments.
+TEST_F(ExplodeCommand, InputsAreParts) {
+  write("one.draw", segment(1, 10, 20, 0, 10) + segment(2, 20, 30, 0, 10));
+  write("two.draw", segment(3, 10, 30, 10, 20));
+  write("nothing.draw", "# no segment\nopen-segment 9\nclose-segment\n");
+  const std::vector<std::string> moved =
+      fills("view.draw one.draw nothing.draw two.draw --explode y=1");
+  ASSERT_EQ(moved.size(), 3u);
+  EXPECT_EQ(moved[0], "M10 90l0 10 10 0 0-10Z");
+  EXPECT_EQ(moved[1], "M20 90l0 10 10 0 0-10Z");
+  EXPECT_EQ(moved[2], "M10 70l0 10 20 0 0-10Z");
+}
+
+/// Whatever transformation is in force where a segment is drawn.
+TEST_F(ExplodeCommand, TransformationsActBefore) {
+  write("turned.draw",
+        "set-window 0 100 0 100\nset-line-style none\ntranslate-3 10 0 0\nsave-transformation-3\n" +
+            segment(1, 0, 10, 0, 10) + "rotate-z-3 90\nopen-segment 2\n" +
+            rectangle(0, 10, -20, -10) + "create-transformation-3\n" + rectangle(10, 20, 10, 20) +
+            "restore-transformation-3\nclose-segment\n");
+  const std::vector<std::string> before = fills("turned.draw"),
+                                 moved = fills("turned.draw --explode x=1");
+  ASSERT_EQ(moved.size(), 3u);
+  EXPECT_EQ(moved[0], before[0]);
+  EXPECT_EQ(before[1].substr(0, 4), "M20 ");
+  EXPECT_EQ(before[2].substr(0, 4), "M20 ");
+  EXPECT_EQ(moved[1].substr(0, 4), "M30 ") << moved[1];  // they are 10 long: a gap of 10
+  EXPECT_EQ(moved[2].substr(0, 4), "M30 ") << moved[2];
+}
+
+TEST_F(ExplodeCommand, ObjectsOfAMeshArePartsAndAreInThePicture) {
+  const auto cube = [](const std::string& name, int z) {
+    std::string text = "o " + name + "\n";
+    for (int k = 0; k < 8; ++k)
+      text += fmt::format("v {} {} {}\n", k & 1, k >> 1 & 1, z + (k >> 2));
+    return text +
+           "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 "
+           "-3\n";
+  };
+  write("cubes.obj", cube("low", 0) + cube("middle", 1) + cube("high", 2));
+  for (const std::string options : {"-o a.svg", "-o a.svg --pens", "-o a.png", "-o a.pdf",
+                                    "-o a.png --hidden z-buffer --turntable 2"}) {
+    ASSERT_EQ(run("draw cubes.obj --up z --explode z " + options), 0) << options << err_;
+    EXPECT_EQ(err_, "") << options;
+  }
+  // The fitted view holds all three: the picture with a factor of 5 is another, but none is cut
+  // off.
+  ASSERT_EQ(
+      run("draw cubes.obj --up z --explode z=5 -o a.png --ids a.npy --size 64x64 --lines crease"),
+      0);
+  const std::string ids = read(folder_ / "a.npy");
+  std::vector<bool> seen(18);
+  for (std::size_t at = 128; at + 4 <= ids.size(); at += 4) {
+    const auto id = static_cast<unsigned char>(ids[at]);
+    if (id < seen.size() && ids[at + 3] == 0) seen[id] = true;
+  }
+  for (std::size_t part = 0; part < 3; ++part) {
+    EXPECT_GE(std::count(seen.begin() + static_cast<std::ptrdiff_t>(6 * part),
+                         seen.begin() + static_cast<std::ptrdiff_t>(6 * part + 6), true),
+              3)
+        << part;
+  }
+}
+
+TEST_F(ExplodeCommand, WhatCannotBeMovedApartIsRefused) {
+  write("alone.draw", segment(1, 0, 1, 0, 1));
+  expect_error("draw alone.draw -o a.svg --explode z",
+               "--explode z: alone.draw is one part: expected");
+  write("none.draw", "set-window 0 1 0 1\n");
+  expect_error("draw none.draw -o a.svg --explode z", "have no part");
+  write("same.draw", segment(1, 0, 2, 0, 2) + segment(2, 0, 2, 0, 2));
+  expect_error("draw same.draw -o a.svg --explode radial", "the parts have one middle");
+  expect_error("draw - -o a.svg --explode z", "standard input can be read once only",
+               (folder_ / "same.draw").string());
+  for (const std::string word : {"w", "xy", "z=", "z=0", "z=-1", "z=nan", "z=1001", "z=1x",
+                                 "radial=", "radially", "-radial"}) {
+    expect_error("draw three.draw -o a.svg --explode=" + word,
+                 "--explode " + word + ": expected x, y");
+  }
+  write("bad.draw", segment(1, 0, 2, 0, 2) + "nonsense\n");
+  expect_error("draw bad.draw -o a.svg --explode z", "bad.draw:4:1");
+  expect_error("draw three.draw missing.obj -o a.svg --explode z", "missing.obj");
+}
+
+/// A program's own view stays.
+TEST_F(ExplodeCommand, WhatIsMovedOutOfAViewIsNamed) {
+  fills("three.draw --explode x=2");
+  EXPECT_EQ(err_,
+            "three.draw: --explode x=2 moves segments out of the view that is set: 2: expected a "
+            "larger window or view depth\n");
+}
+
+/// Flat parts in one plane each have no length along the axis: their size stands for it.
+TEST_F(ExplodeCommand, FlatPartsAreMovedTooByTheirSize) {
+  write("flat.draw", "set-window 0 100 0 100\nset-line-style none\nset-parallel 0 1 -1\n" +
+                         segment(1, 10, 13, 10, 14) + segment(2, 10, 13, 10, 14));
+  const std::vector<std::string> moved = fills("flat.draw --explode z=1");
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_NE(moved[0], moved[1]);
+}
+
+}  // namespace

@@ -63,6 +63,7 @@ class Completion : public Command {
         "truth surface.draw", "truth m.obj --from entered"}},
       {"compare", {"compare t.draw t.draw"}},
       {"import", {"import m.obj -o x.draw"}},
+      {"export", {"export m.obj -o x.stl", "export m.obj -o x.ply"}},
       {"surface", {"surface x -o x.svg", "surface x -o x.png"}},
       {"sheet", {"sheet m.obj -o x.svg"}},
   };

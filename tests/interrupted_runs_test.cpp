@@ -114,6 +114,7 @@ class InterruptedRuns : public Command {
           "--size", "200x200"});
     work({"dump", "a.draw", "-o", "OUT/p.txt", "--hidden", "franklin"});
     work({"import", "m.obj", "-o", "OUT/m.draw"});
+    work({"export", "m.obj", "-o", "OUT/m.obj"});
     work({"truth", "a.draw", "--size", "60x60", "--ids", "OUT/i.npy", "--depth", "OUT/d.npy"});
     work({"sheet", "m.obj", "-o", "OUT/s.svg"});
   }

@@ -24,6 +24,7 @@
 #include "programs/command/compare_command.h"
 #include "programs/command/draw_command.h"
 #include "programs/command/dump_command.h"
+#include "programs/command/export_command.h"
 #include "programs/command/import_command.h"
 #include "programs/command/page_command.h"
 #include "programs/command/sheet_command.h"
@@ -146,6 +147,7 @@ int run(int count, char** as_given) {
   TruthCommand truth;
   CompareCommand compare;
   ImportCommand import;
+  ExportCommand exported;
   SurfaceCommand surface;
   PictureCheck pictures;
   SheetCommand sheet;
@@ -161,6 +163,7 @@ int run(int count, char** as_given) {
   add(truth);
   add(compare);
   add(import);
+  add(exported);
   add(surface);
   add(sheet);
   add(steps);

@@ -1,0 +1,282 @@
+// `displayfile export`.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+using Corner = std::array<double, 3>;
+using Facet = std::array<Corner, 3>;
+
+double volume(const std::vector<Facet>& facets) {
+  double six = 0.0;
+  for (const auto& [a, b, c] : facets) {
+    six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return six / 6.0;
+}
+
+/// Whether each side is used as often in one direction as in the other.
+bool is_closed(const std::vector<Facet>& facets) {
+  std::map<std::pair<Corner, Corner>, int> sides;
+  for (const Facet& facet : facets) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &from = facet[k], &to = facet[(k + 1) % 3];
+      if (from == to) return false;
+      sides[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; });
+}
+
+class ExportCommand : public Command {
+ protected:
+  ExportCommand() {
+    write("box.draw",
+          "open-segment 1\nset-fill-style solid 1 0 0\nbox-3 0 2  0 3  0 4\nclose-segment\n");
+    // A box whose lower face has a corner in the middle of a side of the front face.
+    write("t.draw",
+          "open-segment 7\npolygon-abs-3 0 0 0  0 1 0  0.5 1 0  0.5 0 0\n"
+          "polygon-abs-3 0.5 0 0  0.5 1 0  1 1 0  1 0 0\npolygon-abs-3 0 0 1  1 0 1  1 1 1  0 1 1\n"
+          "polygon-abs-3 0 0 0  1 0 0  1 0 1  0 0 1\npolygon-abs-3 0 1 0  0 1 1  1 1 1  1 1 0\n"
+          "polygon-abs-3 0 0 0  0 0 1  0 1 1  0 1 0\npolygon-abs-3 1 0 0  1 1 0  1 1 1  1 0 1\n"
+          "close-segment\n");
+  }
+
+  void exported(const std::string& arguments) {
+    ASSERT_EQ(run("export " + arguments), 0) << err_;
+    EXPECT_EQ(out_, "");
+  }
+
+  std::vector<Facet> stl(const std::string& file) {
+    const std::string data = read(folder_ / file);
+    std::vector<Facet> facets((data.size() - 84) / 50);
+    std::uint32_t announced = 0;
+    std::memcpy(&announced, &data[80], 4);
+    EXPECT_EQ(announced, facets.size());
+    EXPECT_EQ(data.size(), 84 + 50 * facets.size());
+    EXPECT_NE(data.substr(0, 5), "solid");
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      std::array<float, 12> numbers;
+      std::memcpy(numbers.data(), &data[84 + 50 * i], sizeof numbers);
+      for (std::size_t k = 0; k < 9; ++k)
+        facets[i][k / 3][k % 3] = static_cast<double>(numbers[3 + k]);
+      EXPECT_NEAR(std::hypot(numbers[0], numbers[1], numbers[2]), 1.0, 1e-6);
+    }
+    return facets;
+  }
+
+  std::vector<Facet> obj(const std::string& file) {
+    std::istringstream text(read(folder_ / file));
+    std::vector<Corner> corners;
+    std::vector<Facet> facets;
+    for (std::string line, word; std::getline(text, line);) {
+      std::istringstream words(line);
+      words >> word;
+      if (word == "v") {
+        Corner& c = corners.emplace_back();
+        words >> c[0] >> c[1] >> c[2];
+      } else if (word == "f") {
+        std::array<std::size_t, 3> i{};
+        words >> i[0] >> i[1] >> i[2];
+        facets.push_back({corners.at(i[0] - 1), corners.at(i[1] - 1), corners.at(i[2] - 1)});
+      }
+    }
+    return facets;
+  }
+};
+
+TEST_F(ExportCommand, ABoxHasItsVolumeInEachFormat) {
+  exported("box.draw -o a.stl");
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(stl("a.stl").size(), 12u);
+  EXPECT_TRUE(is_closed(stl("a.stl")));
+  EXPECT_EQ(volume(stl("a.stl")), 24.0);
+  exported("box.draw -o a.obj");
+  EXPECT_TRUE(is_closed(obj("a.obj")));
+  EXPECT_EQ(volume(obj("a.obj")), 24.0);
+  exported("box.draw -o a.ply");
+  exported("a.ply -o b.obj");
+  EXPECT_EQ(volume(obj("b.obj")), 24.0);
+  // Equal inputs are equal files.
+  exported("box.draw -o b.stl");
+  EXPECT_EQ(read(folder_ / "a.stl"), read(folder_ / "b.stl"));
+}
+
+TEST_F(ExportCommand, ThreeMfIsReadBack) {
+  if (!can_run("export box.draw -o a.3mf", "minizip")) GTEST_SKIP() << err_;
+  EXPECT_EQ(err_, "");
+  exported("box.draw -o b.3mf");
+  EXPECT_EQ(read(folder_ / "a.3mf"), read(folder_ / "b.3mf"));
+  if (!can_run("export a.3mf -o c.obj", "Assimp")) GTEST_SKIP() << err_;
+  EXPECT_NEAR(volume(obj("c.obj")), 24.0, 1e-5);
+  EXPECT_TRUE(is_closed(obj("c.obj")));
+  EXPECT_NE(read(folder_ / "c.mtl").find("Kd 1 0 0"), std::string::npos) << read(folder_ / "c.mtl");
+}
+
+/// A T-vertex becomes a corner of the face whose side it is on.
+TEST_F(ExportCommand, VerticesOnSidesBecomeCorners) {
+  for (const std::string file : {"a.stl", "a.obj"}) {
+    exported("t.draw -o " + file);
+    EXPECT_EQ(err_, "");
+    const std::vector<Facet> facets = file == "a.stl" ? stl(file) : obj(file);
+    EXPECT_TRUE(is_closed(facets)) << file;
+    EXPECT_EQ(facets.size(), 16u);  // 14, and one more for each of two vertices
+    EXPECT_DOUBLE_EQ(volume(facets), 1.0);
+    for (const auto& [a, b, c] : facets) {  // none is without area
+      const Corner u{b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+          v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+      EXPECT_GT(std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                           u[0] * v[1] - u[1] * v[0]),
+                0.1);
+    }
+  }
+}
+
+TEST_F(ExportCommand, CombinedSolidsAreClosed) {
+  write("drilled.draw",
+        "open-segment 1\nbegin-solid difference\nbox-3 0 2  0 2  0 1\ncylinder-3 1 1 -1  0.5 3 24\n"
+        "end-solid\nclose-segment\n");
+  if (!can_run("export drilled.draw -o a.obj", "CGAL")) GTEST_SKIP() << err_;
+  EXPECT_EQ(err_, "");
+  const std::vector<Facet> facets = obj("a.obj");
+  EXPECT_TRUE(is_closed(facets));
+  const double hole = 12.0 * 0.25 * std::sin(2.0 * 3.14159265358979 / 24.0);
+  EXPECT_NEAR(volume(facets), 4.0 - hole, 1e-12);
+  exported("drilled.draw -o a.stl");
+  EXPECT_TRUE(is_closed(stl("a.stl")));
+  EXPECT_NEAR(volume(stl("a.stl")), 4.0 - hole, 1e-6);
+}
+
+TEST_F(ExportCommand, NamesAndColoursAreKept) {
+  write("two.obj",
+        "mtllib two.mtl\no lid\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 3 2\nf 1 2 "
+        "4\nf 2 3 4\n"
+        "f 1 4 3\no base & <1>\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nusemtl odd\nf 5 7 6\nf 5 6 "
+        "8\nf 6 7 8\nusemtl red\nf 5 8 7\n");
+  write("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl odd\nKd 0.1 0.2 0.3\n");
+  exported("two.obj -o out.obj");
+  EXPECT_EQ(err_, "");
+  const std::string text = read(folder_ / "out.obj");
+  EXPECT_NE(text.find("mtllib out.mtl\no lid\n"), text.npos) << text;
+  EXPECT_NE(text.find("\no base & <1>\n"), text.npos) << text;
+  EXPECT_EQ(read(folder_ / "out.mtl"),
+            "newmtl colour-1\nKd 1 0 0\nnewmtl colour-2\nKd 0.1 0.2 0.3\n");
+  const auto lines_of = [&](const std::string& program) {
+    EXPECT_EQ(run("import " + program + " -o p.draw --no-fit"), 0) << err_;
+    std::istringstream lines(read(folder_ / "p.draw"));
+    std::set<std::string> fills;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("set-fill-style")) fills.insert(line);
+    }
+    return fills;
+  };
+  EXPECT_EQ(lines_of("out.obj"), lines_of("two.obj"));
+  exported("two.obj -o out.ply");
+  EXPECT_EQ(lines_of("out.ply").size(), lines_of("two.obj").size());
+  if (!can_run("export two.obj -o out.3mf", "minizip")) return;
+  if (!can_run("export out.3mf -o back.obj", "Assimp")) return;
+  // Assimp drops names of 3MF, and has one colour for an object.
+  const std::string back = read(folder_ / "back.obj");
+  EXPECT_NE(back.find("\no "), back.rfind("\no ")) << back;
+}
+
+/// Vertices 1e-9 apart at 1 are one in single precision; the triangle between them is left out.
+TEST_F(ExportCommand, SinglePrecisionSaysWhatItMerges) {
+  write("near.obj",
+        "v 0 0 0\nv 1 0 0\nv 1.000000001 0 0\nv 0 1 0\nv 0 0 1\n"
+        "f 1 4 3 2\nf 1 2 3 5\nf 3 4 5\nf 1 5 4\n");
+  exported("near.obj -o a.stl");
+  EXPECT_NE(err_.find("a.stl: in single precision 1 vertex lies on others, and 2 triangles without "
+                      "area are left out"),
+            err_.npos)
+      << err_;
+  EXPECT_TRUE(is_closed(stl("a.stl")));
+  EXPECT_EQ(stl("a.stl").size(), 4u);
+  exported("near.obj -o a.obj");
+  EXPECT_EQ(err_, "");
+  EXPECT_TRUE(is_closed(obj("a.obj")));
+  EXPECT_EQ(obj("a.obj").size(), 6u);
+  write("far.draw", "open-segment 1\nbox-3 0 1e39  0 1  0 1\nclose-segment\n");
+  expect_error("export far.draw -o b.stl", "too large for single precision");
+  exported("far.draw -o b.ply");
+}
+
+TEST_F(ExportCommand, WhatIsOpenIsNamed) {
+  write("open.draw", "open-segment 4\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\nclose-segment\n" +
+                         read(folder_ / "box.draw"));
+  exported("open.draw -o a.stl");
+  EXPECT_EQ(
+      err_,
+      "a.stl: segment 4 is not closed: 4 sides of triangles have no face beside them: programs "
+      "that print refuse it, or close it in their own way\n");
+  EXPECT_EQ(stl("a.stl").size(), 14u);
+}
+
+/// Objects that are closed only together are one.
+TEST_F(ExportCommand, PartsOfOneSurfaceAreJoined) {
+  write("halves.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no first\nf 1 3 2\nf 1 2 4\no second\nf 2 3 4\nf 1 4 "
+        "3\n");
+  exported("halves.obj -o a.obj");
+  EXPECT_EQ(err_, "");
+  EXPECT_TRUE(is_closed(obj("a.obj")));
+  EXPECT_EQ(read(folder_ / "a.obj").find("o second"), std::string::npos);
+}
+
+TEST_F(ExportCommand, WhatIsTurnedInsideOutIsTurned) {
+  write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n");
+  exported("in.obj -o a.obj");
+  EXPECT_DOUBLE_EQ(volume(obj("a.obj")), 1.0 / 6.0);
+  write("mirrored.draw", "scale-3 -1 1 1\n" + read(folder_ / "box.draw"));
+  exported("mirrored.draw -o a.obj");
+  EXPECT_DOUBLE_EQ(volume(obj("a.obj")), 24.0);
+}
+
+TEST_F(ExportCommand, OnlyWhatIsVisibleAndFilled) {
+  write("more.draw",
+        read(folder_ / "box.draw") +
+            "open-segment 2\nbox-3 5 6  5 6  5 6\nclose-segment\nset-visibility 2 off\n"
+            "open-segment 3\nmove-abs-3 0 0 0\nline-abs-3 1 1 1\ntext \"A\"\n"
+            "set-fill-style hollow\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
+  exported("more.draw -o a.stl");
+  EXPECT_EQ(err_, "a.stl: left out: 1 line, 1 hollow polygon, 1 text\n");
+  EXPECT_EQ(volume(stl("a.stl")), 24.0);
+}
+
+TEST_F(ExportCommand, BadValuesLeaveNothing) {
+  expect_error("export box.draw -o a.step",
+               "unknown format of solids '.step': expected one of .stl .obj .ply .3mf");
+  expect_error("export box.draw -o a", "unknown format of solids ''");
+  expect_error("export box.draw -o box.draw", "box.draw");
+  expect_error("export missing.draw -o a.stl", "missing.draw");
+  expect_error("export box.draw -o nowhere/a.stl", "nowhere");
+  expect_error("export box.draw -o nowhere/a.3mf", "nowhere");
+  expect_error("export box.draw -o nowhere/a.obj", "nowhere");
+  write("empty.draw", "open-segment 1\nmove-abs-3 0 0 0\nline-abs-3 1 1 1\nclose-segment\n");
+  expect_error("export empty.draw -o a.stl", "empty.draw: no filled polygons: expected solids");
+  write("bad.draw", "open-segment 1\nnonsense\n");
+  expect_error("export bad.draw -o a.stl", "bad.draw:2:1");
+  write("mtl.mtl", "newmtl a\n");
+  write("m.obj", "mtllib mtl.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_error("export m.obj -o m.obj", "m.obj");
+  // A folder in the place of the materials: the other file is not written either.
+  fs::create_directory(folder_ / "b.mtl");
+  expect_error("export box.draw -o b.obj", "b.mtl");
+}
+
+}  // namespace

@@ -345,6 +345,11 @@ class GraphicsSystem {
   void delete_all_segments();
   /// Errors: no such segment, new name in use, segment still open.
   void rename_segment(int from, int to);
+  /// Sets the segment's title, such as the name of a part: the name of its layer in vector files
+  /// and, in SVG, its title and id (interp/vector/README.md). A title stays with a segment that is
+  /// renamed; an empty one removes it. Errors: no such segment; not characters that can be drawn;
+  /// more than kLongestText bytes.
+  void set_segment_title(int name, std::string_view title);
   /// Error: no such segment; the same for the image transformation routines.
   void set_visibility(int name, bool on);
   /// The image transformation, in normalised device coordinates: scale about the image's centre,

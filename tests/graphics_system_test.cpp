@@ -262,6 +262,10 @@ TEST(GraphicsSystem, ErrorsLeaveEverythingAsItWas) {
   expect_error([&] { g.open_segment(0); }, "invalid segment name");
   expect_error([&] { g.delete_segment(5); }, "no segment named 5");
   expect_error([&] { g.set_visibility(5, true); }, "no segment named 5");
+  expect_error([&] { g.set_segment_title(5, "a"); }, "no segment named 5");
+  expect_error([&] { g.set_segment_title(1, "a\n"); }, "U+000A");
+  expect_error([&] { g.set_segment_title(1, "\xff"); }, "expected UTF-8");
+  expect_error([&] { g.set_segment_title(1, std::string(65536, 'a')); }, "at most 65535");
   expect_error([&] { g.set_image_scale(5, 1, 1); }, "no segment named 5");
   expect_error([&] { g.set_image_centre(5, 1, 1); }, "no segment named 5");
   g.open_segment(1);

@@ -300,6 +300,7 @@ class RandomApplication {
       case 31: return system_.set_image_centre(name(), coordinate(), coordinate());
       case 32: return system_.set_hidden_surfaces({.lines = lines()});
       case 33: return cutting_plane();
+      case 34: return system_.set_segment_title(name(), chance(50) ? "a \"title\"" : "");
       case 38: return system_.set_window_fit(chance(50) ? WindowFit::widen : WindowFit::stretch);
       case 39:
         return system_.set_background(

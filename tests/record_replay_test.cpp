@@ -46,6 +46,9 @@ void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.cut_faces().spacing, b.cut_faces().spacing);
   EXPECT_EQ(a.cut_faces().angle, b.cut_faces().angle);
   EXPECT_EQ(words_of(a.hidden_surfaces().lines), words_of(b.hidden_surfaces().lines));
+  for (const Segment& segment : a.display_file().segments()) {
+    EXPECT_EQ(segment.title(), b.display_file().segment(segment.name()).title());
+  }
 }
 
 /// Whatever the application called, its recording makes the same display file, bit for bit
@@ -82,7 +85,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 81u);
+    EXPECT_EQ(routines.size(), 82u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
@@ -127,6 +130,7 @@ TEST(RecordReplay, LinesOfTheRecording) {
   system.text("");
   system.close_segment();
   system.set_visibility(12, false);
+  system.set_segment_title(12, "M6 \u00d7 20");
   EXPECT_EQ(recording.str(),
             "set-window -1 0.1 -0 1e+22\n"
             "set-hidden-method z-buffer\n"
@@ -140,7 +144,8 @@ TEST(RecordReplay, LinesOfTheRecording) {
             "text \"\u03c0, # \\\"q\\\" \\\\\"\n"
             "text \"\"\n"
             "close-segment\n"
-            "set-visibility 12 off\n");
+            "set-visibility 12 off\n"
+            "set-segment-title 12 \"M6 \u00d7 20\"\n");
 }
 
 /// Refused calls are not recorded, and a recorder that is taken away records no more.

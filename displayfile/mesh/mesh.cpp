@@ -16,6 +16,7 @@
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/solids/solid_faces.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "hidden/exact/largest_coordinate.h"
 
@@ -185,6 +186,15 @@ double entered_reach(const Mesh& mesh) {
   return std::max(of_doubles, entered_reach(kUnlessSet, mesh.rounding, 1.0));
 }
 
+namespace {
+
+/// The object's name as far as it can be drawn.
+std::string title_of(const Mesh::Object& object) {
+  return drawable(std::string_view(object.name).substr(0, GraphicsSystem::kLongestText));
+}
+
+}  // namespace
+
 void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_name,
                 const MeshOptions& options) {
   const RoundToNearest nearest;
@@ -197,7 +207,11 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
     int next = first_segment_name;
     for (const Mesh::Object& object : mesh.objects) {
       if (!object.name.empty()) SystemInside::comment(system, object.name);
-      system.open_segment(next++);
+      system.open_segment(next);
+      if (const std::string title = title_of(object); !title.empty()) {
+        system.set_segment_title(next, title);
+      }
+      ++next;
       enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
       system.close_segment();
     }

@@ -8,6 +8,7 @@ Segment::Segment(const Segment& other)
       image(other.image),
       put_off(other.put_off),
       name_(other.name_),
+      title_(other.title_),
       entered_(other.closed_ ? other.entered_ : std::make_shared<Instructions>(*other.entered_)),
       closed_(other.closed_),
       sorted_(other.sorted_) {}

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -34,6 +35,9 @@ class Segment {
 
   int name() const { return name_; }
   void rename(int name) { name_ = name; }
+  /// Characters that can be drawn; empty: none.
+  const std::string& title() const { return title_; }
+  void set_title(std::string_view title) { title_ = title; }
 
   bool visible = true;
   ImageTransformation image;
@@ -142,6 +146,7 @@ class Segment {
   void make_writable();
 
   int name_;
+  std::string title_;
   std::shared_ptr<Instructions> entered_;
   bool closed_ = false;
   std::shared_ptr<const SortedScene> sorted_;

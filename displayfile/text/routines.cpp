@@ -215,6 +215,10 @@ constexpr auto kSegments = std::to_array<Routine>({
                                    "Deletes all segments; none may be open."),
     fixed<&G::rename_segment>("rename-segment", "name new-name",
                               "Renames a segment, which must be closed."),
+    fixed<&G::set_segment_title>(
+        "set-segment-title", "name \"characters\"",
+        "A segment's title, such as the name of a part: in vector files the name of its layer, "
+        "and in SVG its title and id [none]."),
     fixed<&G::set_visibility>("set-visibility", "name on|off",
                               "Whether a segment is drawn and can be picked [on]."),
     fixed<&G::set_image_translation>("set-image-translation", "name tx ty",

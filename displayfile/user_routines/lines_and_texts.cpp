@@ -81,17 +81,21 @@ void GraphicsSystem::line_rel_2(double dx, double dy) {
   state_->record("line-rel-2", {dx, dy});
 }
 
+void require_characters(std::string_view text) {
+  if (text.size() > GraphicsSystem::kLongestText) {
+    throw Error(fmt::format("text of {} bytes: expected at most {}", text.size(),
+                            GraphicsSystem::kLongestText));
+  }
+  if (const std::size_t good = drawable_length(text); good < text.size()) {
+    throw Error(not_drawable(text.substr(good)));
+  }
+}
+
 void GraphicsSystem::text(std::string_view characters) {
   const RoundToNearest nearest;
   state_->require_open();
   state_->require_no_solid("a text");
-  if (characters.size() > kLongestText) {
-    throw Error(
-        fmt::format("text of {} bytes: expected at most {}", characters.size(), kLongestText));
-  }
-  if (const std::size_t good = drawable_length(characters); good < characters.size()) {
-    throw Error(not_drawable(characters.substr(good)));
-  }
+  require_characters(characters);
   if (!characters.empty() && state_->cutting_planes_.outcode(state_->pen_.world) == 0) {
     if (RetainedScene* scene = state_->retaining()) {
       scene->enter_text(state_->pen_.world, characters, state_->attributes_);

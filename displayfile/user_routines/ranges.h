@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <string_view>
 
 #include "clip/point.h"
 #include "displayfile/looks/style.h"
@@ -17,6 +18,9 @@ struct Limit {
 void require_within(const Limit& limit, std::initializer_list<double> values, const char* what);
 /// The same with kCoordinateLimit.
 void require_finite(std::initializer_list<double> values, const char* what);
+
+/// Throws Error for characters that cannot be drawn, or more than kLongestText bytes of them.
+void require_characters(std::string_view text);
 
 /// Throws Error for a component outside of [0,1].
 void require_colour(const Colour& colour);

@@ -6,12 +6,15 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/segments/hidden_surface_check.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_inside.h"
 
@@ -244,6 +247,14 @@ void GraphicsSystem::set_image_rotation(int name, double angle) {
   require_finite({angle}, "angle");
   state_->display_file_.segment(name).image.rotation = angle;
   state_->record("set-image-rotation", {name, angle});
+}
+
+void GraphicsSystem::set_segment_title(int name, std::string_view title) {
+  require_characters(title);
+  state_->display_file_.segment(name).set_title(title);
+  if (state_->recorder_ == nullptr) return;
+  const std::string quoted = in_quotation_marks(title);
+  state_->record("set-segment-title", {name, std::string_view(quoted)});
 }
 
 void GraphicsSystem::set_image_centre(int name, double x, double y) {

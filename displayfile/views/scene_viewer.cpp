@@ -291,6 +291,7 @@ DisplayFile SceneViewer::display_file(const View& view, const glm::dmat3& lights
     if (!now.visible) continue;
     Segment& segment = file.create(part.name);
     segment.image = now.image;
+    segment.set_title(now.title());
     scene().enter_viewed(part, Eye::of(view), stage, lights_turned, segment, [](std::uint32_t) {});
     segment.close();
   }

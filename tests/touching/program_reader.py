@@ -265,6 +265,7 @@ ROUTINES = {
     "rotate-z-3": rotation(0, 1),
     "open-segment": of_segment(0, Reader.open_segment),
     "close-segment": with_numbers(0, Reader.close_segment),
+    "set-segment-title": lambda reader, words: None,
     "set-image-scale": of_segment(2, lambda r, n, x, y: r.set_image(n, scale=(x, y))),
     "set-image-rotation": of_segment(1, lambda r, n, a: r.set_image(n, rotation=a)),
     "set-image-translation": of_segment(2, lambda r, n, x, y: r.set_image(n, translation=(x, y))),

@@ -1,4 +1,4 @@
-// --paper, --margin, --pens, --hatch, --order and --layers by the command.
+// --paper, --margin, --pens, --hatch, --order and --pen-layers by the command.
 
 #include <algorithm>
 #include <regex>
@@ -286,9 +286,9 @@ TEST_F(PenCommand, PensCutInnerContoursFirst) {
     return order;
   };
   EXPECT_EQ(order_of(""), "#ff0000");
-  EXPECT_EQ(order_of("--layers blue"), "#0000ff");
-  EXPECT_EQ(order_of("--layers blue,red"), "#0000ff");
-  EXPECT_EQ(order_of("--layers red,#0000ff --order cut"), "#ff0000");
+  EXPECT_EQ(order_of("--pen-layers blue"), "#0000ff");
+  EXPECT_EQ(order_of("--pen-layers blue,red"), "#0000ff");
+  EXPECT_EQ(order_of("--pen-layers red,#0000ff --order cut"), "#ff0000");
   EXPECT_EQ(err_, "");
   // The triangle in the plate, which has fewer corners, is drawn before it.
   const std::string svg = read(folder_ / "a.svg");
@@ -299,17 +299,17 @@ TEST_F(PenCommand, PensCutInnerContoursFirst) {
   }
   ASSERT_EQ(paths.size(), 3u) << svg;
   EXPECT_LT(paths[0].size(), paths[1].size());
-  ASSERT_EQ(run("draw plate.draw -o a.svg --pens --layers green"), 0) << err_;
+  ASSERT_EQ(run("draw plate.draw -o a.svg --pens --pen-layers green"), 0) << err_;
   EXPECT_NE(err_.find("layer #008000 has no effect: no pen of the picture has this colour"),
             std::string::npos)
       << err_;
   expect_error("draw plate.draw -o x.svg --order cut", "--order cut: expected with --pens or");
-  expect_error("draw plate.draw -o x.svg --layers red", "--layers red: expected with --pens or");
+  expect_error("draw plate.draw -o x.svg --pen-layers red", "--pen-layers red: expected with --pens or");
   expect_error("draw plate.draw -o x.svg --pens --order deep",
                "--order: pens draw in order of travel or cut, not 'deep'");
-  expect_error("draw plate.draw -o x.svg --pens --layers red,", "--layers red,: ''");
-  expect_error("draw plate.draw -o x.svg --pens --layers red,rde", "--layers red,rde: 'rde'");
-  expect_error("draw plate.draw -o x.svg --pens --layers red,#ff0000", "layers 1 and 2 of pens");
+  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,", "--pen-layers red,: ''");
+  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,rde", "--pen-layers red,rde: 'rde'");
+  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,#ff0000", "layers 1 and 2 of pens");
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "interp/vector/file_key.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
+#include "tests/without_keys.h"
 
 namespace displayfile {
 namespace {
@@ -30,11 +31,11 @@ struct File {
   std::string what, svg;
 };
 
-File drawn(const std::string& what, const std::string& program, const DrawOptions& more = {}) {
-  DrawOptions options = more;
-  options.width = options.height = kSize;
-  return {what, draw_as(replayed(program), ".svg", options)};
-}
+/// A drawing of which files are made.
+struct Drawing {
+  std::string what, program;
+  DrawOptions options = {};
+};
 
 /// Two neighbours, of which the first has a trap under the second, in two colours.
 std::string neighbours(const char* first, const char* second, double middle) {
@@ -72,7 +73,7 @@ std::string outlined(const char* fill, const char* style) {
 
 /// Drawings that differ in what ids and classes stand for, in every way that files have. Some have
 /// the same styles, and differ in places alone.
-std::vector<File> files() {
+std::vector<Drawing> drawings() {
   DrawOptions map;
   map.surfaces.method = HiddenMethod::map;
   DrawOptions lines;
@@ -84,26 +85,39 @@ std::vector<File> files() {
   pens.vectors.paper = paper_of("60x60");
   pens.surfaces.method = HiddenMethod::none;
   return {
-      drawn("red and yellow", neighbours("1 0 0", "1 1 0", 0.3), map),
-      drawn("blue and green", neighbours("0 0 1", "0 0.5 0", 0.7), map),
-      drawn("red and yellow, elsewhere", neighbours("1 0 0", "1 1 0", 0.45), map),
-      drawn("painted", neighbours("0 1 1", "1 0 1", 0.5)),
-      drawn("painted, shaded", shaded("0 1 0", "0.5 1 0")),
-      drawn("outlined", outlined("0 1 0", "solid 0.5 0 0.5 3")),
-      drawn("coarse", neighbours("0 0 0", "1 0.5 0", 0.4),
-            [&] {
-              DrawOptions coarse = map;
-              coarse.vectors.precision = 0.5;
-              return coarse;
-            }()),
-      drawn("shaded red", shaded("1 0 0", "1 0 0.5"), map),
-      drawn("shaded blue", shaded("0 0 1", "0 1 0.5"), map),
-      drawn("thick lines", lines_and_text("solid 1 0 0 6", "1 1 0.8", 0.3, "left"), lines),
-      drawn("thin lines", lines_and_text("dashed 0 0 1 2", "0.8 1 1", 0.15, "right"), lines),
-      drawn("on paper", neighbours("0.5 0 0", "0 0.5 0.5", 0.45), on_paper),
-      drawn("for pens", lines_and_text("solid 0 0.5 0 4", "1 1 1", 0.2, "centre"), pens),
-      drawn("for another pen", lines_and_text("solid 0.5 0 0 8", "1 1 1", 0.2, "centre"), pens),
+      Drawing{"red and yellow", neighbours("1 0 0", "1 1 0", 0.3), map},
+      Drawing{"blue and green", neighbours("0 0 1", "0 0.5 0", 0.7), map},
+      Drawing{"red and yellow, elsewhere", neighbours("1 0 0", "1 1 0", 0.45), map},
+      Drawing{"painted", neighbours("0 1 1", "1 0 1", 0.5)},
+      Drawing{"painted, shaded", shaded("0 1 0", "0.5 1 0")},
+      Drawing{"outlined", outlined("0 1 0", "solid 0.5 0 0.5 3")},
+      Drawing{"coarse", neighbours("0 0 0", "1 0.5 0", 0.4),
+              [&] {
+                DrawOptions coarse = map;
+                coarse.vectors.precision = 0.5;
+                return coarse;
+              }()},
+      Drawing{"shaded red", shaded("1 0 0", "1 0 0.5"), map},
+      Drawing{"shaded blue", shaded("0 0 1", "0 1 0.5"), map},
+      Drawing{"thick lines", lines_and_text("solid 1 0 0 6", "1 1 0.8", 0.3, "left"), lines},
+      Drawing{"thin lines", lines_and_text("dashed 0 0 1 2", "0.8 1 1", 0.15, "right"), lines},
+      Drawing{"on paper", neighbours("0.5 0 0", "0 0.5 0.5", 0.45), on_paper},
+      Drawing{"for pens", lines_and_text("solid 0 0.5 0 4", "1 1 1", 0.2, "centre"), pens},
+      Drawing{"for another pen", lines_and_text("solid 0.5 0 0 8", "1 1 1", 0.2, "centre"), pens},
   };
+}
+
+/// With the files' keys, or each with a prefix of its own in place of that.
+std::vector<File> files(bool with_prefixes = false) {
+  std::vector<File> all;
+  for (const Drawing& drawing : drawings()) {
+    DrawOptions options = drawing.options;
+    options.width = options.height = kSize;
+    options.vectors.is_inline = with_prefixes;
+    if (with_prefixes) options.vectors.id_prefix = fmt::format("figure_{}-", all.size());
+    all.push_back({drawing.what, draw_as(replayed(drawing.program), ".svg", options)});
+  }
+  return all;
 }
 
 std::set<std::string> matches(const std::string& text, const char* pattern) {
@@ -114,6 +128,9 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
   }
   return all;
 }
+/// Without what stands before it in a file.
+std::string element(const File& file) { return file.svg.substr(file.svg.find("<svg")); }
+
 std::set<std::string> ids(const File& file) { return matches(file.svg, " id=\"([^\"]+)\""); }
 /// What the rules of style are about, as their selectors have it.
 std::set<std::string> selectors(const File& file) {
@@ -122,9 +139,12 @@ std::set<std::string> selectors(const File& file) {
   return matches(file.svg.substr(begin + 7, end - begin - 7), "([^\\n{},]+)(?=[{,])");
 }
 
-TEST(SvgNames, OfTwoFilesAreNeverTheSame) {
+class SvgNames : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(WithKeysAndPrefixes, SvgNames, testing::Bool());
+
+TEST_P(SvgNames, OfTwoFilesAreNeverTheSame) {
   std::set<std::string> all_ids, all_selectors;
-  for (const File& file : files()) {
+  for (const File& file : files(GetParam())) {
     const auto of_file = ids(file);
     EXPECT_FALSE(of_file.empty()) << file.what;
     for (const std::string& id : of_file) {
@@ -140,9 +160,9 @@ TEST(SvgNames, OfTwoFilesAreNeverTheSame) {
   EXPECT_GT(all_selectors.size(), 30U);
 }
 
-TEST(SvgNames, OfAFileAllLeadToSomethingInIt) {
+TEST_P(SvgNames, OfAFileAllLeadToSomethingInIt) {
   std::size_t references = 0;
-  for (const File& file : files()) {
+  for (const File& file : files(GetParam())) {
     EXPECT_EQ(file.svg.find(kOwn.back()), std::string::npos) << file.what;
     const auto of_file = ids(file);
     for (const char* const pattern : {"url\\(#([^)]+)\\)", "href=\"#([^\"]+)\""}) {
@@ -165,10 +185,131 @@ TEST(SvgNames, OfAFileAllLeadToSomethingInIt) {
   EXPECT_GE(references, 10U);
 }
 
-TEST(SvgNames, AreAFunctionOfTheDrawing) {
-  const auto again = files();
+TEST_P(SvgNames, AreAFunctionOfTheDrawing) {
+  const auto again = files(GetParam());
   std::size_t k = 0;
-  for (const File& file : files()) EXPECT_EQ(file.svg, again[k++].svg) << file.what;
+  for (const File& file : files(GetParam())) EXPECT_EQ(file.svg, again[k++].svg) << file.what;
+}
+
+/// Every id and selector of a file begins with its prefix, and but for these names it is the file
+/// with a key.
+TEST(SvgPrefix, IsBeforeEveryName) {
+  const std::vector<File> with_keys = files(), with_prefixes = files(true);
+  for (std::size_t k = 0; k < with_prefixes.size(); ++k) {
+    const File& file = with_prefixes[k];
+    const std::string prefix = fmt::format("figure_{}-", k);
+    for (const std::string& id : ids(file)) EXPECT_TRUE(id.starts_with(prefix)) << id;
+    for (const std::string& selector : selectors(file)) {
+      for (const std::string& name : matches(selector, "\\.([^ .{]+)")) {
+        EXPECT_TRUE(name.starts_with(prefix)) << file.what << ": " << name;
+      }
+    }
+    EXPECT_TRUE(file.svg.starts_with("<svg ")) << file.what << ": " << file.svg.substr(0, 40);
+    std::string without = file.svg;
+    for (std::size_t at = without.find(prefix); at != without.npos; at = without.find(prefix)) {
+      without.erase(at, prefix.size());
+    }
+    EXPECT_EQ(without, without_keys(element(with_keys[k]))) << file.what;
+  }
+}
+
+TEST(SvgPrefix, IsOfLettersDigitsAndLinesAndOfSvg) {
+  const GraphicsSystem g = replayed(neighbours("1 0 0", "1 1 0", 0.3));
+  for (const char* const bad : {"1", "-a", "a b", "a.", "\u00e9", "a#", "a\""}) {
+    const DrawOptions options{.vectors = {.id_prefix = bad}};
+    EXPECT_NE(error_of([&] { draw_as(g, "svg", options); }).find("prefix of ids"),
+              std::string::npos)
+        << bad;
+  }
+  for (const char* const format : {"pdf", "eps", "png", "ppm"}) {
+    const auto refused = [&](const VectorOptions& vectors) {
+      return error_of([&] { draw_as(g, format, {.vectors = vectors}); });
+    };
+    EXPECT_NE(refused({.id_prefix = "a"}).find("expected .svg"), std::string::npos) << format;
+    EXPECT_NE(refused({.is_inline = true}).find("expected .svg"), std::string::npos) << format;
+    const bool has_layers = std::string_view(format) == "pdf";
+    EXPECT_EQ(refused({.layers = true}).empty(), has_layers) << format;
+  }
+  const DrawOptions pens{.pens = Pens{}, .vectors = {.layers = true}};
+  EXPECT_NE(error_of([&] { draw_as(g, "svg", pens); }).find("a layer for each pen"),
+            std::string::npos);
+}
+
+/// Segments with titles, drawn as SVG by a method.
+std::string titled(const std::vector<std::string>& titles, HiddenMethod method, bool layers,
+                   const char* format = "svg") {
+  std::string program = "set-window 0 1 0 1\nset-line-style solid 0 0 0 1\n";
+  for (std::size_t k = 0; k < titles.size(); ++k) {
+    const double low = 0.9 * static_cast<double>(k) / static_cast<double>(titles.size());
+    program += fmt::format(
+        "open-segment {0}\nset-fill-style solid 0.{0} 0.5 1\nset-segment-title {0} {1}\n"
+        "polygon-abs-2 {2} {2}  {3} {2}  {3} {3}\nclose-segment\n",
+        k + 1, titles[k], low, low + 0.2);
+  }
+  DrawOptions options;
+  options.surfaces.method = method;
+  options.vectors.layers = layers;
+  options.vectors.id_prefix = std::string_view(format) == "svg" ? "p-" : "";
+  return draw_as(replayed(program), format, options);
+}
+
+TEST(SvgTitles, AreTitlesAndIdsThatAreValidAndUnique) {
+  for (const HiddenMethod method :
+       {HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::none}) {
+    const std::string svg = titled({"\"Bolt M6\"", "\"a < b & c\"", "\"\u00d8 \u00e9\"", "\"r1\"",
+                                    "\"Bolt M6\"", "\"Bolt_M6-2\"", "\"2 \\\"in\\\"\"", "\"\""},
+                                   method, false);
+    const std::set<std::string> all = matches(svg, "<g id=\"([^\"]+)\"");
+    for (const char* const id : {"p-Bolt_M6", "p-a___b___c", "p-___", "p-_r1", "p-Bolt_M6-2",
+                                 "p-Bolt_M6-2-2", "p-_2__in_", "p-segment-8"}) {
+      EXPECT_TRUE(all.contains(id)) << id << "\n" << svg;
+    }
+    for (const std::string& id : all) {
+      EXPECT_TRUE(std::regex_match(id, std::regex("[A-Za-z_][A-Za-z0-9_-]*"))) << id;
+      EXPECT_EQ(svg.find("id=\"" + id + "\""), svg.rfind("id=\"" + id + "\"")) << id;
+    }
+    for (const char* const title :
+         {"Bolt M6", "a &lt; b &amp; c", "\u00d8 \u00e9", "r1", "2 \"in\""}) {
+      EXPECT_NE(svg.find(fmt::format("<title>{}</title>", title)), std::string::npos) << title;
+    }
+    EXPECT_EQ(svg.find("<title></title>"), std::string::npos);
+    EXPECT_EQ(svg.find("inkscape"), std::string::npos);
+  }
+}
+
+TEST(SvgTitles, AreLayers) {
+  for (const HiddenMethod method :
+       {HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::none}) {
+    const std::string svg =
+        titled({"\"Bolt & \\\"nut\\\"\"", "\"\"", "\"pin\"", "\"pin\""}, method, true);
+    EXPECT_NE(svg.find("xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""),
+              std::string::npos);
+    for (const char* const label :
+         {"Bolt &amp; &quot;nut&quot;", "segment 2", "pin (segment 3)", "pin (segment 4)"}) {
+      EXPECT_NE(svg.find(fmt::format("inkscape:groupmode=\"layer\" inkscape:label=\"{}\"", label)),
+                std::string::npos)
+          << label << svg;
+    }
+  }
+}
+
+std::size_t times_in(const std::string& text, const std::string& words) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++n;
+  return n;
+}
+
+TEST(PdfTitles, AreLayers) {
+  for (const HiddenMethod method :
+       {HiddenMethod::map, HiddenMethod::franklin, HiddenMethod::none}) {
+    const std::vector<std::string> titles{"\"Bolt M6\"", "\"\"", "\"pin\"", "\"pin\""};
+    const std::string pdf = titled(titles, method, true, "pdf");
+    EXPECT_EQ(times_in(pdf, "/Type /OCG"), 4u);
+    for (const char* const name : {"(Bolt M6)", "(segment 2)"}) {
+      EXPECT_EQ(times_in(pdf, std::string("/Name ") + name), 1u) << name;
+    }
+    EXPECT_EQ(times_in(titled(titles, method, false, "pdf"), "/OC"), 0u);
+  }
 }
 
 TEST(FileKey, ChangesWithAnyByte) {
@@ -203,8 +344,9 @@ TEST(FileKey, IsTheSameOnEveryMachine) {
   EXPECT_EQ(file_key({"M0 0l1 1Z", "and more"}), "0rq3s1w");
 }
 
-/// Drawn by librsvg, which takes rules and ids of nested files for those of the whole document.
-class SvgPage : public TemporaryFolder {
+/// Drawn by librsvg, which takes rules and ids of nested files for those of the whole document. The
+/// parameter: with a prefix for each file.
+class SvgPage : public TemporaryFolder, public testing::WithParamInterface<bool> {
  protected:
   void SetUp() override {
     if (std::system("command -v rsvg-convert > /dev/null 2>&1") != 0) {
@@ -216,8 +358,6 @@ class SvgPage : public TemporaryFolder {
     EXPECT_EQ(std::system(fmt::format("rsvg-convert '{0}' -o '{0}.png'", name).c_str()), 0);
     return read_png(name + ".png");
   }
-  /// Without what stands before it in a file.
-  static std::string element(const File& file) { return file.svg.substr(file.svg.find("<svg")); }
   /// Side by side; null: nothing.
   static std::string page(const std::vector<const File*>& files, int size) {
     std::string text =
@@ -255,8 +395,10 @@ class SvgPage : public TemporaryFolder {
 
 constexpr int kPlace = 240;  // a sheet of 60 mm is some 227 pixels wide
 
-TEST_F(SvgPage, EveryFileShowsWhatItShowsAlone) {
-  const std::vector<File> all = files();
+INSTANTIATE_TEST_SUITE_P(WithKeysAndPrefixes, SvgPage, testing::Bool());
+
+TEST_P(SvgPage, EveryFileShowsWhatItShowsAlone) {
+  const std::vector<File> all = files(GetParam());
   std::vector<const File*> forward, backward;
   for (const File& file : all) forward.push_back(&file);
   backward.assign(forward.rbegin(), forward.rend());
@@ -272,8 +414,8 @@ TEST_F(SvgPage, EveryFileShowsWhatItShowsAlone) {
 }
 
 /// The same drawing, twice: both have the same names, which mean the same.
-TEST_F(SvgPage, TheSameFileTwiceIsTheSamePictureTwice) {
-  for (const File& file : files()) {
+TEST_P(SvgPage, TheSameFileTwiceIsTheSamePictureTwice) {
+  for (const File& file : files(GetParam())) {
     const Picture twice = rasterised(page({&file, &file}, kPlace));
     for (const std::size_t place : {0U, 1U}) {
       EXPECT_EQ(differ(twice, alone(file, place, 2, kPlace), place, kPlace), 0) << file.what;

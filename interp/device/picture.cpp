@@ -103,6 +103,25 @@ Paper paper_of(std::string_view word) {
   return paper;
 }
 
+namespace {
+
+/// Throws Error unless a picture fits, up to rounding. Millimetres.
+void require_room(const Point2& room, const Point2& picture) {
+  constexpr double kRounding = 1e-6;
+  if (!(picture.x > 0.0 && picture.y > 0.0)) {
+    throw Error("pixels on paper: expected a side of more than 0 mm");
+  }
+  const Point2 over = picture - room;
+  if (over.x <= kRounding && over.y <= kRounding) return;
+  const bool is_wide = over.x > over.y;
+  throw Error(fmt::format(
+      "a picture of {:.6g}x{:.6g} mm does not fit on the paper, which has {:.6g}x{:.6g} mm between "
+      "its margins: it is {:.6g} mm too {}",
+      picture.x, picture.y, room.x, room.y, is_wide ? over.x : over.y, is_wide ? "wide" : "high"));
+}
+
+}  // namespace
+
 PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height) {
   require_sheet(paper.width, paper.height);
   const bool landscape = paper.turned == Paper::Turned::automatic
@@ -120,6 +139,10 @@ PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height)
                     paper.margin, fit.width, fit.height));
   }
   fit.pixel = std::min(across / picture_width, down / picture_height);
+  if (paper.pixel) {
+    require_room({across, down}, {*paper.pixel * picture_width, *paper.pixel * picture_height});
+    fit.pixel = *paper.pixel;
+  }
   fit.left = (fit.width - fit.pixel * picture_width) / 2.0;
   fit.top = (fit.height - fit.pixel * picture_height) / 2.0;
   return fit;
@@ -156,12 +179,30 @@ void require_picture_size(long long width, long long height) {
                           kLargestSide, kLargestSide));
 }
 
+namespace {
+
+bool is_prefix_of_ids(std::string_view word) {
+  const auto begins = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return begins(word.front()) && std::ranges::all_of(word, [&](char c) {
+           return begins(c) || (c >= '0' && c <= '9') || c == '-';
+         });
+}
+
+}  // namespace
+
 void require_vector_options(const VectorOptions& options) {
   constexpr double kFinest = VectorOptions::kFinestPrecision;
   constexpr double kCoarsest = VectorOptions::kCoarsestPrecision;
-  if (options.precision >= kFinest && options.precision <= kCoarsest) return;
-  throw Error("precision of vectors " + std::to_string(options.precision) +
-              ": expected 0.001 to 1 pixels");
+  if (!(options.precision >= kFinest && options.precision <= kCoarsest)) {
+    throw Error("precision of vectors " + std::to_string(options.precision) +
+                ": expected 0.001 to 1 pixels");
+  }
+  if (options.id_prefix.empty() || is_prefix_of_ids(options.id_prefix)) return;
+  throw Error(fmt::format(
+      "prefix of ids '{}': expected letters a-z and A-Z, digits, - and _, the first a letter or _",
+      options.id_prefix));
 }
 
 }  // namespace displayfile

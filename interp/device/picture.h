@@ -92,14 +92,15 @@ struct Pick {
 
 // Paper and pens. All lengths are in millimetres.
 
-/// A sheet of paper for a vector picture, which is centred and as large as fits between the
-/// margins.
+/// A sheet of paper, on which a picture is centred between the margins: as large as fits, unless
+/// the size of its pixels is set.
 struct Paper {
   enum class Turned { automatic, portrait, landscape };
   double width = 210.0, height = 297.0;
   double margin = 10.0;
   /// automatic: landscape if the picture is wider than high, otherwise portrait.
   Turned turned = Turned::automatic;
+  std::optional<double> pixel{};  ///< the side of a pixel
   bool operator==(const Paper&) const = default;
 };
 
@@ -111,6 +112,8 @@ std::vector<std::string> sheet_names();  ///< the named sheets, such as a4
 inline constexpr double kLargestSheet = 10'000.0;
 
 inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
+inline constexpr double kMillimetresOfInch = 25.4;
+inline constexpr double kHighestDensity = 100'000.0;  ///< pixels per inch; the lowest is 1
 
 /// The place of a picture on a sheet.
 struct PaperFit {
@@ -118,8 +121,9 @@ struct PaperFit {
   double left, top;      ///< the picture's upper left corner, from that of the sheet
   double pixel;          ///< a pixel's side
 };
-/// Throws Error if the margins are negative or leave no space, or for a sheet that paper_of
-/// refuses.
+/// Throws Error if the margins are negative or leave no space; for a sheet that paper_of refuses;
+/// if the size of pixels is set and is not above 0, or the picture does not fit between the
+/// margins.
 PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height);
 
 /// Hatching: fills drawn as parallel lines, closer for darker fills.
@@ -194,11 +198,20 @@ struct VectorOptions {
   bool crumbs = false;    ///< also draws isolated strokes shorter than they are wide
   bool pick_ids = false;  ///< SVG only: one named element per pick identifier
   Lettering lettering{};  ///< as DrawOptions::lettering
+  /// SVG only: every id, and every class that has a rule, begins with it, in place of the key that
+  /// they end in otherwise (interp/vector/file_key.h). Letters a-z and A-Z, digits, - and _, the
+  /// first a letter or _; or empty. Different figures of one page need different prefixes.
+  std::string id_prefix{};
+  bool is_inline = false;  ///< SVG only: without an XML declaration, to stand in an HTML page
+  /// SVG and PDF: a layer for each segment, with its title (set_segment_title) or number as its
+  /// name: for Inkscape, and as optional content of the PDF. In PDF, neighbours are then drawn
+  /// without a mask, as in EPS (interp/vector/seams.md).
+  bool layers = false;
 
   static constexpr double kFinestPrecision = 0.001, kCoarsestPrecision = 1.0;
 };
 
-/// Throws Error for a precision out of range.
+/// Throws Error for a precision out of range, or a prefix with other characters.
 void require_vector_options(const VectorOptions& options);
 
 }  // namespace displayfile

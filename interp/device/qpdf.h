@@ -31,7 +31,7 @@ class Qpdf {
   DISPLAYFILE_QPDF(oh_new_name);
   DISPLAYFILE_QPDF(oh_new_null);
   DISPLAYFILE_QPDF(oh_new_stream);
-  DISPLAYFILE_QPDF(oh_new_string);
+  DISPLAYFILE_QPDF(oh_new_unicode_string);
   DISPLAYFILE_QPDF(oh_remove_key);
   DISPLAYFILE_QPDF(oh_replace_key);
   DISPLAYFILE_QPDF(oh_replace_stream_data);

@@ -63,6 +63,10 @@ struct DrawOptions {
   std::string ids = {};      ///< path of an item buffer as int32 .npy, if not empty
   std::string depth = {};    ///< path of the visible fills' depth as float64 .npy, if not empty
   bool with_ids = false, with_depth = false;  ///< fill these members of a Picture in memory
+  /// PNG only: pixels per inch, 1 to 100000. The file states it, and so the picture's size; with a
+  /// paper (VectorOptions::paper) the file is that sheet, with the picture in its middle, without
+  /// rows, ids or depth.
+  std::optional<double> dpi = std::nullopt;
   VectorOptions vectors = {};
   /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched` and
   /// `no_effect`. Warnings are not computed otherwise. The reason why nothing is visible is more

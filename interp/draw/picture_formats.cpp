@@ -24,10 +24,34 @@ namespace displayfile {
 namespace {
 
 constexpr std::array kFormats{
-    PictureFormat{{".png", "pixels, compressed"}, png_row_file, png_alpha_row_file, nullptr},
-    PictureFormat{{".ppm", "pixels, plain"}, ppm_row_file, nullptr, nullptr},
-    PictureFormat{{".svg", "vectors for the web"}, nullptr, nullptr, write_svg, write_pens_svg},
-    PictureFormat{{".pdf", "vectors for print"}, nullptr, nullptr, write_pdf, write_pens_pdf},
+    PictureFormat{{".png", "pixels, compressed"},
+                  [](const Destination& to, int width, int height, PictureFormat::Density dpi) {
+                    return png_row_file_at(to, width, height, Alpha::none, dpi);
+                  },
+                  [](const Destination& to, int width, int height, PictureFormat::Density dpi) {
+                    return png_row_file_at(to, width, height, Alpha::stored, dpi);
+                  },
+                  nullptr,
+                  nullptr,
+                  {.density = true}},
+    PictureFormat{{".ppm", "pixels, plain"},
+                  [](const Destination& to, int width, int height, PictureFormat::Density) {
+                    return ppm_row_file(to, width, height);
+                  },
+                  nullptr,
+                  nullptr},
+    PictureFormat{{".svg", "vectors for the web"},
+                  nullptr,
+                  nullptr,
+                  write_svg,
+                  write_pens_svg,
+                  {.ids = true, .layers = true}},
+    PictureFormat{{".pdf", "vectors for print"},
+                  nullptr,
+                  nullptr,
+                  write_pdf,
+                  write_pens_pdf,
+                  {.layers = true}},
     PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, nullptr, write_eps, nullptr},
 };
 

@@ -23,15 +23,24 @@ namespace displayfile {
 /// One line per format: how it is written from pixels, with alpha where there is no background, or
 /// from the display file itself.
 struct PictureFormat {
+  using Density = std::optional<double>;  ///< pixels per inch
+  /// What it has beside the drawing.
+  struct Extras {
+    bool density = false, ids = false, layers = false;
+  };
   Choice choice;
-  std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height);
-  std::unique_ptr<RowFile> (*alpha_file)(const Destination&, int width, int height);
+  std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Density);
+  std::unique_ptr<RowFile> (*alpha_file)(const Destination&, int width, int height, Density);
   void (*write_vectors)(const DisplayFile&, int width, int height, const Destination&,
                         const Background&, bool colour_rule, const VectorOptions&);
-  void (*write_pens)(const PenDrawing&, const Destination&) = nullptr;
+  void (*write_pens)(const PenDrawing&, const Destination&, const VectorOptions&) = nullptr;
+  Extras extras = {};
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
   bool is_for_paper() const { return write_pens != nullptr; }  ///< with pens and without
+  bool has_density() const { return extras.density; }
+  bool has_ids() const { return extras.ids; }
+  bool has_layers() const { return extras.layers; }
   bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "clip/base/error.h"
 #include "interp/draw/drawing_choice.h"
@@ -32,6 +33,9 @@ void require_numbers(const DrawOptions& options) {
     throw Error(fmt::format("font {} for pens: expected hershey, or texts as outlines",
                             options.lettering.font));
   }
+  if (options.dpi && !(*options.dpi >= 1.0 && *options.dpi <= kHighestDensity)) {
+    throw Error(fmt::format("{} dpi: expected 1 to {}", *options.dpi, kHighestDensity));
+  }
   require_picture_size(options.width, options.height);
   if (const auto& rows = options.rows;
       rows && (rows->first < 0 || rows->end <= rows->first || rows->end > options.height)) {
@@ -45,17 +49,56 @@ void require_numbers(const DrawOptions& options) {
                   options.width, options.height, samples, samples, most, most));
 }
 
-/// Paper and pens are of vectors.
+/// The density is that of pixels.
+void require_density(const Destination& to, const PictureFormat& format,
+                     const DrawOptions& options) {
+  if (!options.dpi) return;
+  if (!format.has_density()) {
+    throw Error(fmt::format("{}: {} files have no dpi: expected {}", to.name(), format.choice.name,
+                            names_of_formats(&PictureFormat::has_density, " or ")));
+  }
+  if (!options.vectors.paper) return;
+  if (options.rows || !options.ids.empty() || !options.depth.empty()) {
+    throw Error(fmt::format(
+        "{}: a sheet of paper in pixels has no rows, ids or depth: expected no paper", to.name()));
+  }
+}
+
+/// Paper and pens are of vectors; paper of pixels too, if their density is known.
 void require_paper_and_pens(const Destination& to, const PictureFormat& format,
                             const DrawOptions& options) {
   if (!options.vectors.paper && !options.pens) return;
-  if (!format.is_for_paper()) {
+  if (!format.is_for_paper() && (options.pens || !options.dpi)) {
+    const bool needs_dpi = !options.pens && format.has_density();
     throw Error(fmt::format(
-        "{}: {} files have no size on paper, and are not for pens: expected one of {}", to.name(),
-        format.choice.name, names_of_formats(&PictureFormat::is_for_paper, " ")));
+        "{}: {} files have no size on paper{}, and are not for pens: expected {}one of {}",
+        to.name(), format.choice.name, needs_dpi ? " without dpi" : "", needs_dpi ? "dpi, or " : "",
+        names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
   fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);
+}
+
+/// Names and layers of vectors. Formats without them are refused.
+void require_names(const Destination& to, const PictureFormat& format, const DrawOptions& options) {
+  const auto refuse = [&](const char* what, bool (PictureFormat::*which)() const) {
+    throw Error(fmt::format("{}: {} files have no {}: expected {}", to.name(), format.choice.name,
+                            what, names_of_formats(which, " or ")));
+  };
+  const VectorOptions& vectors = options.vectors;
+  if (!vectors.id_prefix.empty() && !format.has_ids()) {
+    refuse("ids, which a prefix could be of", &PictureFormat::has_ids);
+  }
+  if (vectors.is_inline && !format.has_ids()) {
+    refuse("XML declaration to be left out inline", &PictureFormat::has_ids);
+  }
+  if (!vectors.layers) return;
+  if (!format.has_layers()) refuse("layers", &PictureFormat::has_layers);
+  if (options.pens) {
+    throw Error(fmt::format(
+        "{}: a drawing for pens has a layer for each pen: expected no layers of segments",
+        to.name()));
+  }
 }
 
 /// What the format cannot do.
@@ -75,7 +118,25 @@ void require_format(const Destination& to, const PicturePlan& plan) {
                             to.name(), format.choice.name,
                             names_of_formats(&PictureFormat::can_be_transparent, " ")));
   }
+  require_density(to, format, plan.options);
   require_paper_and_pens(to, format, plan.options);
+  require_names(to, format, plan.options);
+}
+
+/// The sheet of paper in pixels, if a file of pixels is to be one.
+std::optional<PixelPage> page_of(const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  if (!options.vectors.paper || !options.dpi || plan.kind() != PictureKind::raster) {
+    return std::nullopt;
+  }
+  const PaperFit fit = fit_on_paper(*options.vectors.paper, options.width, options.height);
+  const auto pixels = [&](double millimetres) {
+    return static_cast<int>(std::lround(millimetres / fit.pixel));
+  };
+  const int width = std::max(pixels(fit.width), options.width);
+  const int height = std::max(pixels(fit.height), options.height);
+  require_picture_size(width, height);
+  return PixelPage{width, height, (width - options.width) / 2, (height - options.height) / 2};
 }
 
 }  // namespace
@@ -128,8 +189,12 @@ PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
   const PictureFormat* const format = to == nullptr ? nullptr : &format_of(*to, options);
   require_numbers(options);
   PicturePlan plan{.options = options, .device = &device_of(options.device), .format = format};
+  if (plan.options.dpi && plan.options.vectors.paper) {
+    plan.options.vectors.paper->pixel = kMillimetresOfInch / *plan.options.dpi;
+  }
   if (to != nullptr) {
     require_format(*to, plan);
+    plan.page = page_of(plan);
   } else if (!options.format.empty()) {
     format_named(options.format);
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "displayfile/files.h"
 #include "displayfile/segments/surface_plan.h"
 #include "interp/device/picture.h"
 #include "interp/draw/draw.h"
 #include "interp/draw/picture_formats.h"
+#include "interp/files/page_row_file.h"
 
 namespace displayfile {
 
@@ -17,6 +19,7 @@ struct PicturePlan {
   const RasterDevice* device;             ///< of pixels
   const PictureFormat* format = nullptr;  ///< of a file; null: a picture in memory
   int samples = 1;                        ///< per pixel side, for colours: the number in force
+  std::optional<PixelPage> page = {};     ///< of pixels, with the picture on it
   SurfacePlan surfaces = {};
   HiddenMethod method =
       HiddenMethod::automatic;  ///< the drawing method; for vectors never `automatic`

@@ -13,6 +13,7 @@
 #include "interp/device/raster_request.h"
 #include "interp/draw/picture_checks.h"
 #include "interp/files/npy_file.h"
+#include "interp/files/page_row_file.h"
 #include "interp/files/row_file.h"
 #include "interp/raster/antialias.h"
 
@@ -51,7 +52,7 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
     const PenDrawing by_pens =
         pen_drawing(drawn, request.width, request.height, vectors_.paper.value_or(Paper{}), *pens_,
                     request.background);
-    format.write_pens(by_pens, to);
+    format.write_pens(by_pens, to, vectors_);
     if (!warn_) return;
     for (const std::string& colour : layers_without_pen(by_pens, *pens_)) {
       warn_({DrawWarning::Kind::no_effect,
@@ -182,6 +183,11 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.drawn_rows());
   };
+  const auto open_picture = [&](auto* row_file) {
+    if (!plan.page) return row_file(to, options.width, options.drawn_rows(), options.dpi);
+    return page_row_file(row_file(to, plan.page->width, plan.page->height, options.dpi), *plan.page,
+                         pixel_of(request.background));
+  };
   require_drawable_by(request.surfaces.method, plan);
   if (!format.is_of_pixels()) require_colour_of_fills(request.surfaces.method, request.background);
   RowFiles files, colours;
@@ -189,7 +195,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request, co
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.is_of_pixels()) {
     (plan.samples == 1 ? files : colours)
-        .push_back(open(has_background(options) ? format.pixel_file : format.alpha_file, to));
+        .push_back(open_picture(has_background(options) ? format.pixel_file : format.alpha_file));
   }
   RasterRequest of_files = request;
   of_files.texts = format.is_of_pixels();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csetjmp>
 #include <istream>
 #include <ostream>
@@ -115,9 +116,15 @@ void clear_transparent(std::span<std::uint32_t> pixels) {
   }
 }
 
+png_uint_32 pixels_per_metre(double dpi) {
+  constexpr double kMetresOfInch = 0.0254;
+  return static_cast<png_uint_32>(std::lround(dpi / kMetresOfInch));
+}
+
 class PngRowFile : public RowFile {
  public:
-  PngRowFile(const Destination& to, int width, int height, Alpha alpha);
+  PngRowFile(const Destination& to, int width, int height, Alpha alpha,
+             std::optional<double> dpi = {});
   void write(const Picture& rows) override;
   void finish() override;
   void commit() override { file_->commit(); }
@@ -136,18 +143,23 @@ class PngRowFile : public RowFile {
   std::vector<std::uint8_t> row_;
 };
 
-PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha)
+PngRowFile::PngRowFile(const Destination& to, int width, int height, Alpha alpha,
+                       std::optional<double> dpi)
     : file_(output_to(to)), channels_(alpha == Alpha::stored ? 4 : 3) {
   require_picture_size(width, height);
   row_.resize(channels_ * static_cast<std::size_t>(width) + 1);  // as write_channels has it
   if (writer_.info == nullptr) throw Error("not enough memory for a PNG file");
   std::ostream* out = &file_->stream();
   const int colour_type = alpha == Alpha::stored ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+  const png_uint_32 density = dpi ? pixels_per_metre(*dpi) : 0;
   write_by([&] {
     png_set_write_fn(writer_.png, out, write_bytes, flush_nothing);
     png_set_IHDR(writer_.png, writer_.info, static_cast<png_uint_32>(width),
                  static_cast<png_uint_32>(height), 8, colour_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (density > 0) {
+      png_set_pHYs(writer_.png, writer_.info, density, density, PNG_RESOLUTION_METER);
+    }
     // Flat faces repeat from row to row. About a fifth of the time of libpng's own choice, for
     // files at most a tenth longer, except of smooth shades.
     png_set_filter(writer_.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
@@ -187,6 +199,11 @@ std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int heig
 
 std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height) {
   return std::make_unique<PngRowFile>(to, width, height, Alpha::stored);
+}
+
+std::unique_ptr<RowFile> png_row_file_at(const Destination& to, int width, int height, Alpha alpha,
+                                         std::optional<double> dpi) {
+  return std::make_unique<PngRowFile>(to, width, height, alpha, dpi);
 }
 
 void write_png(const Picture& picture, const Destination& to) {

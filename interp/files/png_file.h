@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "displayfile/files.h"
 #include "interp/device/picture.h"
@@ -24,6 +25,10 @@ void write_png(const Picture& picture, const Destination& to);
 /// row: with RGB, or with RGBA.
 std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height);
 std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height);
+/// The same, which states how large the picture is if the density is known, in pixels per inch
+/// (pHYs, in whole pixels per metre).
+std::unique_ptr<RowFile> png_row_file_at(const Destination& to, int width, int height, Alpha alpha,
+                                         std::optional<double> dpi);
 
 /// Reads a PNG file of any colour type; 16-bit samples are reduced to 8 bits. Transparent pixels
 /// are composited over white, or kept with Alpha::stored, where fully transparent ones are 0.

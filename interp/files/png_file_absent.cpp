@@ -25,6 +25,11 @@ std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int, int) {
   refuse_png(to.name());
 }
 
+std::unique_ptr<RowFile> png_row_file_at(const Destination& to, int, int, Alpha,
+                                         std::optional<double>) {
+  refuse_png(to.name());
+}
+
 Picture read_png(const std::filesystem::path& path, Alpha) { refuse_png(path.string()); }
 
 }  // namespace displayfile

@@ -198,7 +198,16 @@ const std::map<std::string_view, Read>& readers() {
          o.lettering.outlines = word == "outlines";
        }},
       {"pick_ids",
-       [](py::handle v, DrawOptions& o) { o.vectors.pick_ids = switch_in(v, "pick_ids"); }}};
+       [](py::handle v, DrawOptions& o) { o.vectors.pick_ids = switch_in(v, "pick_ids"); }},
+      {"id_prefix",
+       [](py::handle v, DrawOptions& o) {
+         o.vectors.id_prefix = word_in(v, "id_prefix");
+         require_vector_options(o.vectors);
+       }},
+      {"inline",
+       [](py::handle v, DrawOptions& o) { o.vectors.is_inline = switch_in(v, "inline"); }},
+      {"layers", [](py::handle v, DrawOptions& o) { o.vectors.layers = switch_in(v, "layers"); }},
+      {"dpi", [](py::handle v, DrawOptions& o) { o.dpi = number_in(v, "dpi"); }}};
   return all;
 }
 

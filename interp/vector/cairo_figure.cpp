@@ -69,8 +69,10 @@ void set_path(_cairo* context, const LatticeLoops& loops, double unit) {
   for (std::size_t k = 0; k < loops.size(); ++k) add_line(context, loops.loop(k), unit, true);
 }
 
-void fill_regions(_cairo* context, const Figure& figure) {
+void fill_regions(_cairo* context, const Figure& figure,
+                  const std::function<void(int segment)>& before = {}) {
   for (const FigureRegion& region : figure.regions) {
+    if (before) before(region.segment);
     set_paint(context, region.paint, region.loops.points, figure.unit, kEvenLevelsOfRegion);
     set_path(context, region.loops, figure.unit);
     cairo().fill(context);
@@ -148,18 +150,20 @@ void paint_cairo_figure(_cairo* context, const Figure& figure) {
   cairo().set_source_rgb(context, 0.0, 0.0, 0.0);  // the groups may go
 }
 
-void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure) {
+void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure,
+                                      const std::function<void(int segment)>& before) {
   if (!figure.traps.empty()) {
     cairo().set_fill_rule(context, CAIRO_FILL_RULE_WINDING);
     const double even_levels = even_levels_of_traps(figure);
     for (const FigureTents& tents : tents_of(figure.regions, kTrapWidth / 2.0 / figure.unit)) {
+      if (before) before(tents.segment);
       set_paint(context, tents.paint, tents.triangles.points, figure.unit, even_levels);
       set_path(context, tents.triangles, figure.unit);
       cairo().fill(context);
     }
     cairo().set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
   }
-  fill_regions(context, figure);
+  fill_regions(context, figure, before);
 }
 
 }  // namespace displayfile

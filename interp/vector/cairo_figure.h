@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "interp/vector/disjoint_fills.h"
 
@@ -19,6 +20,8 @@ void set_cairo_paint(_cairo* context, const FillPaint& paint);
 void paint_cairo_figure(_cairo* context, const Figure& figure);
 
 /// The same into a document that knows neither, as EPS does not: with tents in place of traps.
-void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure);
+/// Calls `before`, if not empty, before each drawing operation, with the segment of the region.
+void paint_cairo_figure_without_masks(_cairo* context, const Figure& figure,
+                                      const std::function<void(int segment)>& before = {});
 
 }  // namespace displayfile

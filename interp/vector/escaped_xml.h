@@ -7,6 +7,11 @@
 
 namespace displayfile {
 
+inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+/// An attribute of the root of files with layers.
+inline constexpr std::string_view kInkscapeNamespace =
+    " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"";
+
 /// Characters as XML has them, between tags.
 inline void append_escaped(std::string& out, std::string_view characters) {
   for (const char c : characters) {
@@ -25,6 +30,17 @@ inline std::string css_font(const std::string& font) {
   constexpr std::string_view kKinds[] = {"sans-serif", "serif", "monospace", "cursive", "fantasy"};
   if (std::ranges::find(kKinds, font) != std::end(kKinds)) return font;
   return "'" + font + "',sans-serif";
+}
+
+/// The same in the value of an attribute, between double quotation marks.
+inline void append_escaped_value(std::string& out, std::string_view characters) {
+  for (std::size_t end = 0; end != characters.npos;) {
+    end = characters.find('"');
+    append_escaped(out, characters.substr(0, end));
+    if (end == characters.npos) return;
+    out += "&quot;";
+    characters.remove_prefix(end + 1);
+  }
 }
 
 }  // namespace displayfile

@@ -53,4 +53,26 @@ void write_with_key(std::string_view text, std::string_view key, std::ostream& o
   out << text;
 }
 
+void write_with_prefix(std::string_view text, std::string_view prefix, std::ostream& out) {
+  const auto is_of_name = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  };
+  for (std::size_t own = text.find(kOwn); own != text.npos; own = text.find(kOwn)) {
+    std::size_t name = own;
+    while (name > 0 && is_of_name(text[name - 1])) --name;
+    out << text.substr(0, name) << prefix << text.substr(name, own - name);
+    text.remove_prefix(own + kOwn.size());
+  }
+  out << text;
+}
+
+void write_with_own_names(std::initializer_list<std::string_view> parts, std::string_view prefix,
+                          std::ostream& out) {
+  const std::string key = prefix.empty() ? file_key(parts) : std::string();
+  for (const std::string_view part : parts) {
+    prefix.empty() ? write_with_key(part, key, out) : write_with_prefix(part, prefix, out);
+  }
+}
+
 }  // namespace displayfile

@@ -105,7 +105,13 @@ void PdfDevice::begin_layer(std::string_view name) {
   layer_ = name;
   if (name.empty()) return;
   cairo().tag_begin(context_.get(), kMarkOfLayer, nullptr);
-  layers_.push_back(name);
+  layers_.emplace_back(name);
+}
+
+void PdfDevice::begin_layer(int segment, std::string_view kind) {
+  const std::string_view own = layer_of(segment);
+  if (own.empty() || kind.empty()) return begin_layer(own.empty() ? kind : own);
+  begin_layer(fmt::format("{}: {}", own, kind));
 }
 
 /// Rounded to 8 bits a component, as in every other picture.
@@ -124,7 +130,7 @@ void PdfDevice::set_path(const Path& path) {
 }
 
 void PdfDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) {
-  begin_layer({});
+  begin_layer(segment_, {});
   cairo_t* context = context_.get();
   set_cairo_paint(context, paint);
   set_path(path);
@@ -139,15 +145,20 @@ void PdfDevice::paint_fill(const Path& path, const FillPaint& paint, bool seam) 
 }
 
 void PdfDevice::paint_figure(const Figure& figure) {
-  begin_layer({});
   cairo().set_dash(context_.get(), nullptr, 0, 0.0);
-  (format_ == PageFormat::pdf ? paint_cairo_figure : paint_cairo_figure_without_masks)(
-      context_.get(), figure);
+  if (options().layers) {
+    return paint_cairo_figure_without_masks(context_.get(), figure, [&](int segment) {
+      begin_layer(segment != 0 ? segment : segment_, {});
+    });
+  }
+  begin_layer({});
+  if (format_ == PageFormat::pdf) return paint_cairo_figure(context_.get(), figure);
+  paint_cairo_figure_without_masks(context_.get(), figure);
 }
 
 void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
                             LineCap cap) {
-  begin_layer(first_name_of(kinds));
+  begin_layer(segment_, first_name_of(kinds));
   cairo_t* context = context_.get();
   set_colour(style.colour);
   if (cap == LineCap::square) {
@@ -165,7 +176,7 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
 }
 
 void PdfDevice::paint_text(const DeviceText& text, const Point2& anchor, double size) {
-  begin_layer({});
+  begin_layer(segment_, {});
   set_colour(text.line.colour);
   CairoText(context_.get(), options().lettering.font, text, anchor, size).show();
 }
@@ -197,6 +208,7 @@ void write_page(PageFormat format, const DisplayFile& display_file, int width, i
   try {
     PdfDevice device(file->stream(), width, height, background, options, format);
     if (colour_rule) device.fill_with_background();
+    device.take_titles(display_file);
     interpret(display_file, device);
     device.draw_texts(display_file);
     device.draw_annotation(display_file, kPointsOfMillimetre);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,9 @@ enum class PageFormat { pdf, eps };
 /// Draws a PDF page, or an EPS picture, through Cairo, one point per pixel, on a background if
 /// there is one. The bytes depend only on the drawing (and on Cairo's version; for texts on its
 /// fonts). Cairo rounds coordinates to 1/256 point. Where lines were selected, each kind is a layer
-/// with its name; lines of several kinds are in that of the first (clip/surfaces.h); EPS has no
-/// layers.
+/// with its name; lines of several kinds are in that of the first (clip/surfaces.h). If
+/// VectorOptions::layers is set, each segment is a layer, with its title or number, and each kind
+/// of its lines another. EPS has no layers.
 class PdfDevice : public VectorDevice {
  public:
   /// The stream must outlive finish(). Throws Error unless both sides are 1 to kLargestSide, or if
@@ -40,14 +42,16 @@ class PdfDevice : public VectorDevice {
   void finish();
 
  private:
-  void open_group(int) override {}
-  void close_group() override {}
+  void open_group(int segment_name) override { segment_ = segment_name; }
+  void close_group() override { segment_ = 0; }
   void paint_fill(const Path& path, const FillPaint& paint, bool seam) override;
   void paint_figure(const Figure& figure) override;
   void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds, LineCap cap) override;
   void paint_text(const DeviceText& text, const Point2& anchor, double size) override;
 
   void begin_layer(std::string_view name);  ///< for later drawing; empty: none
+  /// That of a segment, or of one kind of its lines.
+  void begin_layer(int segment, std::string_view kind);
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
 
@@ -57,9 +61,10 @@ class PdfDevice : public VectorDevice {
   };
   std::ostream& out_;
   PageFormat format_;
-  CollectedText document_;                // until its layers are known
-  std::vector<std::string_view> layers_;  // of the parts of the content that are in one, in order
-  std::string_view layer_;                // in force
+  CollectedText document_;           // until its layers are known
+  std::vector<std::string> layers_;  // of the parts of the content that are in one, in order
+  std::string layer_;                // in force
+  int segment_ = 0;                  // that is open; 0: none
   std::unique_ptr<_cairo_surface, Destroy> surface_;
   std::unique_ptr<_cairo, Destroy> context_;
 };

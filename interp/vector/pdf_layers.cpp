@@ -53,7 +53,7 @@ class Document {
     for (std::size_t k = 0; k < names.size(); ++k) {
       const qpdf_oh layer = qpdf().oh_new_dictionary(data_);
       set(layer, "/Type", qpdf().oh_new_name(data_, "/OCG"));
-      set(layer, "/Name", qpdf().oh_new_string(data_, std::string(names[k]).c_str()));
+      set(layer, "/Name", qpdf().oh_new_unicode_string(data_, std::string(names[k]).c_str()));
       const qpdf_oh shared = qpdf().make_indirect_object(data_, layer);
       set(properties, fmt::format("/L{}", k).c_str(), shared);
       qpdf().oh_append_item(data_, all, shared);
@@ -123,8 +123,7 @@ std::string with_marks_of_layers(std::string_view content, std::span<const std::
 
 }  // namespace
 
-std::string with_layers(const std::string& document,
-                        std::span<const std::string_view> layer_of_parts) {
+std::string with_layers(const std::string& document, std::span<const std::string> layer_of_parts) {
   std::vector<std::string_view> names;
   std::unordered_map<std::string_view, std::size_t> places;  // in the names
   std::vector<std::size_t> layers;

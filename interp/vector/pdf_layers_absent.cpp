@@ -5,10 +5,10 @@
 
 namespace displayfile {
 
-std::string with_layers(const std::string&, std::span<const std::string_view>) {
+std::string with_layers(const std::string&, std::span<const std::string>) {
   throw Error(
-      "the layers of a PDF need QPDF, which this build was made without: expected .svg, or lines "
-      "of no kinds");
+      "the layers of a PDF need QPDF, which this build was made without: expected .svg, or no "
+      "layers and lines of no kinds");
 }
 
 }  // namespace displayfile

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "clip/base/collected_text.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/text/output.h"
 #include "interp/device/interpreter.h"
 #include "interp/device/picture.h"
@@ -65,6 +66,32 @@ std::string_view text_anchor(TextStyle::Alignment alignment) {
   return "end";
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// True for names that ids of ramps, masks and traps have.
+bool is_reserved(std::string_view name) {
+  for (const std::string_view kind : {"r", "c", "figure-", "traps-"}) {
+    if (name.starts_with(kind) && std::ranges::all_of(name.substr(kind.size()), is_digit)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A title as a name: letters, digits, - and _, and _ for each other character; it begins with a
+/// letter or _.
+std::string id_of_title(std::string_view title) {
+  std::string id;
+  while (!title.empty()) {
+    const char c = title.front();
+    id += is_letter(c) || is_digit(c) || c == '-' ? c : '_';
+    title.remove_prefix(std::max<std::size_t>(utf8_length(title), 1));
+  }
+  const bool begins_as_a_name = is_letter(id.front()) || id.front() == '_';
+  return begins_as_a_name && !is_reserved(id) ? id : '_' + id;
+}
+
 std::string hex(std::uint32_t pixel) {
   return fmt::format("#{:02x}{:02x}{:02x}", pixel & 0xff, (pixel >> 8) & 0xff,
                      (pixel >> 16) & 0xff);
@@ -72,11 +99,33 @@ std::string hex(std::uint32_t pixel) {
 
 }  // namespace
 
+/// The name, or where an element has that id already, with a number after it.
+std::string SvgDevice::new_id(const std::string& name) {
+  for (int& times = times_taken_[name];;) {
+    const std::string id = ++times == 1 ? name : fmt::format("{}-{}", name, times);
+    if (ids_.insert(id).second) return id;
+  }
+}
+
 void SvgDevice::open_group(int segment_name) {
-  const int times = ++times_opened_[segment_name];
-  fmt::format_to(std::back_inserter(body_), "<g id=\"segment-{}{}{}\" class=\"segment{}\">\n",
-                 segment_name, times > 1 ? fmt::format("-{}", times) : "", kOwn, kOwn);
+  const std::string_view title = title_of(segment_name);
+  const std::string id =
+      new_id(title.empty() ? fmt::format("segment-{}", segment_name) : id_of_title(title));
+  fmt::format_to(std::back_inserter(body_), "<g id=\"{}{}\" class=\"segment{}\"", id, kOwn, kOwn);
+  if (options().layers) append_layer(layer_of(segment_name));
+  body_ += ">\n";
+  if (!title.empty()) {
+    body_ += "<title>";
+    append_escaped(body_, title);
+    body_ += "</title>\n";
+  }
   joinable_ = {};
+}
+
+void SvgDevice::append_layer(std::string_view label) {
+  body_ += " inkscape:groupmode=\"layer\" inkscape:label=\"";
+  append_escaped_value(body_, label);
+  body_ += '"';
 }
 
 void SvgDevice::close_group() {
@@ -184,9 +233,7 @@ void SvgDevice::finish(std::ostream& out) {
   CollectedText beginning;
   write_beginning(beginning);
   const std::string before = std::move(beginning).str();
-  const std::string key = file_key({before, body_});
-  write_with_key(before, key, out);
-  write_with_key(body_, key, out);
+  write_with_own_names({before, body_}, options().id_prefix, out);
   out << "</svg>\n";
 }
 
@@ -221,15 +268,15 @@ std::vector<std::string> SvgDevice::style_rules() const {
 /// All that stands before the body.
 void SvgDevice::write_beginning(std::ostream& out) const {
   const bool solid = background().kind == Background::Kind::solid;
+  if (!options().is_inline) out << kXmlDeclaration;
   out << fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\"{5} version=\"1.1\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n"
       "<style>\n"
       "{2}.segment{4}{{fill:none;fill-rule:evenodd;stroke-width:{3};stroke-linejoin:round}}\n",
       width(), height(),
       solid ? fmt::format(".background{}{{fill:{}}}\n", kOwn, hex(pixel_of(background()))) : "",
-      kSeamWidth, kOwn);
+      kSeamWidth, kOwn, options().layers ? kInkscapeNamespace : "");
   if (figures_ > 0) {
     out << fmt::format(
         ".figure{0}{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
@@ -251,6 +298,7 @@ void write_svg(const DisplayFile& display_file, int width, int height, const Des
   SvgDevice device(width, height, background, options);
   if (colour_rule) device.fill_with_background();
   const std::unique_ptr<Output> file = output_to(to);
+  device.take_titles(display_file);
   interpret(display_file, device);
   device.draw_texts(display_file);
   device.draw_annotation(display_file, kPixelsOfMillimetre);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "displayfile/files.h"
@@ -21,12 +22,15 @@ namespace displayfile {
 
 /// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
 /// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME-KEY"
-/// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. Every style
+/// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. The id of
+/// one with a title is made of that: letters a-z and A-Z, digits and - as they are, _ for others;
+/// it has a `<title>`, and if VectorOptions::layers is set each is a layer of Inkscape. Every style
 /// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, with round caps and without,
 /// t1-KEY, ... of texts. Where lines were selected, each is also of a class for every kind that it
 /// is: outline, boundary, crease, material, intersection, all (displayfile/segments/line_kinds.md).
 /// These have no rule and are the same in all files; every other name ends in the file's key
-/// (interp/vector/file_key.h), so that files in one page keep apart. Coordinates have three
+/// (interp/vector/file_key.h), or begins with VectorOptions::id_prefix, so that files in one page
+/// keep apart. Coordinates have three
 /// decimals at most. Disjoint fills are a group of class "figure-KEY", in coordinates of its own:
 /// whole units of the stated precision (interp/vector/seams.md).
 class SvgDevice : public VectorDevice {
@@ -56,6 +60,8 @@ class SvgDevice : public VectorDevice {
   std::size_t fill_class(const FillKey& key) {
     return fill_classes_.try_emplace(key, fill_classes_.size() + 1).first->second;
   }
+  std::string new_id(const std::string& name);
+  void append_layer(std::string_view label);
   std::vector<std::string> style_rules() const;
   void write_beginning(std::ostream& out) const;
   void append_paint(const char* property, const FillPaint& paint, const Figure& figure);
@@ -68,7 +74,8 @@ class SvgDevice : public VectorDevice {
   SvgRamps ramps_;
   std::map<LineKey, std::size_t> line_classes_;
   std::map<TextKey, std::size_t> text_classes_;
-  std::unordered_map<int, int> times_opened_;
+  std::unordered_map<std::string, int> times_taken_;  // names of groups
+  std::unordered_set<std::string> ids_;               // of groups
   std::size_t figures_ = 0;
 
   // The element written last, if it is a fill that edges of the same outline may join.

@@ -85,7 +85,9 @@ void SvgDevice::append_regions(const Figure& figure) {
     if (other != 0) open_group(other);
     segment = other;
   };
-  fmt::format_to(std::back_inserter(body_), "<g class=\"pieces{}\">\n", kOwn);
+  fmt::format_to(std::back_inserter(body_), "<g class=\"pieces{}\"", kOwn);
+  if (options().layers) append_layer("pieces");
+  body_ += ">\n";
   for (const FigureRegion& region : figure.regions) {
     if (region.segment != segment) change_to(region.segment);
     append_paint("fill", region.paint, figure);
@@ -114,6 +116,7 @@ void SvgDevice::paint_figure(const Figure& figure) {
                    " mask=\"url(#figure-{}{})\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
                    figures_, kOwn);
   }
+  if (options().layers) append_layer("surfaces");
   body_ += ">\n";
   if (trapped) {
     append_mask(body_, figures_, figure);

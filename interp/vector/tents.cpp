@@ -117,7 +117,8 @@ std::vector<FigureTents> tents_of(std::span<const FigureRegion> regions, double 
   for (std::size_t r = regions.size(); r-- > 0;) {
     const LatticeLoops& all = of_regions[r];
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (k % (Figure::kMostVertices / 3) == 0) tents.push_back({regions[r].paint, {}});
+      if (k % (Figure::kMostVertices / 3) == 0)
+        tents.push_back({regions[r].segment, regions[r].paint, {}});
       tents.back().triangles.add(all.loop(k));
     }
   }

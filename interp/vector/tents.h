@@ -9,6 +9,7 @@ namespace displayfile {
 
 /// Triangles under the sides that two regions share, in the paint of the earlier.
 struct FigureTents {
+  int segment;  ///< of the earlier
   FillPaint paint;
   LatticeLoops triangles;  ///< all in the same direction; where they overlap they are one
 };

@@ -72,6 +72,31 @@ VectorDevice::VectorDevice(int width, int height, const Background& background,
   require_vector_options(options);
 }
 
+/// Segments of one title have layers of different names.
+void VectorDevice::take_titles(const DisplayFile& display_file) {
+  std::unordered_map<std::string_view, int> times;
+  for (const Segment& segment : display_file.segments()) ++times[segment.title()];
+  for (const Segment& segment : display_file.segments()) {
+    const std::string& title = segment.title();
+    const int name = segment.name();
+    if (!title.empty()) titles_[name] = title;
+    if (!options_.layers) continue;
+    layers_[name] = title.empty()       ? fmt::format("segment {}", name)
+                    : times[title] == 1 ? title
+                                        : fmt::format("{} (segment {})", title, name);
+  }
+}
+
+std::string_view VectorDevice::title_of(int segment) const {
+  const auto titled = titles_.find(segment);
+  return titled == titles_.end() ? std::string_view() : titled->second;
+}
+
+std::string_view VectorDevice::layer_of(int segment) const {
+  const auto layered = layers_.find(segment);
+  return layered == layers_.end() ? std::string_view() : layered->second;
+}
+
 Point2 VectorDevice::to_page(const Point3& device) const {
   return {device.x * width_, height_ - device.y * height_};
 }

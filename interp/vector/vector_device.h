@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "displayfile/looks/background.h"
@@ -56,6 +59,8 @@ class VectorDevice : public OutputDevice {
   void line(const DrawnLine& line) final;
   void begin_disjoint_fills() final;
   void end_disjoint_fills() final;
+  /// Keeps the segments' titles, for their names.
+  void take_titles(const DisplayFile& display_file);
   /// Draws the texts that are to be seen of the visible segments, after all else
   /// (interp/text/seen_texts.h).
   void draw_texts(const DisplayFile& display_file);
@@ -85,6 +90,10 @@ class VectorDevice : public OutputDevice {
   int height() const { return height_; }
   const Background& background() const { return background_; }
   const VectorOptions& options() const { return options_; }
+  /// Empty: it has none.
+  std::string_view title_of(int segment) const;
+  /// The name of a segment's layer: its title, or its number. Empty: there are no layers.
+  std::string_view layer_of(int segment) const;
   /// Must be called by the derived class after all drawing.
   void finish_lines();
 
@@ -119,6 +128,7 @@ class VectorDevice : public OutputDevice {
   bool find_loop(std::span<const Point3> vertices);
 
   int width_, height_;
+  std::unordered_map<int, std::string> titles_, layers_;  // of segments
   Background background_;
   VectorOptions options_;
   bool fills_with_background_ = false;

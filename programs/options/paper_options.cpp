@@ -74,7 +74,7 @@ std::vector<Colour> layers_of(const std::string& text) {
     const auto colour = colour_of(word);
     if (!colour) {
       throw Error(
-          fmt::format("--layers {}: '{}': expected colours separated by commas, each "
+          fmt::format("--pen-layers {}: '{}': expected colours separated by commas, each "
                       "#rrggbb or a CSS name, such as red,#0000ff",
                       text, word));
     }
@@ -132,7 +132,7 @@ void PaperWords::add_to(CLI::App& command) {
       ->type_name("travel|cut")
       ->group(kPaperOptions);
   command
-      .add_option("--layers", layers,
+      .add_option("--pen-layers", layers,
                   "with --pens or --hatch, the order of the layers by the pens' colours, each "
                   "#rrggbb or a CSS name: red,#0000ff; other pens follow in order of first use")
       ->type_name("COLOUR,...")
@@ -144,7 +144,7 @@ void PaperWords::read(DrawOptions& options) const {
   if (pens || !hatch.empty()) options.pens.emplace();
   if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
   for (const auto& [option, word] :
-       {std::pair("--order", &order), std::pair("--layers", &layers)}) {
+       {std::pair("--order", &order), std::pair("--pen-layers", &layers)}) {
     if (!*word || options.pens) continue;
     throw Error(fmt::format("{} {}: expected with --pens or --hatch", option, **word));
   }

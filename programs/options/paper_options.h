@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// The options --paper, --margin, --pens, --hatch, --order and --layers, as words.
+/// The options --paper, --margin, --pens, --hatch, --order and --pen-layers, as words.
 struct PaperWords {
   std::string paper, hatch;
   std::optional<double> margin;

@@ -40,6 +40,19 @@ void VectorWords::add_to(CLI::App& command) {
           "and for --pens [text]")
       ->type_name("text|outlines")
       ->group(kVectorOptions);
+  command
+      .add_option("--id-prefix", id_prefix,
+                  "beginning of every id and class with a rule in .svg, in place of the hash that "
+                  "keeps figures of one page apart: letters, digits, - and _")
+      ->type_name("PREFIX")
+      ->group(kVectorOptions);
+  command.add_flag("--inline", is_inline, "no XML declaration in .svg, to stand in an HTML page")
+      ->group(kVectorOptions);
+  command
+      .add_flag("--layers", layers,
+                "a layer for each object or segment, with its name: in .svg those of Inkscape, in "
+                ".pdf those that readers show")
+      ->group(kVectorOptions);
 }
 
 Lettering VectorWords::lettering() const {
@@ -66,6 +79,15 @@ void require_lettering_of_option(const Lettering& lettering) {
 VectorOptions VectorWords::options() const {
   VectorOptions options;
   options.pick_ids = pick_ids;
+  options.id_prefix = id_prefix;
+  options.is_inline = is_inline;
+  options.layers = layers;
+  try {
+    require_vector_options(options);
+  } catch (const Error&) {
+    throw Error("--id-prefix " + id_prefix +
+                ": expected letters a-z and A-Z, digits, - and _, the first a letter or _");
+  }
   if (seams == "butted") {
     options.seams = Seams::butted;
   } else if (!seams.empty() && seams != "trapped") {

@@ -12,6 +12,8 @@ struct VectorWords {
   std::string precision, seams;
   bool pick_ids = false;
   std::string font, text;
+  std::string id_prefix;
+  bool is_inline = false, layers = false;
 
   void add_to(CLI::App& command);
   /// What --font and --text set. Throws Error for an unknown word, or as require_lettering.

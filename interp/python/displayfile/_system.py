@@ -496,6 +496,10 @@ class System(_displayfile.System):
             font: The font of texts, by the name that the system has for it; or "hershey", or
                 "hershey:NAME", for strokes (Debian: hershey-fonts-data); for pixels too.
             text: "outlines": letters as outlines, the same in every viewer; default "text".
+            id_prefix: Beginning of every id, and of every class with a rule, in SVG, in place of a
+                hash: letters, digits, - and _.
+            inline: True: no XML declaration in SVG, to stand in an HTML page.
+            layers: True: a layer for each segment, with its title, in SVG and PDF.
             pens: True: strokes only, none drawn twice, in layers by pen and ordered for short
                 travel, for plotters and laser cutters; on A4 unless paper is set.
             hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or
@@ -505,6 +509,8 @@ class System(_displayfile.System):
                 is drawn before them.
             pen_layers: With pens or hatch, a list of colours: the pens with these colours come
                 first, in this order.
+            dpi: For PNG: pixels per inch, which the file states; with paper the picture stands on a
+                sheet in pixels.
 
         Raises:
             Error: An option out of range, an unknown format, or a file that cannot be written.

@@ -407,6 +407,7 @@ class RandomCalls:
             options += [
                 "paper='A4'", "paper='A99'", "seams='butted'", "vector_precision=0.1", "pick_ids=True",
                 "font='serif'", "font='a;b'", "text='outlines'", "text=3", "paper=4",
+                "id_prefix='a-'", "id_prefix='1'", "inline=True", "layers=True", "dpi=300", "dpi=0",
                 "vector_precision=nan", "vector_precision=-1", "seams='x'",
             ]  # fmt: skip
         else:

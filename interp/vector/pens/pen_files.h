@@ -1,6 +1,7 @@
 #pragma once
 
 #include "displayfile/files.h"
+#include "interp/device/picture.h"
 #include "interp/vector/pens/pen_drawing.h"
 
 namespace displayfile {
@@ -9,8 +10,11 @@ namespace displayfile {
 /// group with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each
 /// path is an element, in the order in which they are to be drawn. The file appears whole or not at
 /// all. Throws Error, naming the file, if it cannot be written.
-void write_pens_svg(const PenDrawing& drawing, const Destination& to);
+/// Of the options only those of SVG's names and declaration apply.
+void write_pens_svg(const PenDrawing& drawing, const Destination& to,
+                    const VectorOptions& options = {});
 /// The same as PDF, whose page is the sheet, pen after pen. Throws Error too if there is no Cairo.
-void write_pens_pdf(const PenDrawing& drawing, const Destination& to);
+void write_pens_pdf(const PenDrawing& drawing, const Destination& to,
+                    const VectorOptions& options = {});
 
 }  // namespace displayfile

@@ -29,7 +29,7 @@ void draw_layer(cairo_t* context, const PenLayer& layer) {
 
 }  // namespace
 
-void write_pens_pdf(const PenDrawing& drawing, const Destination& to) {
+void write_pens_pdf(const PenDrawing& drawing, const Destination& to, const VectorOptions&) {
   const std::unique_ptr<Output> output = output_to(to);
   const auto require = [&](cairo_status_t status) {
     require_cairo_success(status, to.name() + ": Cairo cannot write the PDF");

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-void write_pens_pdf(const PenDrawing&, const Destination& to) {
+void write_pens_pdf(const PenDrawing&, const Destination& to, const VectorOptions&) {
   throw Error(to.name() + ": PDF needs Cairo, which this build was made without: expected .svg");
 }
 

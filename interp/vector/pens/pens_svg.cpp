@@ -6,6 +6,7 @@
 #include <string>
 
 #include "displayfile/text/output.h"
+#include "interp/vector/escaped_xml.h"
 #include "interp/vector/file_key.h"
 #include "interp/vector/pens/pen_files.h"
 
@@ -46,13 +47,12 @@ void append_path_data(std::string& out, const PenPath& path) {
 }
 
 /// Its names end in kOwn.
-std::string document_of(const PenDrawing& drawing) {
+std::string document_of(const PenDrawing& drawing, const VectorOptions& options) {
   std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" "
+      "{2}<svg xmlns=\"http://www.w3.org/2000/svg\"{3} version=\"1.1\" "
       "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-      drawing.fit.width, drawing.fit.height);
+      drawing.fit.width, drawing.fit.height, options.is_inline ? "" : kXmlDeclaration,
+      kInkscapeNamespace);
   int number = 0;
   for (const PenLayer& layer : drawing.layers) {
     const std::uint32_t c = layer.pen.colour;
@@ -78,10 +78,10 @@ std::string document_of(const PenDrawing& drawing) {
 
 }  // namespace
 
-void write_pens_svg(const PenDrawing& drawing, const Destination& to) {
+void write_pens_svg(const PenDrawing& drawing, const Destination& to,
+                    const VectorOptions& options) {
   const std::unique_ptr<Output> output = output_to(to);
-  const std::string document = document_of(drawing);
-  write_with_key(document, file_key({document}), output->stream());
+  write_with_own_names({document_of(drawing, options)}, options.id_prefix, output->stream());
   output->commit();
 }
 

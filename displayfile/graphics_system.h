@@ -240,6 +240,7 @@ class ExplicitSettings {
   void insert(Setting setting) { bits_ |= bit(setting); }
   /// True if any view setting, `camera` to `viewport`, is set.
   bool contains_view() const { return (bits_ & (bit(Setting::window_fit) - 1u)) != 0; }
+  bool operator==(const ExplicitSettings&) const = default;
 
  private:
   static constexpr unsigned bit(Setting setting) { return 1u << static_cast<unsigned>(setting); }

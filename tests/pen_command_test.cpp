@@ -27,7 +27,7 @@ TEST_F(PenCommand, DrawsTheLinesOfAMesh) {
   const std::string svg = read(folder_ / "a.svg");
   EXPECT_NE(svg.find("width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""),
             std::string::npos);
-  EXPECT_NE(svg.find("inkscape:groupmode=\"layer\" inkscape:label=\"1 #000000 0.371 mm\""),
+  EXPECT_NE(svg.find("inkscape:groupmode=\"layer\" inkscape:label=\"1 #000000 0.353 mm\""),
             std::string::npos);
   EXPECT_EQ(svg.find("inkscape:label=\"2 "), std::string::npos);
   EXPECT_NE(svg.find("<path"), std::string::npos);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <optional>
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
@@ -16,6 +17,7 @@
 #include "clip/window_fit.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "displayfile/views/fitted_window.h"
 #include "displayfile/views/set_view.h"
 
@@ -96,11 +98,13 @@ std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
 /// What of the points is needed to fit a view to them, in the view plane's coordinates.
 class FittedCamera {
  public:
-  /// By the camera.
-  FittedCamera(std::span<const Point3> world, double aspect, const Camera& camera);
+  /// By the camera. Without an aspect ratio no window is fitted.
+  FittedCamera(std::span<const Point3> world, std::optional<double> aspect, const Camera& camera);
   /// Only the window and the depth of a view whose camera was set.
   FittedCamera(std::span<const Point3> world, double aspect, const View& set_before);
   const View& view() const { return view_; }
+  /// The window at that scale around what the view shows, where it is fitted.
+  void set_scale(const ExactScale& scale, const Rectangle& viewport);
 
  private:
   void take(std::span<const Point3> world);
@@ -120,11 +124,13 @@ class FittedCamera {
   Point3 toward_eye_{0.0};
   glm::dmat4 view_plane_{1.0};
   std::vector<Point3> points_;
+  std::optional<Rectangle> shown_;  // by a fitted window, on the view plane
   View view_;
 };
 
-FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const Camera& camera)
-    : camera_(camera), aspect_(aspect) {
+FittedCamera::FittedCamera(std::span<const Point3> world, std::optional<double> aspect,
+                           const Camera& camera)
+    : camera_(camera), aspect_(aspect.value_or(1.0)) {
   if (const auto* axis = std::get_if<Upright>(&camera.upright)) upright_ = *axis;
   take(world);
   const double seen_radius = camera.fit ? radius_ : 1.0;
@@ -157,11 +163,11 @@ FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const C
     const double slope = slope_of(*camera.angle_of_view);
     if (stands_back) stand_back(slope);
     if (direction != nullptr && !camera.fit) place_eye(seen_radius / slope);
-    view_.set_window(about_the_middle(slope * distance_, aspect));
-  } else if (camera.fit) {
+    view_.set_window(about_the_middle(slope * distance_, aspect_));
+  } else if (camera.fit && aspect) {
     fit_window();
   } else {
-    view_.set_window(widened(about_the_middle(1.0, 1.0), aspect));
+    view_.set_window(widened(about_the_middle(1.0, 1.0), aspect_));
   }
   enclose_depth();
 }
@@ -248,6 +254,13 @@ void FittedCamera::fit_window() {
     seen.include({reach.x, reach.y, seen.low.z});
   }
   view_.set_window(fitted_window(seen, aspect_, kDepthMargin * radius_));
+  shown_ = {seen.low.x, seen.high.x, seen.low.y, seen.high.y};
+}
+
+void FittedCamera::set_scale(const ExactScale& scale, const Rectangle& viewport) {
+  if (!shown_) return;
+  const double aspect = aspect_ / shape_of(viewport);
+  view_.set_window(window_at_scale(scale, view_.projection, *shown_, viewport, aspect));
 }
 
 /// The front plane stays before the eye.
@@ -304,22 +317,43 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
   }
 }
 
-void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
-              const CameraAsSet& set_before) {
+std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSystem& system,
+                                const Camera& camera, const CameraAsSet& set_before) {
+  const RoundToNearest nearest;
+  const bool has_camera = set_before.settings.contains(Setting::camera);
+  if (set_before.settings.contains(Setting::window)) {
+    if (has_camera || !set_before.camera_beside_window) return std::nullopt;
+    if (camera.angle_of_view) {
+      throw Error("an angle of view, and a window that a program sets: expected one of them");
+    }
+    return FittedCamera(world, std::nullopt, camera).view();
+  }
+  if (has_camera && !camera.fit) return std::nullopt;
+  const Rectangle& viewport = set_before.view.viewport;
+  const double aspect = shape_in_picture(viewport, system.aspect_ratio());
+  FittedCamera fitted = has_camera ? FittedCamera(world, aspect, set_before.view)
+                                   : FittedCamera(world, aspect, camera);
+  if (const auto& scale = SystemInside::scale(system)) fitted.set_scale(*scale, viewport);
+  return fitted.view();
+}
+
+void set_fitted_view(const View& view, GraphicsSystem& system, const CameraAsSet& set_before) {
   const RoundToNearest nearest;
   const auto is_set = [&](Setting setting) { return set_before.settings.contains(setting); };
-  const bool has_camera = is_set(Setting::camera);
-  if (is_set(Setting::window) || (has_camera && !camera.fit)) return;
-  const double aspect = shape_in_picture(set_before.view.viewport, system.aspect_ratio());
-  const View view = has_camera ? FittedCamera(world, aspect, set_before.view).view()
-                               : FittedCamera(world, aspect, camera).view();
-  if (!has_camera) set_camera(view, system);
+  if (!is_set(Setting::camera)) set_camera(view, system);
   if (!is_set(Setting::view_depth)) system.set_view_depth(view.front, view.back);
   if (!is_set(Setting::front_plane_clipping)) system.set_front_plane_clipping(false);
   if (!is_set(Setting::back_plane_clipping)) system.set_back_plane_clipping(false);
+  if (is_set(Setting::window)) return;
   const Rectangle& window = view.window;
   system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
   if (!is_set(Setting::viewport)) system.set_viewport(0.0, 1.0, 0.0, 1.0);
+}
+
+void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
+              const CameraAsSet& set_before) {
+  const auto view = fitted_view(world, system, camera, set_before);
+  if (view) set_fitted_view(*view, system, set_before);
 }
 
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
 struct CameraAsSet {
   View view;
   ExplicitSettings settings;  ///< the parts set explicitly
+  /// Where a window was set and no camera, sets the camera beside it. Otherwise nothing changes.
+  bool camera_beside_window = false;
+  bool operator==(const CameraAsSet&) const = default;
 };
 
 /// Sets a view that shows all points, by a camera: by default a three-quarter perspective from the
@@ -26,15 +30,21 @@ struct CameraAsSet {
 ///
 /// View settings are kept, those of the system or those of `set`, for a program that is yet to be
 /// replayed: the window is made for the viewport, depth and clipping are kept, and with a set
-/// camera only the window is fitted. If a window was set nothing changes. A camera without an up
-/// axis uses y.
+/// camera only the window is fitted. If a window was set nothing changes, unless
+/// CameraAsSet::camera_beside_window is set. At an exact scale (SystemInside::set_scale) the window
+/// has that. A camera without an up axis uses y.
 ///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera is
 /// invalid: an eye at its target, an angle of view out of range, or, when fitting, points that are
-/// not in front of the eye.
+/// not in front of the eye; an angle of view beside a window; as window_at_scale.
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const CameraAsSet& set);
+/// The view that fit_view sets, or none if nothing changes; Errors as there.
+std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSystem& system,
+                                const Camera& camera, const CameraAsSet& set);
+/// Sets it, except for what was set.
+void set_fitted_view(const View& view, GraphicsSystem& system, const CameraAsSet& set);
 /// The same for meshes, with the modelling transformation in force and the meshes' up axis where
 /// the camera has none.
 CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system,

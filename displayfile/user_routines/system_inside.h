@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "displayfile/graphics_system.h"
+#include "displayfile/views/exact_scale.h"
 
 namespace displayfile {
 
@@ -47,6 +49,11 @@ class SystemInside {
   /// The same for the style of one kind of lines.
   static void replace_line_kind_style(GraphicsSystem& system, StyledLines lines,
                                       const LineKindStyle& style);
+
+  /// Sets or removes the exact scale of pictures, for segments opened from now on. Error: a segment
+  /// is open.
+  static void set_scale(GraphicsSystem& system, const std::optional<ExactScale>& scale);
+  static const std::optional<ExactScale>& scale(const GraphicsSystem& system);
 
   static const CuttingPlanes& cutting_planes(const GraphicsSystem& system);
 

@@ -7,6 +7,7 @@
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/view_volume.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "displayfile/views/set_view.h"
 
 namespace displayfile {
@@ -117,6 +118,15 @@ void GraphicsSystem::set_aspect_ratio(double aspect) {
   const RoundToNearest nearest;
   state_->require_view_may_change();
   state_->windows_.set_aspect(aspect);
+}
+
+void SystemInside::set_scale(GraphicsSystem& system, const std::optional<ExactScale>& scale) {
+  system.state_->require_view_may_change();
+  system.state_->windows_.set_scale(scale);
+}
+
+const std::optional<ExactScale>& SystemInside::scale(const GraphicsSystem& system) {
+  return system.state_->windows_.scale();
 }
 
 std::optional<Point3> GraphicsSystem::to_device(const Point3& p) const {

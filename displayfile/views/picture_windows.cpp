@@ -16,6 +16,10 @@ void PictureWindows::set_aspect(double aspect) {
 }
 
 View PictureWindows::in_picture(View view, const ExplicitSettings& set) const {
+  if (scale_) {
+    view.window = window_at_scale(*scale_, view.projection, view.window, view.viewport, aspect_);
+    return view;
+  }
   const bool mapping_was_set = set.contains(Setting::window) || set.contains(Setting::viewport);
   const bool widen =
       set.contains(Setting::window_fit) ? fit_ == WindowFit::widen : !mapping_was_set;

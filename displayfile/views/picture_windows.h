@@ -5,6 +5,7 @@
 #include "clip/view.h"
 #include "clip/window_fit.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/views/exact_scale.h"
 
 namespace displayfile {
 
@@ -15,9 +16,12 @@ class PictureWindows {
   double aspect() const { return aspect_; }
   void set_aspect(double aspect);  ///< Error: not a positive number up to kCoordinateLimit.
   void set_fit(WindowFit fit) { fit_ = fit; }
+  const std::optional<ExactScale>& scale() const { return scale_; }
+  void set_scale(const std::optional<ExactScale>& scale) { scale_ = scale; }
 
   /// A view with its window fitted to the picture. Unless the application sets a fit, a window is
-  /// widened, but stretched if it or the viewport was set.
+  /// widened, but stretched if it or the viewport was set. At an exact scale it has that, whatever
+  /// the fit; Error as window_at_scale.
   View in_picture(View view, const ExplicitSettings& set) const;
   /// Records the window of the segment just opened, if it is stretched by default.
   void opened(int segment, const View& view, const ExplicitSettings& set);
@@ -27,6 +31,7 @@ class PictureWindows {
  private:
   double aspect_ = 1.0;  // width over height
   WindowFit fit_ = WindowFit::widen;
+  std::optional<ExactScale> scale_;
   std::optional<StretchedWindow> stretched_;
 };
 

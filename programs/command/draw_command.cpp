@@ -38,6 +38,7 @@
 #include "programs/process/progress.h"
 #include "programs/process/stopwatch.h"
 #include "programs/process/warnings.h"
+#include "programs/sheet/drawing_scale.h"
 
 namespace displayfile {
 
@@ -61,7 +62,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   add_with(command, with);
   add_output_options(command);
   add_picture_options(command);
-  meshes.add_to(command);
+  meshes.add_to(command, true);
   hidden_surfaces.add_to(command);
   vectors.add_to(command);
   command
@@ -112,7 +113,7 @@ void DrawCommand::add_output_options(CLI::App& command) {
 }
 
 void DrawCommand::add_picture_options(CLI::App& command) {
-  size.add_to(command);
+  size.add_to(command, true);
   command
       .add_option("--samples", options.samples,
                   "antialiasing: each pixel is the mean of N x N samples; 1 for none, the default "
@@ -124,6 +125,16 @@ void DrawCommand::add_picture_options(CLI::App& command) {
   shading.add_to(command);
   background.add_to(command);
   paper.add_to(command);
+  command
+      .add_option(
+          "--scale", scale,
+          "exact scale on paper, of a parallel view: windows are widened to it, and a figure "
+          "that does not fit is refused; with --paper, --size in mm, or --dpi")
+      ->type_name("PAPER:SCENE")
+      ->group(kPaperOptions);
+  command.add_option("--unit", unit, "unit of the scene, for --scale [mm]")
+      ->type_name("mm|cm|m|in")
+      ->group(kPaperOptions);
   command
       .add_option(
           "--line-width", line_width,
@@ -191,12 +202,23 @@ void DrawCommand::add_picture_options(CLI::App& command) {
 
 namespace {
 
-/// On the paper of the options, if they set one.
-PixelSize pixel_size_of(const DrawOptions& all) {
+/// Of a picture with these options, if it is known. Numbers without a unit are millimetres on
+/// paper, and where the picture's size is in millimetres.
+PixelSize pixel_size_of(const DrawOptions& all, bool is_in_millimetres) {
   std::optional<Paper> sheet = all.vectors.paper;
   if (!sheet && all.pens) sheet.emplace();
+  if (all.dpi) return {kMillimetresOfInch / *all.dpi, sheet || is_in_millimetres};
   if (!sheet) return {};
   return {fit_on_paper(*sheet, all.width, all.height).pixel, true};
+}
+
+/// To which vertices are rounded for lengths that are exact on paper: 0.004 mm, or finer by
+/// default.
+double precision_at_scale(const PixelSize& pixel) {
+  constexpr double kMillimetres = 0.004;
+  const double usual = VectorOptions().precision;
+  if (!pixel.millimetres) return usual;
+  return std::clamp(kMillimetres / *pixel.millimetres, VectorOptions::kFinestPrecision, usual);
 }
 
 }  // namespace
@@ -204,18 +226,23 @@ PixelSize pixel_size_of(const DrawOptions& all) {
 /// With those that are words on the command line.
 DrawOptions DrawCommand::all_options() const {
   DrawOptions all = options;
-  size.read(all.width, all.height);
+  all.vectors = vectors.options();
+  paper.read(all, size);
+  if (scale && vectors.precision.empty()) {
+    all.vectors.precision = precision_at_scale(pixel_size_of(all, false));
+  }
   if (rows) {
     const NumberRange range = number_range("--rows", *rows, all.height, "rows");
     all.rows = PictureRows{range.first, range.end};
   }
   all.surfaces = hidden_surfaces.options(options.surfaces.threads);
   all.background = background.background();
-  all.vectors = vectors.options();
   all.lettering = vectors.lettering();
-  paper.read(all);
   if (line_order) all.surfaces.line_order = displayfile::line_order(*line_order);
-  if (halo) all.surfaces.line_halo = halo_of_option(*halo, pixel_size_of(all));
+  if (halo) {
+    all.surfaces.line_halo =
+        halo_of_option(*halo, pixel_size_of(all, size.millimetres().has_value()));
+  }
   if (turntable && all.pens && !all.pens->hatching && !all.surfaces.method) {
     all.surfaces.method = HiddenMethod::franklin;
   }
@@ -234,7 +261,45 @@ ViewsDrawn DrawCommand::views_drawn() const {
   return {all, range.first, range.end};
 }
 
-PixelSize DrawCommand::pixel_size() const { return pixel_size_of(all_options()); }
+bool DrawCommand::takes_papers_shape() const {
+  DrawOptions on_paper;
+  return paper.read(on_paper, size);
+}
+
+PixelSize DrawCommand::pixel_size() const {
+  return pixel_size_of(all_options(), size.millimetres().has_value());
+}
+
+namespace {
+
+/// What --unit sets, in mm.
+double unit_of_option(const std::string& word) {
+  if (word.empty() || word == "mm") return 1.0;
+  if (word == "cm") return 10.0;
+  if (word == "m") return 1000.0;
+  if (word == "in") return kMillimetresOfInch;
+  throw Error(fmt::format("--unit {}: expected mm, cm, m or in", word));
+}
+
+}  // namespace
+
+std::optional<ExactScale> DrawCommand::exact_scale() const {
+  const double unit_in_mm = unit_of_option(unit);
+  if (!scale) {
+    if (!unit.empty()) throw Error(fmt::format("--unit {}: expected --scale too", unit));
+    return std::nullopt;
+  }
+  const std::string name = "--scale " + *scale;
+  const DrawingScale drawn = drawing_scale(*scale);
+  const PixelSize pixel = pixel_size();
+  if (!pixel.millimetres) {
+    throw Error(name +
+                ": a picture without a size on paper has no scale: expected --paper, or --size in "
+                "mm, with .svg or .pdf, or --dpi with .png");
+  }
+  if (turntable) throw Error(name + ": expected one picture, not a turntable's views");
+  return ExactScale{name, drawn.factor() * unit_in_mm, *pixel.millimetres * all_options().height};
+}
 
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
@@ -244,6 +309,9 @@ MeshWords DrawCommand::entering() const {
   }
   if (explode) words.explosion = explosion_of_option(*explode);
   if (line_width) words.line_width = line_width_of_option(*line_width, pixel_size());
+  words.scale = exact_scale();
+  words.widen = words.widen || takes_papers_shape();
+  words.together = together_;
   words.touching = hidden_surfaces.touching_in_force();
   const bool for_pens = paper.pens || !paper.hatch.empty();
   if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
@@ -286,6 +354,9 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   const double entering_took = watch.lap();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
+  if (takes_papers_shape()) {
+    warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);
+  }
   const GraphicsSystem& system = entered.system();
   std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
   // Before the picture, since nothing is written where a limit is reached.
@@ -428,6 +499,24 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
   return 2;
 }
 
+/// The view of the options is fitted once, before any picture is drawn.
+void DrawCommand::fit_to_all() {
+  if (!meshes.fits_all()) return;
+  if (!is_name_pattern(output)) {
+    throw Error(
+        "--fit all: one picture is fitted to all its inputs: expected a picture of each, "
+        "such as -o '{name}.svg'");
+  }
+  if (turntable) throw Error("--fit all: expected pictures, not turntables");
+  const MeshWords words = entering();
+  const StartingShading shading_at_first = starting_shading();
+  const DrawOptions drawing = all_options();
+  together_ = displayfile::fit_to_all(figures_, words.options(), [&](GraphicsSystem& system) {
+    shading_at_first.start(system);
+    words.start(system, static_cast<double>(drawing.width) / drawing.height);
+  });
+}
+
 int DrawCommand::run() {
   lists_ = input_lists(inputs);
   std::vector<Figure> figures = input_figures(inputs);
@@ -445,6 +534,7 @@ int DrawCommand::run() {
   }
   NotInPicture left_out;
   if (quiet) Progress::show_none();
+  fit_to_all();
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);
     if (!quiet) left_out.warn(output);

@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +50,8 @@ struct DrawCommand {
   std::optional<std::string> turntable;  ///< number of views (programs/command/turntable_command.h)
   std::optional<std::string> views;      ///< which of them
   std::optional<std::string> rows;       ///< which of the picture
+  std::optional<std::string> scale;      ///< PAPER:SCENE (programs/sheet/drawing_scale.h)
+  std::string unit;                      ///< of the scene, for the scale; empty: mm
 
   CLI::App& add_to(CLI::App& app);
   int run();
@@ -63,7 +66,10 @@ struct DrawCommand {
   DrawOptions all_options() const;
   MeshWords entering() const;
   StartingShading starting_shading() const;
+  bool takes_papers_shape() const;
   PixelSize pixel_size() const;
+  std::optional<ExactScale> exact_scale() const;
+  void fit_to_all();
   ViewsDrawn views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
@@ -74,8 +80,9 @@ struct DrawCommand {
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInPicture& left_out) const;
 
-  std::vector<Figure> figures_;     ///< of each picture, with their common program
-  std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)
+  std::vector<Figure> figures_;                ///< of each picture, with their common program
+  std::vector<std::string> lists_;             ///< of inputs, as files (input_lists)
+  std::shared_ptr<const ViewOfAll> together_;  ///< by --fit all
 };
 
 }  // namespace displayfile

@@ -137,7 +137,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
       ->type_name("N")
       ->transform(any_number<int>())
       ->default_str(fmt::format("{}", kUsualSamples));
-  size.add_to(command);
+  size.add_to(command, true);
   camera.add_to(command, {"the surface", "30,30", "z"});
   hidden_surfaces.add_to(command);
   background.add_to(command);
@@ -182,14 +182,13 @@ SurfaceLook SurfaceCommand::look() const {
 
 DrawOptions SurfaceCommand::drawing() const {
   DrawOptions drawing;
-  size.read(drawing.width, drawing.height);
   drawing.surfaces = hidden_surfaces.options(threads);
   if (!drawing.surfaces.scope) drawing.surfaces.scope = HiddenScope::all;
   drawing.samples = samples;
   drawing.background = background.background();
   drawing.vectors = vectors.options();
   drawing.lettering = vectors.lettering();
-  paper.read(drawing);
+  paper.read(drawing, size);
   return drawing;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -55,7 +56,7 @@ struct InputsRead {
   /// World coordinates of meshes before which no program sets the window, and of what programs draw
   /// in the same view.
   std::vector<Point3> bare;
-  CameraAsSet before;     ///< before the first of them
+  CameraAsSet before{};   ///< before the first of them
   CommonUpright upright;  ///< of those meshes
 };
 
@@ -89,6 +90,12 @@ void replay_ahead(const std::string& program, const std::string& name, GraphicsS
     if (ahead.open_segment_name()) ahead.close_segment();
     while (ahead.counts().transformations_saved > saved) ahead.restore_transformation_3();
   }
+}
+
+/// True for meshes that follow such settings: no window is set, or a camera stands beside it.
+bool takes_fitted_view(const CameraAsSet& set) {
+  if (!set.settings.contains(Setting::window)) return true;
+  return set.camera_beside_window && !set.settings.contains(Setting::camera);
 }
 
 /// A mesh's segments, for the programs that follow and may name them.
@@ -136,6 +143,9 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
                        const MeshOptions& options) {
   ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and what is made of it are more
   InputsRead read{{}, {}, {}, {}, CommonUpright(options.camera)};
+  Camera of_options = options.camera;
+  of_options.turning = false;
+  const bool has_camera = of_options != Camera{};  // by options
   RetainedScene drawn;
   GraphicsSystem ahead;
   ahead.retain(&drawn);
@@ -159,8 +169,9 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     if (smooth) complete_normals(mesh, ahead);
     enter_ahead(mesh, ahead);
     const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
-    if (before.explicit_settings().contains(Setting::window)) continue;
-    if (read.bare.empty()) read.before = {before.view(), before.explicit_settings()};
+    const CameraAsSet as_set{before.view(), before.explicit_settings(), has_camera};
+    if (!takes_fitted_view(as_set)) continue;
+    if (read.bare.empty()) read.before = as_set;
     append_placed_vertices(mesh, ahead, read.bare);
     read.upright.add(mesh, ahead.modelling_transformation());
   }
@@ -188,6 +199,7 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   fitted.retain(&drawn);
   SystemInside::place_segments(fitted, SystemInside::places(system));
   fitted.set_aspect_ratio(system.aspect_ratio());
+  SystemInside::set_scale(fitted, SystemInside::scale(system));
   fit_view(read.bare, fitted, read.upright.camera(), read.before);
   View shared = fitted.view();
   bool is_before_meshes = true;
@@ -248,10 +260,25 @@ void enter_meshes_with_lines(std::span<const Mesh> meshes, GraphicsSystem& syste
                            [&] { system.set_hidden_surfaces({.lines = before}); });
 }
 
+constexpr const char* kNothingToFit =
+    "--fit all: expected a mesh before which no program sets the window";
+
+/// All pictures have the view where their programs agree on what they set before the meshes.
+void set_view_of_all(const ViewOfAll& all, const CameraAsSet& before, GraphicsSystem& system) {
+  if (!(before == all.before)) {
+    throw Error(
+        "--fit all: programs before this mesh set another view than those of other pictures: "
+        "expected one for all");
+  }
+  set_fitted_view(all.view, system, before);
+}
+
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
                                   const MeshOptions& options,
-                                  const std::optional<LineSelection>& lines_of_meshes) {
+                                  const std::optional<LineSelection>& lines_of_meshes,
+                                  const ViewOfAll* together) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
+    if (together != nullptr) throw Error(kNothingToFit);
     for (const std::string& input : inputs) {
       Progress progress("replaying " + input);
       const ToldOfClosing told(system, progress);
@@ -262,7 +289,9 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   InputsRead read = read_inputs(inputs, system, options);
   const std::string& first_mesh = *std::ranges::find_if_not(inputs, is_drawing_program);
   naming_mesh(first_mesh, [&] {
+    if (together != nullptr && read.bare.empty()) throw Error(kNothingToFit);
     if (read.bare.empty()) return;
+    if (together != nullptr) return set_view_of_all(*together, read.before, system);
     append_axes(inputs, system, read);
     fit_view(read.bare, system, read.upright.camera(), read.before);
   });
@@ -287,15 +316,17 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     meshes = meshes.subspan(i - begin);
   }
   if (read.bare.empty() || read.before.settings.contains(Setting::camera)) return std::nullopt;
-  return read.upright.upright();
+  return together != nullptr ? together->upright : read.upright.upright();
 }
 
 std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
                                  const MeshOptions& options,
-                                 const std::optional<LineSelection>& lines_of_meshes) {
+                                 const std::optional<LineSelection>& lines_of_meshes,
+                                 const ViewOfAll* together) {
   for (const std::string& input : inputs) require_no_folder_or_pattern(input);
   const std::int64_t empty_before = system.counts().empty_solids;
-  const std::optional<Upright> upright = enter_each(inputs, system, options, lines_of_meshes);
+  const std::optional<Upright> upright =
+      enter_each(inputs, system, options, lines_of_meshes, together);
   if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {
     warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
                               empty == 1 ? "" : "s");
@@ -307,7 +338,7 @@ std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSy
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options) {
-  return enter_all(inputs, system, options, std::nullopt);
+  return enter_all(inputs, system, options, std::nullopt, nullptr);
 }
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
@@ -332,11 +363,66 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
           inputs.front(), meshes.explosion->word, fmt::join(exploded->cut_off, ", "));
     }
   }
-  const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes);
+  const std::optional<Upright> fitted =
+      enter_all(inputs, system, options, meshes.lines_of_meshes, meshes.together.get());
   constexpr double kTraceOfWidth = 0.5;
   if (exploded) SystemInside::enter_segment_of_lines(system, exploded->traces, kTraceOfWidth);
   meshes.require_fitted(fitted.has_value());
   return fitted;
+}
+
+namespace {
+
+/// What of some pictures' inputs a view is fitted to.
+struct PointsOfAll {
+  std::vector<Point3> points;
+  std::optional<CameraAsSet> before;  ///< of the first picture
+  std::optional<Upright> upright;     ///< y, where pictures differ
+  bool differ = false;
+
+  void add(const InputsRead& read) {
+    if (read.bare.empty()) return;
+    points.insert(points.end(), read.bare.begin(), read.bare.end());
+    if (!before) before = read.before;
+    const Upright own = read.upright.upright();
+    differ = differ || (upright && *upright != own);
+    upright = differ ? Upright{} : own;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const ViewOfAll> fit_to_all(std::span<const std::vector<std::string>> pictures,
+                                            const MeshOptions& options,
+                                            const std::function<void(GraphicsSystem&)>& start) {
+  PointsOfAll all;
+  std::ostringstream said_when_entered;
+  for (const std::vector<std::string>& inputs : pictures) {
+    if (std::ranges::find(inputs, "-") != inputs.end()) {
+      throw Error("--fit all: inputs are read twice: expected files, not standard input");
+    }
+    if (std::ranges::all_of(inputs, is_drawing_program)) continue;
+    const CollectedWarnings collected(said_when_entered);
+    try {
+      GraphicsSystem system;
+      start(system);
+      InputsRead read = read_inputs(inputs, system, options);
+      if (!read.bare.empty()) append_axes(inputs, system, read);
+      all.add(read);
+    } catch (const LimitReached&) {
+      throw;
+    } catch (const Error&) {  // which is told when the picture's inputs are entered
+    }
+  }
+  if (!all.before) throw Error(kNothingToFit);
+  if (all.differ) warnings() << "--fit all: " << kStandDifferently << '\n';
+  Camera camera = options.camera;
+  camera.upright = *all.upright;
+  GraphicsSystem system;
+  start(system);
+  const auto view = fitted_view(all.points, system, camera, *all.before);
+  if (!view) throw Error("--fit all --no-fit: expected one of them");
+  return std::make_shared<const ViewOfAll>(ViewOfAll{*all.before, *view, *all.upright});
 }
 
 DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptions& options,

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/sorted_display_file.h"
@@ -29,6 +33,21 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshWords& meshes, double aspect,
                                     const HiddenSurfaceOptions& asked = {});
+
+/// A view fitted to the meshes of several pictures together, as enter_inputs fits one to those of
+/// each.
+struct ViewOfAll {
+  CameraAsSet before;  ///< by the programs before the first mesh of each picture
+  View view;
+  Upright upright;
+};
+/// Reads all inputs for that; `start` makes the settings of the options in a new system. Inputs
+/// that cannot be read are left out: an Error is thrown when they are entered. Throws Error for
+/// standard input, which cannot be read twice; if there is no mesh that a view is fitted to; and as
+/// fit_view.
+std::shared_ptr<const ViewOfAll> fit_to_all(std::span<const std::vector<std::string>> pictures,
+                                            const MeshOptions& options,
+                                            const std::function<void(GraphicsSystem&)>& start);
 
 /// The inputs' display file, in the order that is drawn, and the colour of all fills by the colour
 /// rule.

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "clip/base/error.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/options/number_list.h"
 #include "programs/options/option_groups.h"
 #include "programs/process/warnings.h"
@@ -83,12 +84,23 @@ void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
   command.add_flag("--parallel", parallel, "use parallel instead of perspective projection")
       ->excludes(angle)
       ->group(kCameraOptions);
-  command
-      .add_flag("--fit,!--no-fit", fit,
-                "fit the window, or the eye's distance for --fov, to show the whole mesh; "
-                "otherwise to a ball of radius 1 at the origin, or at --look-at")
-      ->default_str("true")
-      ->group(kCameraOptions);
+  if (usual.many) {
+    option("--fit", fit_to, "each|all",
+           "inputs to which the camera and the window are fitted: those of each picture, or of all "
+           "pictures together, so that parts have one scale [each]");
+    command
+        .add_flag("!--no-fit", fit,
+                  "do not fit the window, or the eye's distance for --fov: show a ball of radius 1 "
+                  "at the origin, or at --look-at")
+        ->group(kCameraOptions);
+  } else {
+    command
+        .add_flag("--fit,!--no-fit", fit,
+                  "fit the window, or the eye's distance for --fov, to show the whole mesh; "
+                  "otherwise to a ball of radius 1 at the origin, or at --look-at")
+        ->default_str("true")
+        ->group(kCameraOptions);
+  }
   command
       .add_flag("--widen", widen,
                 "also widen windows set by programs to the picture's aspect ratio; otherwise they "
@@ -122,16 +134,38 @@ std::vector<std::string> CameraWords::given() const {
   return names;
 }
 
+bool CameraWords::fits_all() const {
+  if (fit_to == "all") {
+    if (!fit) throw Error("--fit all --no-fit: expected one of them");
+    return true;
+  }
+  if (fit_to.empty() || fit_to == "each") return false;
+  throw Error(fmt::format("--fit {}: expected each or all", fit_to));
+}
+
 void CameraWords::require_fitted(bool fitted) const {
   const auto names = given();
   if (fitted || names.empty()) return;
-  throw Error(fmt::format("{}: expected a mesh before which no program sets the view",
+  throw Error(fmt::format("{}: expected a mesh before which no program sets the camera",
                           fmt::join(names, " ")));
 }
 
 void CameraWords::start(GraphicsSystem& system, double aspect) const {
   system.set_aspect_ratio(aspect);
   if (widen) system.set_window_fit(WindowFit::widen);
+}
+
+void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
+                           int height) {
+  if (width == height) return;
+  for (const Segment& segment : system.display_file().segments()) {
+    if (!segment.visible || std::fmod(segment.image.rotation, 180.0) == 0.0) continue;
+    warnings() << fmt::format(
+        "{}: segment {}: set-image-rotation distorts in {} x {} pixels, the paper's shape: use "
+        "--size to set another, such as 512x512\n",
+        picture, segment.name(), width, height);
+    return;
+  }
 }
 
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,

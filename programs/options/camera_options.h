@@ -14,17 +14,22 @@ struct UsualCamera {
   const char* what = "a bare mesh";
   const char* eye = "30,20";
   const char* up = "as the file says, or y";
+  bool many = false;  ///< the command draws a picture of each of many inputs
 };
 
 /// The camera options for meshes alone, and the window options, as words.
 struct CameraWords {
   std::string eye, look_at, up, fov;
+  std::string fit_to;  ///< each or all; empty: each
   bool parallel = false, fit = true, widen = false;
   bool turning = false;  ///< no option: the camera is one of a turntable
 
   void add_to(CLI::App& command, const UsualCamera& usual = {});
   /// Throws Error, naming the option, for an invalid word.
   Camera camera() const;
+  /// True if one view is to be fitted to all inputs of several pictures. Throws Error for another
+  /// word than each or all.
+  bool fits_all() const;
   /// Throws Error, naming the options, if some change a fitted view and there is none.
   void require_fitted(bool fitted) const;
   /// What the inputs start with.
@@ -40,5 +45,9 @@ Upright upright_of_option(const std::string& word);
 /// Warns on standard error if a window of a picture was stretched by a pixel or more by default.
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
                               int height);
+/// Warns of images that a program turns, if the picture is not square, where its shape is that of
+/// the paper: image transformations are of normalised device coordinates.
+void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
+                           int height);
 
 }  // namespace displayfile

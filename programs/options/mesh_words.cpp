@@ -12,8 +12,8 @@
 
 namespace displayfile {
 
-void MeshWords::add_to(CLI::App& command) {
-  CameraWords::add_to(command);
+void MeshWords::add_to(CLI::App& command, bool many) {
+  CameraWords::add_to(command, {.many = many});
   import.add_to(command);
   command
       .add_option("--colour", colour,
@@ -38,6 +38,7 @@ MeshOptions MeshWords::options() const {
 
 void MeshWords::start(GraphicsSystem& system, double aspect) const {
   CameraWords::start(system, aspect);
+  if (scale) SystemInside::set_scale(system, scale);
   if (lines) SystemInside::replace_lines(system, *lines);
   if (line_width) SystemInside::replace_line_width(system, *line_width);
   for (const auto& [kind, style] : line_styles) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -96,14 +97,23 @@ PenOrder order_of(const std::string& word) {
 
 void PaperWords::add_to(CLI::App& command) {
   command
-      .add_option("--paper", paper,
-                  "paper size; an SVG or PDF is drawn as large as fits: A0 to A6, letter, legal, "
-                  "tabloid, or WIDTHxHEIGHT in mm; with -portrait or -landscape appended, by "
-                  "default the picture's orientation")
+      .add_option(
+          "--paper", paper,
+          "paper size, of which the picture takes the shape unless --size is set; an SVG or "
+          "PDF is drawn as large as fits: A0 to A6, letter, legal, tabloid, or WIDTHxHEIGHT "
+          "in mm; with -portrait or -landscape appended, by default the picture's "
+          "orientation; of a PNG with --dpi")
       ->type_name("PAPER")
       ->group(kPaperOptions);
   command.add_option("--margin", margin, "margin around the picture on the paper in mm [10]")
       ->type_name("MM")
+      ->transform(any_number<double>())
+      ->group(kPaperOptions);
+  command
+      .add_option("--dpi", dpi,
+                  "pixels per inch of a PNG, which states it; widths and sizes in mm and --paper "
+                  "then hold for it too")
+      ->type_name("DPI")
       ->transform(any_number<double>())
       ->group(kPaperOptions);
   command
@@ -139,7 +149,55 @@ void PaperWords::add_to(CLI::App& command) {
       ->group(kPaperOptions);
 }
 
-void PaperWords::read(DrawOptions& options) const {
+namespace {
+
+/// In mm: of a picture whose density is not known, a point.
+double usual_pixel(const DrawOptions& options) {
+  return options.dpi ? kMillimetresOfInch / *options.dpi : 1.0 / kPointsOfMillimetre;
+}
+
+/// The shape of the paper between its margins.
+void take_shape(DrawOptions& options) {
+  if (!options.vectors.paper) options.vectors.paper.emplace();
+  Paper& paper = *options.vectors.paper;
+  const PaperFit fit = fit_on_paper(paper, options.width, options.height);
+  paper.turned = fit.width > fit.height ? Paper::Turned::landscape : Paper::Turned::portrait;
+  const double pixel = usual_pixel(options);
+  const auto pixels = [&](double side) {
+    const double exact = (side - 2.0 * paper.margin) / pixel;
+    return std::max(1,
+                    static_cast<int>(options.dpi ? std::floor(exact + 1e-6) : std::round(exact)));
+  };
+  options.width = pixels(fit.width);
+  options.height = pixels(fit.height);
+}
+
+/// On the paper that is set, or else on a sheet of that size.
+void take_size(const MillimetreSize& size, DrawOptions& options) {
+  const double pixel = usual_pixel(options);
+  options.width = std::max(1, static_cast<int>(std::lround(size.width / pixel)));
+  options.height = std::max(1, static_cast<int>(std::lround(size.height / pixel)));
+  if (options.dpi) return;
+  if (options.vectors.paper || options.pens) {
+    if (!options.vectors.paper) options.vectors.paper.emplace();
+    options.vectors.paper->pixel = size.width / options.width;
+    return;
+  }
+  const bool is_wide = size.width > size.height;
+  options.vectors.paper =
+      Paper{.width = size.width,
+            .height = size.height,
+            .margin = 0.0,
+            .turned = is_wide ? Paper::Turned::landscape : Paper::Turned::portrait};
+}
+
+}  // namespace
+
+bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size) const {
+  if (dpi && !(*dpi >= 1.0 && *dpi <= kHighestDensity)) {
+    throw Error(fmt::format("--dpi {}: expected 1 to {}", *dpi, kHighestDensity));
+  }
+  options.dpi = dpi;
   if (!paper.empty()) options.vectors.paper = paper_of(paper);
   if (pens || !hatch.empty()) options.pens.emplace();
   if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
@@ -150,12 +208,20 @@ void PaperWords::read(DrawOptions& options) const {
   }
   if (order) options.pens->order = order_of(*order);
   if (layers) options.pens->layers = layers_of(*layers);
-  if (!margin) return;
-  if (!options.vectors.paper && !options.pens) {
+  if (margin && !options.vectors.paper && !options.pens) {
     throw Error(fmt::format("--margin {}: expected with --paper, --pens or --hatch", *margin));
   }
-  if (!options.vectors.paper) options.vectors.paper.emplace();
-  options.vectors.paper->margin = *margin;
+  if (margin && !options.vectors.paper) options.vectors.paper.emplace();
+  if (margin) options.vectors.paper->margin = *margin;
+  const auto millimetres = size.millimetres();
+  if (millimetres) {
+    take_size(*millimetres, options);
+    return false;
+  }
+  size.read(options.width, options.height);
+  const bool takes_papers = !size.is_set() && (options.vectors.paper || options.pens);
+  if (takes_papers) take_shape(options);
+  return takes_papers;
 }
 
 }  // namespace displayfile

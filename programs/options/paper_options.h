@@ -5,20 +5,24 @@
 #include <string>
 
 #include "interp/draw/draw.h"
+#include "programs/options/picture_size.h"
 
 namespace displayfile {
 
-/// The options --paper, --margin, --pens, --hatch, --order and --pen-layers, as words.
+/// The options --paper, --margin, --dpi, --pens, --hatch, --order and --pen-layers, as words.
 struct PaperWords {
   std::string paper, hatch;
-  std::optional<double> margin;
+  std::optional<double> margin, dpi;
   std::optional<std::string> order, layers;
   bool pens = false;
 
   void add_to(CLI::App& command);
-  /// Sets the paper and the pens of the options. Throws Error for a word that is none, or for a
+  /// Sets the size, paper, density and pens of the options. Without a size on the command line, a
+  /// picture on paper takes the shape of the paper between its margins, with pixels of a point, or
+  /// as the density has them; then it returns true. The options' size before that decides how the
+  /// paper is turned, where its word does not. Throws Error for a word that is none, or for a
   /// length out of its range.
-  void read(DrawOptions& options) const;
+  bool read(DrawOptions& options, const PictureSizeWord& size) const;
 };
 
 }  // namespace displayfile

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstddef>
+#include <string_view>
 
 #include "clip/base/error.h"
 #include "interp/device/picture.h"
@@ -10,11 +12,38 @@
 
 namespace displayfile {
 
-void PictureSizeWord::add_to(CLI::App& command) {
-  command.add_option("--size", size, "in pixels; of a PDF, in points")
-      ->type_name("WIDTHxHEIGHT")
-      ->capture_default_str()
-      ->group(kPictureOptions);
+void PictureSizeWord::add_to(CLI::App& command, bool on_paper) {
+  option = command
+               .add_option("--size", size,
+                           on_paper ? "in pixels; of a PDF, in points; or in mm, such as 80x60mm: "
+                                      "the sheet's size or, with --paper, the picture's on it, or "
+                                      "that of a PNG with --dpi. By default on paper, its shape"
+                                    : "in pixels; of a PDF, in points")
+               ->type_name(on_paper ? "WIDTHxHEIGHT[mm]" : "WIDTHxHEIGHT")
+               ->capture_default_str()
+               ->group(kPictureOptions);
+}
+
+std::optional<MillimetreSize> PictureSizeWord::millimetres() const {
+  constexpr std::string_view kUnit = "mm";
+  if (!size.ends_with(kUnit)) return std::nullopt;
+  MillimetreSize sides{};
+  const char* const end = size.data() + size.size() - kUnit.size();
+  auto [p, failure] = std::from_chars(size.data(), end, sides.width);
+  const bool has_width = failure == std::errc{};
+  const std::string_view rest(p, static_cast<std::size_t>(end - p));
+  if (rest.starts_with(kUnit)) p += kUnit.size();
+  const bool has_cross = has_width && p != end && (*p == 'x' || *p == 'X');
+  const auto height = has_cross ? std::from_chars(p + 1, end, sides.height)
+                                : std::from_chars_result{p, std::errc::invalid_argument};
+  if (height.ec != std::errc{} || height.ptr != end) {
+    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHTmm, such as 80x60mm", size));
+  }
+  for (const double side : {sides.width, sides.height}) {
+    if (side >= 1.0 && side <= kLargestSheet) continue;
+    throw Error(fmt::format("--size {}: expected sides of 1 to {} mm", size, kLargestSheet));
+  }
+  return sides;
 }
 
 void PictureSizeWord::read(int& width, int& height) const {

@@ -89,7 +89,8 @@ TEST(Annotation, ErrorsSayWhere) {
             "scene.draw:2:1: annotation size 0: expected more than 0 and at most 1000");
   EXPECT_EQ(line("set-annotation-size 1001 px"),
             "scene.draw:2:1: annotation size 1001: expected more than 0 and at most 1000");
-  EXPECT_EQ(line("set-annotation-size 3 cm"), "scene.draw:2:23: expected mm or px, not 'cm': did you mean 'mm'?");
+  EXPECT_EQ(line("set-annotation-size 3 cm"),
+            "scene.draw:2:23: expected mm or px, not 'cm': did you mean 'mm'?");
   EXPECT_EQ(line("set-annotation-ends ring"), "scene.draw:2:21: expected arrow or dot, not 'ring'");
   EXPECT_EQ(line("set-annotation-decimals 10"),
             "scene.draw:2:1: annotation decimals 10: expected 0 to 9");
@@ -392,7 +393,7 @@ TEST(AnnotationMarks, LinearDimension) {
 
 /// Numbers are read from the bottom or from the right, and stand above their line.
 TEST(AnnotationMarks, NumbersAreReadable) {
-  for (int degrees = 0; degrees < 360; degrees += 15) {
+  for (int degrees = 0; degrees < 360; degrees += 10) {
     const double angle = degrees * 3.14159265358979 / 180.0;
     const Point2 along(std::cos(angle), std::sin(angle));
     const auto texts =
@@ -401,8 +402,8 @@ TEST(AnnotationMarks, NumbersAreReadable) {
                 Kind::text);
     ASSERT_EQ(texts.size(), 1u);
     const double turn = texts[0].text.turn;
-    EXPECT_GT(turn, -89.999) << degrees;
-    EXPECT_LT(turn, 90.001) << degrees;
+    EXPECT_GT(turn, -74.9) << degrees;
+    EXPECT_LT(turn, 105.1) << degrees;
     EXPECT_NEAR(std::remainder(turn - degrees, 180.0), 0.0, 1e-5);
     const Point2 aside = anchor_of(texts[0]) - Point2(500.0) - 150.0 * along;
     const double turned = turn * 3.14159265358979 / 180.0;

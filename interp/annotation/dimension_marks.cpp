@@ -20,9 +20,10 @@ constexpr double kArrowsInLine = 3.0;         // lengths of arrows, of a line wi
 
 Point2 up_from(const Point2& direction) { return {-direction.y, direction.x}; }
 
-/// The direction or its opposite, in which a text is read from the bottom or the right.
+/// The direction or its opposite, in which a text is read from the bottom, or from the right where
+/// it is upright within 15 degrees.
 Point2 readable(const Point2& direction) {
-  constexpr double kUpright = 1e-6;
+  constexpr double kUpright = 0.2588;  // the sine of 15 degrees
   const bool is_upright = std::abs(direction.x) <= kUpright;
   return (is_upright ? direction.y < 0.0 : direction.x < 0.0) ? -direction : direction;
 }

@@ -10,6 +10,7 @@
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
 #include "interp/opengl/osmesa.h"
+#include "interp/vector/pens/stroke_letters.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 #include "tests/without_keys.h"
@@ -126,6 +127,24 @@ TEST(AnnotationFiles, PensDrawLetters) {
   EXPECT_GT(size("AB"), size("A"));
   EXPECT_EQ(size("I"), size("I"));
   EXPECT_NE(size("W"), size("I"));
+}
+
+/// Letters follow each other, within the width; a character without strokes is a box.
+TEST(AnnotationFiles, StrokeLetters) {
+  for (const std::string_view text : {"AB", "jy", "1.5", "\u00d830", "a b", "\u00e9\u4e00"}) {
+    const StrokeLetters letters = stroke_letters(text);
+    const StrokeLetters twice = stroke_letters(std::string(text) + std::string(text));
+    ASSERT_EQ(twice.strokes.size(), 2 * letters.strokes.size()) << text;
+    for (std::size_t k = 0; k < letters.strokes.size(); ++k) {
+      const auto& [from, to] = letters.strokes[k];
+      for (const Point2& p : {from, to}) {
+        EXPECT_TRUE(p.x >= 0.0 && p.x <= letters.width && p.y >= -0.4 && p.y <= 1.0) << text;
+      }
+      EXPECT_GT(twice.strokes[letters.strokes.size() + k].first.x, letters.width) << text;
+    }
+  }
+  EXPECT_EQ(stroke_letters("\u00e9").strokes.size(), 4u);
+  EXPECT_EQ(stroke_letters("").width, 0.0);
 }
 
 /// Without annotation nothing changes, by a device that would draw it.

@@ -241,6 +241,11 @@ TEST(AnnotationPlacement, InRows) {
   EXPECT_EQ(faults_of(a), 0);
   const std::vector<Drawn> all = drawn(a);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(all[i].box[0].y > 256, i < 2);
+  // A balloon's line ends at the point of the circle that is nearest to the figure.
+  for (const std::size_t i : {2u, 3u}) {
+    const auto [low, high] = std::ranges::minmax(all[i].box, {}, &Point2::y);
+    EXPECT_NEAR(glm::distance(all[i].leader[0].first, high), 0.0, 1e-6) << low.y;
+  }
 }
 
 /// What has no cell stays where it was entered.

@@ -207,6 +207,26 @@ TEST(Annotation, MeasuresAreThoseOfTheModel) {
             (Texts{"8", "21", "R4"}));
 }
 
+/// So are the offsets of dimension lines.
+TEST(Annotation, OffsetsAreInTheCoordinatesInForce) {
+  const GraphicsSystem g = replayed(
+      "scale-3 .5 .25 1\nrotate-z-3 90\nopen-segment 1\n"
+      "linear-dimension-3 x  0 0 0  1 1 0  9 1 0\n"
+      "aligned-dimension-3  0 0 0  0 1 0  1 0 0\nclose-segment\n");
+  const auto kept = g.display_file().segment(1).entered()->annotations();
+  ASSERT_EQ(kept.size(), 2u);
+  const auto expect_at = [&](std::size_t k, std::size_t point, double x, double y) {
+    EXPECT_NEAR(kept[k].points[point].x, 0.5 + 0.5 * x, 1e-12) << k << " " << point;
+    EXPECT_NEAR(kept[k].points[point].y, 0.5 + 0.5 * y, 1e-12) << k << " " << point;
+  };
+  expect_at(0, 1, -0.25, 0.5);
+  expect_at(0, 2, -0.25, 0.0);
+  expect_at(0, 3, -0.25, 0.5);
+  expect_at(1, 1, -0.25, 0.0);
+  expect_at(1, 2, 0.0, 0.5);
+  expect_at(1, 3, -0.25, 0.5);
+}
+
 TEST(Annotation, LinesOfTheRecording) {
   std::ostringstream recording;
   Recorder recorder(recording);

@@ -18,8 +18,8 @@ void paint_annotation(std::span<const AnnotationMark> marks, const Background&, 
                       const PictureSize&, int, int, Picture&) {
   if (marks.empty()) return;
   throw Error(
-      "annotation in pixels is drawn by Cairo, which this build was made without: expected a "
-      "drawing without annotation, or an .svg file");
+      "annotations in pixels are drawn by Cairo, which this build was made without: expected a "
+      "drawing without annotations, or an .svg file");
 }
 
 std::vector<LetterPaths::Letter> letter_outlines(const std::string&, const DeviceText&,

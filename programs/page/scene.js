@@ -78,14 +78,14 @@ class Scene {
     }
   }
 
-  /** Pixels; where the scene has texts, which pixels have not here, SVG. */
+  /** Pixels; where the scene has texts or annotation, which pixels have not here, SVG. */
   picture(view, options) {
     const system = this.#system_in(view);
     if (!this.has_texts) {
       try {
         return system.draw(options);
       } catch (error) {
-        if (!/^texts in pixels/.test(error.message)) throw error;
+        if (!/^(texts|annotations) in pixels/.test(error.message)) throw error;
         this.has_texts = true;
       }
     }

@@ -5,12 +5,15 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tests/rational_points.h"
@@ -170,19 +173,44 @@ TEST(StrokesByDepth, LinesThatMeetAreInOrderOfEntryAndLeaveNoGap) {
 }
 
 /// Three sticks, each over the next.
-TEST(StrokesByDepth, ACircleIsCutBetweenItsCrossings) {
+std::vector<DeepStroke> three_sticks(double width) {
   std::vector<DeepStroke> strokes;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const double turn = 2.0 * std::numbers::pi * k / 3.0;
     const Point2 along(std::cos(turn), std::sin(turn)), out(along.y, -along.x);
     const Point2 middle = Point2(0.5) + 0.1 * out;
-    strokes.push_back(stroke({middle - 0.4 * along, 0.25}, {middle + 0.4 * along, 0.75}, k));
+    strokes.push_back(stroke({middle - 0.4 * along, 0.25}, {middle + 0.4 * along, 0.75}, k, width));
   }
+  return strokes;
+}
+
+TEST(StrokesByDepth, ACircleIsCutBetweenItsCrossings) {
+  const std::vector<DeepStroke> strokes = three_sticks(4.0);
   const auto parts = strokes_by_depth(strokes, kPicture, 0.0, 1);
   EXPECT_GT(parts.size(), 3u);
   EXPECT_LE(parts.size(), 6u);
   expect_whole(strokes, parts);
   expect_nearer_last(strokes, parts);
+}
+
+/// So wide that what two of them have in common reaches over the next crossing.
+TEST(StrokesByDepth, ACircleOfWideStrokesIsCutToo) {
+  std::vector<DeepStroke> sticks = three_sticks(60.0);
+  for (const std::array<std::size_t, 3>& order : {std::array<std::size_t, 3>{0, 1, 2},
+                                                  {0, 2, 1},
+                                                  {1, 0, 2},
+                                                  {1, 2, 0},
+                                                  {2, 0, 1},
+                                                  {2, 1, 0}}) {
+    for (const std::size_t turned : {0u, 1u, 2u}) {
+      std::vector<DeepStroke> strokes;
+      for (const std::size_t k : order) strokes.push_back(sticks[k]);
+      std::swap(strokes[turned].from, strokes[turned].to);
+      const auto parts = strokes_by_depth(strokes, kPicture, 0.0, 1);
+      expect_whole(strokes, parts);
+      expect_nearer_last(strokes, parts);
+    }
+  }
 }
 
 /// Of a straight line (halo + width / 2) / sin(angle) is left out on both sides.
@@ -248,6 +276,16 @@ TEST(StrokesByDepth, NoGapWhereOneContinuesTheOther) {
                                         {{0.5, 0.5, 0.9}, {0.1, 0.52, 0.95}, 4.0, 0, 1},
                                         {{0.1, 0.52, 0.99}, {0.1, 0.9, 0.99}, 4.0, 0, 2}};
   EXPECT_EQ(strokes_by_depth(strokes, kPicture, 6.0, 1).size(), 3u);
+}
+
+/// The line between them is seen end-on: their ends meet in the picture alone.
+TEST(StrokesByDepth, NoGapWhereALineSeenEndOnIsBetween) {
+  std::vector<DeepStroke> strokes{{{0.1, 0.5, 0.1}, {0.5, 0.5, 0.1}, 4.0, 0, 0},
+                                  {{0.5, 0.5, 0.9}, {0.5, 0.9, 0.9}, 4.0, 0, 2}};
+  EXPECT_EQ(strokes_by_depth(strokes, kPicture, 6.0, 1).size(), 2u);
+  EXPECT_EQ(strokes_by_depth(strokes, kPicture, 6.0, 1)[0].to, 1.0);
+  strokes[1].look = 1;  // another line, which ends there
+  EXPECT_LT(strokes_by_depth(strokes, kPicture, 6.0, 1)[0].to, 1.0);
 }
 
 /// Long ones that cross nothing, of one stroke each: no circles, no cuts, the same order.

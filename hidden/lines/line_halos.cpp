@@ -144,7 +144,7 @@ std::vector<std::vector<PartOfLine>> halo_gaps(std::span<const DeepStroke> strok
   std::vector<std::vector<PartOfLine>> gaps(strokes.size());
   Gap gap(strokes, joints, pixels, gaps);
   for (const StrokeOverlap& o : overlaps) {
-    if (o.crosses && !o.is_tie && !joints.join(o.far, o.near)) gap.add(o, halo);
+    if (o.crosses && !o.is_tie) gap.add(o, halo);
   }
   for (auto& of_stroke : gaps) unite(of_stroke);
   return gaps;

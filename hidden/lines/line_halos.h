@@ -32,7 +32,8 @@ class JoinedStrokes {
   std::vector<std::uint32_t> mate_;
 };
 
-/// For each stroke the parts that the halos of nearer strokes leave out, united.
+/// For each stroke the parts that the halos of nearer strokes leave out, united. None of the
+/// overlaps is of strokes that join.
 std::vector<std::vector<PartOfLine>> halo_gaps(std::span<const DeepStroke> strokes,
                                                std::span<const StrokeOverlap> overlaps,
                                                const JoinedStrokes& joints, const Point2& pixels,

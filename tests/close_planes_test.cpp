@@ -13,8 +13,10 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "hidden/touching/planes_in_reach.h"
 #include "hidden/touching/touching_planes.h"
 
 namespace displayfile {
@@ -89,11 +91,26 @@ TEST(ClosePlanes, OfPolygonsThatLieAnyhowFewAre) {
 }
 
 /// Within reach of a plane lies a polygon that is as small, whatever its normal.
-TEST(ClosePlanes, WhereOneIsThinAllMayBe) {
+TEST(ClosePlanes, OneThatIsThinMayLieInAnyPlane) {
+  ScenePlanes scene(6);
+  for (int n = 0; n < 20; ++n) scene.enter_anywhere();
+  const Point3 p(0.3, 0.2, 0.0), along(0.1, 0.2, 0.0);
+  scene.enter({p, p + along, p + 0.5 * along + Point3(0.0, 0.0, 1e-9)});
+  EXPECT_LE(scene.close(kTouching, kNearby).may_touch().size(), 2u);
+  scene.enter(ScenePlanes::square({0.3, 0.3, 0.0}, {0.5, 0.0, 0.0}, {0.0, 0.5, 0.0}));
+  scene.enter(ScenePlanes::square({0.3, 0.3, 0.2}, {0.5, 0.0, 0.0}, {0.0, 0.5, 0.0}));
+  const ClosePlanes close = scene.close(1e-8, kNearby);
+  EXPECT_TRUE(std::ranges::binary_search(close.may_touch(), 20u));
+  EXPECT_TRUE(std::ranges::binary_search(close.may_touch(), 21u));
+  EXPECT_FALSE(std::ranges::binary_search(close.may_touch(), 22u));
+}
+
+/// One so thin that doubles do not know its plane.
+TEST(ClosePlanes, WhereOneIsAlmostInLineAllMayBe) {
   ScenePlanes scene(6);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
   const Point3 p = scene.point(), along(0.1, 0.2, 0.0);
-  scene.enter({p, p + along, p + 0.5 * along + Point3(0.0, 0.0, 1e-12)});
+  scene.enter({p, p + along, p + 0.5 * along + Point3(0.0, 0.0, 1e-14)});
   const ClosePlanes close = scene.close(kTouching, kNearby);
   EXPECT_EQ(close.may_touch(), scene.all_from(0));
 }
@@ -188,6 +205,128 @@ TEST(ClosePlanes, ManyOfOneDistanceAreAllLookedAt) {
   }
   const ClosePlanes close = scene.close(kTouching, kNearby);
   EXPECT_EQ(close.may_touch(), scene.all_from(0));
+}
+
+// ---- At a reach that is not small compared with polygons --------------------------------------
+
+/// Fails if TouchingPlanes finds other planes among those that planes_in_reach leaves.
+void expect_same_planes(const ScenePlanes& scene, double reach, const std::string& name) {
+  const TouchingPlanes::PolygonOf polygon_of = scene.polygon_of();
+  const auto found = planes_in_reach(scene.size(), polygon_of, reach);
+  if (!found) return;
+  const TouchingPlanes all(scene.size(), polygon_of, reach);
+  const TouchingPlanes some(scene.size(), *found, polygon_of, reach);
+  for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    const std::uint32_t plane = all.plane_of(i);
+    const bool is_found = plane == i || std::ranges::binary_search(*found, i);
+    ASSERT_TRUE(is_found) << name << ", polygon " << i << " in the plane of " << plane;
+    ASSERT_TRUE(plane == i || some.plane_of(i) == plane) << name << ", polygon " << i;
+  }
+  ASSERT_EQ(some.touching(), all.touching()) << name;
+}
+
+/// A curved surface of triangles, turned anyhow, with slivers on some.
+void enter_surface(ScenePlanes& scene, int squares, double bend, double height_of_slivers) {
+  const Point3 u = glm::normalize(scene.point()), v = glm::normalize(glm::cross(u, scene.point())),
+               w = glm::cross(u, v);
+  const auto at = [&](int i, int j) {
+    const double x = static_cast<double>(i) / squares, y = static_cast<double>(j) / squares;
+    const double bent = bend * (x * x + 0.7 * y * y + 0.02 / squares * scene.coordinate());
+    return (x - 0.5) * u + (y - 0.5) * v + bent * w;
+  };
+  std::vector<Point3> points;
+  for (int j = 0; j <= squares; ++j) {
+    for (int i = 0; i <= squares; ++i) points.push_back(at(i, j));
+  }
+  for (int j = 0; j < squares; ++j) {
+    for (int i = 0; i < squares; ++i) {
+      const auto p = [&](int k, int l) {
+        return points[static_cast<std::size_t>((j + l) * (squares + 1) + i + k)];
+      };
+      scene.enter({p(0, 0), p(1, 0), p(1, 1)});
+      scene.enter({p(0, 0), p(1, 1), p(0, 1)});
+      if (height_of_slivers == 0.0 || (i + j) % 7 != 0) continue;
+      scene.enter({p(0, 0), p(1, 1), 0.5 * (p(0, 0) + p(1, 1)) + height_of_slivers * w});
+    }
+  }
+}
+
+TEST(PlanesInReach, OfSurfacesThatBendAllThatTouchAreFound) {
+  std::size_t left_out = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    ScenePlanes scene(seed);
+    const double reach = 1e-3 * std::pow(4.0, -static_cast<double>(seed % 4));
+    if (seed % 3 == 0) {
+      scene.modelling = glm::dmat4x3(0.6, 0.8, 0.0, -1.6, 1.2, 0.0, 0.0, 0.0, 1.5, 0.1, 0.2, 0.3);
+    }
+    const int squares = 5 + static_cast<int>(seed % 11);
+    enter_surface(scene, squares, 0.05 + std::abs(scene.coordinate()),
+                  seed % 5 == 0 ? 3.0 * reach : 0.0);
+    expect_same_planes(scene, reach, "seed " + std::to_string(seed));
+    const auto found = planes_in_reach(scene.size(), scene.polygon_of(), reach);
+    if (found && 2 * found->size() < scene.size()) ++left_out;
+  }
+  EXPECT_GT(left_out, 30u) << "most of them are left out of some scenes";
+}
+
+/// Normals on both sides of the plane where they are turned over.
+TEST(PlanesInReach, NormalsThatAreTurnedOverFindEachOther) {
+  const Point3 toward = glm::normalize(Point3(0.5242, -0.7633, 0.3770));
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ScenePlanes scene(seed);
+    const double reach = 1e-3;
+    for (int n = 0; n < 60; ++n) {
+      const Point3 across = glm::normalize(glm::cross(toward, scene.point())),
+                   other = glm::cross(toward, across), at = scene.point();
+      // In the plane of `toward` and `other`, within the reach.
+      const auto in_plane = [&](double size) {
+        const Point3 p =
+            at + size * scene.coordinate() * toward + size * scene.coordinate() * other;
+        return p + 0.7 * reach * scene.coordinate() * across;
+      };
+      scene.enter({in_plane(0.5), in_plane(0.5), in_plane(0.5)});
+      if (n % 3 == 0) scene.enter({in_plane(0.2), in_plane(0.2), in_plane(0.2)});
+    }
+    expect_same_planes(scene, reach, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(PlanesInReach, PolygonsAnyhowAndAnyReach) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ScenePlanes scene(seed);
+    for (int n = 0; n < 60; ++n) {
+      const Point3 at = scene.point(), u = 0.3 * scene.point(), v = 0.3 * scene.point();
+      scene.enter(ScenePlanes::square(at, u, v));
+      if (n % 4 == 0) scene.enter(ScenePlanes::square(at + 0.4 * u - 0.7 * v, 0.1 * u, -0.2 * v));
+      if (n % 5 == 0) scene.enter({at, at, at + u});  // no plane
+    }
+    for (const double reach : {0x1p-49, 1e-9, 1e-4, 1e-2, 0.1}) {
+      expect_same_planes(scene, reach, "seed " + std::to_string(seed));
+    }
+  }
+}
+
+TEST(PlanesInReach, WhereMostTouchItGivesUp) {
+  ScenePlanes scene(3);
+  const Point3 u(0.01, 0.0, 0.0), v(0.0, 0.01, 0.0);
+  for (int n = 0; n < 300; ++n) {
+    scene.enter(ScenePlanes::square({scene.coordinate(), scene.coordinate(), 0.0}, u, v));
+  }
+  EXPECT_FALSE(planes_in_reach(scene.size(), scene.polygon_of(), 1e-6).has_value());
+  EXPECT_EQ(scene.close(1e-6, 1e-6).may_touch(), scene.all_from(0));
+}
+
+TEST(PlanesInReach, CoordinatesOfAnySize) {
+  for (const double size : {1e-170, 1e-12, 1e12, 1e170}) {
+    ScenePlanes scene(4);
+    for (int n = 0; n < 50; ++n) scene.enter_anywhere();
+    scene.enter(ScenePlanes::square({0.2, 0.7, 0.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}));
+    scene.enter(ScenePlanes::square({0.1, 0.2, 0.0}, {0.2, 0.0, 0.0}, {0.0, 0.1, 0.0}));
+    for (std::vector<Point3>& polygon : scene.polygons) {
+      for (Point3& p : polygon) p *= size;
+    }
+    expect_same_planes(scene, 1e-5 * size, std::to_string(std::log10(size)));
+  }
 }
 
 }  // namespace

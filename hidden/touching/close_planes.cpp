@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "hidden/exact/rounding.h"
+#include "hidden/touching/planes_in_reach.h"
 
 namespace displayfile {
 
@@ -109,7 +110,9 @@ ClosePlanes::ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf
                          double reach, double near)
     : polygons_(polygons) {
   is_known_ = enter(polygons, polygon_of, reach, near) && find_touching(polygon_of);
-  if (!is_known_) may_touch_ = all();
+  if (is_known_) return;
+  auto in_reach = planes_in_reach(polygons, polygon_of, reach);
+  may_touch_ = in_reach ? std::move(*in_reach) : all();
 }
 
 std::vector<std::uint32_t> ClosePlanes::all() const {

@@ -211,9 +211,20 @@ TEST(VisibleMap, CrowdsAgainstTheTruth) {
   }
 }
 
+/// A triangle in the plane of one a little higher or lower, so that it is not even.
+void add_uneven(ItemList& list, Source& s, const Loop& loop) {
+  const double most = std::pow(10.0, -s.between(3, 7));
+  std::array<Point3, 3> plane;
+  for (std::size_t k = 0; k < 3; ++k) {
+    plane[k] = loop[k] + Point3(0.0, 0.0, most * (s.unit() - 0.5));
+  }
+  list.solid_in(plane, loop);
+}
+
 /// A surface over a grid of so many squares, each of two triangles; heights follow waves and
-/// noise; and where it folds over, parts of it are before others.
-void add_sheet(ItemList& list, Source& s, int squares, bool on_a_grid) {
+/// noise; and where it folds over, parts of it are before others. One in `uneven` triangles is not
+/// even; 0: none.
+void add_sheet(ItemList& list, Source& s, int squares, bool on_a_grid, int uneven = 0) {
   const double depth = s.unit(), wave = s.unit(), fold = s.below(2) == 0 ? 0.15 : 0.0;
   const double noise = s.below(2) == 0 ? 0.3 / squares : 0.0;
   std::vector<Point3> points;
@@ -233,8 +244,12 @@ void add_sheet(ItemList& list, Source& s, int squares, bool on_a_grid) {
         return points[static_cast<std::size_t>((j + l) * (squares + 1) + i + k)];
       };
       if (s.below(40) == 0) continue;  // a hole
-      list.solid({at(0, 0), at(1, 0), at(1, 1)});
-      list.solid({at(0, 0), at(1, 1), at(0, 1)});
+      const auto add = [&](const Loop& loop) {
+        const bool is_uneven = uneven != 0 && s.between(1, uneven) == 1;
+        is_uneven ? add_uneven(list, s, loop) : list.solid(loop);
+      };
+      add({at(0, 0), at(1, 0), at(1, 1)});
+      add({at(0, 0), at(1, 1), at(0, 1)});
     }
   }
 }
@@ -247,6 +262,29 @@ TEST(VisibleMap, ShortcutsChangeNothingInSheets) {
     const bool on_a_grid = s.below(3) == 0;
     for (int n = s.between(1, 3); n > 0; --n) add_sheet(list, s, s.between(4, 14), on_a_grid);
     if (!is_the_plain_one(list, k)) break;
+  }
+}
+
+TEST(VisibleMap, ShortcutsChangeNothingInSheetsThatAreUneven) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 60 / kSlower + 1);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    ItemList list;
+    const int uneven = s.between(2, 30);
+    for (int n = s.between(1, 3); n > 0; --n) add_sheet(list, s, s.between(4, 14), false, uneven);
+    if (!is_the_plain_one(list, k)) break;
+  }
+}
+
+TEST(VisibleMap, SheetsThatAreUnevenAgainstTheTruth) {
+  const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 4 / kSlower + 1);
+  for (int k = 0; k < scenes; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    ItemList list;
+    for (int n = s.between(1, 2); n > 0; --n) add_sheet(list, s, s.between(3, 5), false, 4);
+    if (wrong_in(list).empty()) continue;
+    ADD_FAILURE() << "seed " << k << "\n" << shrunken_wrong(list);
+    break;
   }
 }
 

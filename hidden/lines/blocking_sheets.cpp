@@ -37,8 +37,13 @@ Covering covering(const LineTable& scene, std::uint32_t polygon, const Point2& a
 /// The polygons near one cell after the other, the one that reaches nearest first.
 class Sheets {
  public:
-  Sheets(const LineTable& scene, const ContourEdges& contours, const CellGrid& grid)
-      : scene_(scene), contours_(contours), grid_(grid) {}
+  Sheets(const LineTable& scene, const ContourEdges& contours, ContourEdges::Of of,
+         const CellGrid& grid)
+      : scene_(scene),
+        contours_(contours),
+        of_(of),
+        step_(of == ContourEdges::Of::cover ? contours.step() : 0.0),
+        grid_(grid) {}
 
   /// What is known of a cell.
   struct Known {
@@ -47,9 +52,16 @@ class Sheets {
     bool is_single = false;  ///< before it nothing is on anything else
   };
 
+  /// True if a polygon near the cell is not even: else covers are what sheets are.
+  bool is_any_uneven(std::uint32_t i, std::uint32_t j) {
+    find_those_near(i, j);
+    return std::ranges::any_of(
+        near_, [&](const CellGrid::Entry& entry) { return !contours_.is_even(entry.polygon); });
+  }
+
   /// Looks at the first sheets of a cell of the finest level: polygons that follow each other by
-  /// depth without a gap. One that has no contour in the cell covers each of its points as often as
-  /// its middle.
+  /// depth without a gap of more than the step. One that has no contour in the cell covers each of
+  /// its points as often as its middle.
   Known look_at(std::uint32_t i, std::uint32_t j) {
     find_those_near(i, j);
     const CellLayout& layout = grid_.layout();
@@ -60,7 +72,7 @@ class Sheets {
     const auto found = [&] { return covers > 0 && !is_broken; };
     const auto known = [&] { return Known{least, is_first && covers == 1 && !is_unknown}; };
     for (const CellGrid::Entry& entry : near_) {
-      if (entry.z_max < least && least < std::numeric_limits<float>::infinity()) {
+      if (entry.z_max < least - step_ && least < std::numeric_limits<float>::infinity()) {
         if (found()) return known();
         is_first = is_broken = is_unknown = false;
         covers = 0;
@@ -106,10 +118,10 @@ class Sheets {
 
   /// False only if none of the polygon's sides in the cell is a contour.
   bool has_contour_near(std::uint32_t polygon) const {
-    if (!contours_.has_contour(polygon)) return false;
+    if (!contours_.has_contour(polygon, of_)) return false;
     const std::uint32_t sides = scene_.sides(polygon);
     for (std::uint32_t k = 0; k < sides; ++k) {
-      if (!contours_.is_contour(polygon, k)) continue;
+      if (!contours_.is_contour(polygon, k, of_)) continue;
       const Point2 p(scene_.corner(polygon, previous_corner(k, sides)));
       const Point2 q(scene_.corner(polygon, k));
       if (std::max(p.x, q.x) >= low_.x && std::min(p.x, q.x) <= high_.x &&
@@ -122,6 +134,8 @@ class Sheets {
 
   const LineTable& scene_;
   const ContourEdges& contours_;
+  ContourEdges::Of of_;
+  double step_;
   const CellGrid& grid_;
   std::vector<CellGrid::Entry> near_;
   Point2 low_{0.0}, high_{0.0};  // of the cell
@@ -133,18 +147,31 @@ void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& 
                                     int threads) {
   if (levels_.empty()) return;
   if (levels_[0].behind.empty()) begin_blocking();
+  find_sheets(scene, contours, ContourEdges::Of::depth, single_, threads);
+  if (scene.all_even()) return;
+  behind_single_ = levels_[0].behind;
+  find_sheets(scene, contours, ContourEdges::Of::cover, single_cover_, threads);
+}
+
+/// Raises `behind`, and finds the cells of a single sheet.
+void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
+                           ContourEdges::Of of, std::vector<std::uint8_t>& single, int threads) {
   Level& finest = levels_[0];
-  single_.assign(finest.cells(), 0);
+  single.assign(finest.cells(), 0);
   constexpr std::uint32_t kRowsOfAPart = 16;
   in_parallel(threads, (finest.rows + kRowsOfAPart - 1) / kRowsOfAPart, [&](std::size_t part) {
-    Sheets sheets(scene, contours, *this);
+    Sheets sheets(scene, contours, of, *this);
     const auto first = static_cast<std::uint32_t>(part) * kRowsOfAPart;
     for (std::uint32_t j = first; j < std::min(first + kRowsOfAPart, finest.rows); ++j) {
       for (std::uint32_t i = 0; i < finest.columns; ++i) {
         const std::size_t cell = std::size_t{j} * finest.columns + i;
+        if (of == ContourEdges::Of::cover && !sheets.is_any_uneven(i, j)) {
+          single[cell] = single_[cell];
+          continue;
+        }
         const Sheets::Known known = sheets.look_at(i, j);
         finest.behind[cell] = std::max(finest.behind[cell], known.behind);
-        single_[cell] = known.is_single ? 1 : 0;
+        single[cell] = known.is_single ? 1 : 0;
       }
     }
   });
@@ -152,13 +179,22 @@ void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& 
 }
 
 bool CellGrid::shows(const Extent& box) const {
-  if (single_.empty() || layout_.length_in_cells(rectangle_of(box)) > kLongestInCells) return false;
+  return is_in_single(box, single_, behind_single_.empty() ? levels_[0].behind : behind_single_);
+}
+
+bool CellGrid::shows_in_cover(const Extent& box) const {
+  return is_in_single(box, single_cover_, levels_[0].behind);
+}
+
+bool CellGrid::is_in_single(const Extent& box, std::span<const std::uint8_t> single,
+                            std::span<const float> behind) const {
+  if (single.empty() || layout_.length_in_cells(rectangle_of(box)) > kLongestInCells) return false;
   const CellLayout::Range cells = layout_.range(rectangle_of(box), 0);
   const Level& finest = levels_[0];
   for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
     for (std::uint32_t i = cells.left; i <= cells.right; ++i) {
       const std::size_t cell = std::size_t{j} * finest.columns + i;
-      if (single_[cell] == 0 || !(box.z_min >= finest.behind[cell])) return false;
+      if (single[cell] == 0 || !(box.z_min >= behind[cell])) return false;
     }
   }
   return true;

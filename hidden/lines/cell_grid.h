@@ -8,11 +8,10 @@
 
 #include "clip/point.h"
 #include "hidden/lines/cell_layout.h"
+#include "hidden/lines/contour_edges.h"
 #include "hidden/lines/line_table.h"
 
 namespace displayfile {
-
-class ContourEdges;
 
 /// Franklin's grid (hidden/lines/franklin.md): square cells over all polygons that hide, at several
 /// levels with cell widths doubling. A polygon is in the cells of the level at which it is about as
@@ -62,6 +61,8 @@ class CellGrid {
   /// True only if nothing is in front of any part of the polygon with this box, nor at the same
   /// depth, as find_blocking_sheets found.
   bool shows(const Extent& box) const;
+  /// The same, also next to polygons that are not even; false for boxes in cells without such.
+  bool shows_in_cover(const Extent& box) const;
 
   /// True if the box is behind the blocking faces of cells that contain it.
   bool hides(const Extent& box) const;
@@ -75,6 +76,10 @@ class CellGrid {
                        const Point2& high) const;
   void pass_on_blocking();
   void begin_blocking();
+  void find_sheets(const LineTable& scene, const ContourEdges& contours, ContourEdges::Of of,
+                   std::vector<std::uint8_t>& single, int threads);
+  bool is_in_single(const Extent& box, std::span<const std::uint8_t> single,
+                    std::span<const float> behind) const;
   void enter(const LineTable& scene, int threads);
   template <class Visit>
   void for_each_entry(const LineTable& scene, const Visit& visit) const;
@@ -83,6 +88,8 @@ class CellGrid {
   std::vector<Level> levels_;
   std::vector<std::uint8_t>
       single_;  // per finest cell: nothing in front of `behind` overlaps another polygon
+  std::vector<std::uint8_t> single_cover_;  // the same, by covers
+  std::vector<float> behind_single_;  // `behind` of the finest cells before covers were looked at
 };
 
 }  // namespace displayfile

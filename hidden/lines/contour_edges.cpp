@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "clip/base/parallel.h"
 #include "clip/corners.h"
@@ -11,11 +13,28 @@ namespace displayfile {
 
 namespace {
 
-bool has_corner_off_plane(const LineTable& scene, std::uint32_t item) {
+/// How far corners are off the polygon's plane in depth, at most; 0 if none is.
+double depth_off_plane(const LineTable& scene, std::uint32_t item) {
+  double off = 0.0;
   for (std::uint32_t k = 0; k < scene.sides(item); ++k) {
-    if (scene.is_off_plane(item, k)) return true;
+    if (!scene.is_off_plane(item, k)) continue;
+    const Plane plane = scene.plane(item);
+    const auto [value, bound] = plane_value(scene.corner(item, k), plane);
+    const double least = std::abs(plane.normal.z) - plane.bound.z;
+    if (!(least > 0.0)) return std::numeric_limits<double>::infinity();
+    off = std::max(off, (std::abs(value) + bound) / least * (1.0 + 0x1p-40));
   }
-  return false;
+  return off;
+}
+
+/// Polygons whose corners are farther off their planes than this do not continue a cover.
+double most_off_plane(const LineTable& scene) {
+  constexpr double kOfScene = 0x1p-10;
+  Extent all = Extent::nothing();
+  for (const Extent& box : scene.extents()) {
+    if (box.x_min <= box.x_max) all.include(box);
+  }
+  return kOfScene * std::max(0.0, double{all.z_max} - double{all.z_min});
 }
 
 }  // namespace
@@ -24,7 +43,12 @@ ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, cons
                            int threads)
     : way_(scene.items(), 0), has_contour_(scene.items(), 0) {
   constexpr std::size_t kPart = 2048;
-  if (!scene.all_even()) uneven_.resize(scene.items(), 0);
+  std::vector<double> off_plane;
+  if (!scene.all_even()) {
+    uneven_.resize(scene.items(), 0);
+    off_plane.resize(scene.items(), 0.0);
+  }
+  const double most_off = scene.all_even() ? 0.0 : most_off_plane(scene);
   in_parallel(threads, (way_.size() + kPart - 1) / kPart, [&](std::size_t part) {
     const std::size_t end = std::min(way_.size(), (part + 1) * kPart);
     for (auto i = static_cast<std::uint32_t>(part * kPart); i < end; ++i) {
@@ -32,10 +56,17 @@ ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, cons
       way_[i] = static_cast<std::int8_t>(simple_turning(scene.sides(i), [&](std::size_t k) {
         return Point2(scene.corner(i, static_cast<std::uint32_t>(k)));
       }));
-      if (!uneven_.empty()) uneven_[i] = has_corner_off_plane(scene, i) ? 1 : 0;
-      has_contour_[i] = way_[i] == 0 || !is_even(i) ? 1 : 0;
+      if (!uneven_.empty()) {
+        off_plane[i] = depth_off_plane(scene, i);
+        if (off_plane[i] > 0.0) uneven_[i] = off_plane[i] <= most_off ? kOfDepth : kOfCover;
+        has_contour_[i] = uneven_[i];
+      }
+      if (way_[i] == 0) has_contour_[i] = kOfCover;
     }
   });
+  for (std::size_t i = 0; i < off_plane.size(); ++i) {
+    if (uneven_[i] == kOfDepth) step_ = std::max(step_, 2.0 * off_plane[i]);
+  }
   std::vector<Edge> edges;
   std::vector<DepthBox> boxes;
   sides.for_each_set([&](std::span<const SideTable::Side> same) {
@@ -53,12 +84,17 @@ ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, cons
         more -= way(name.item);
       }
     }
-    const bool all_even = std::ranges::all_of(
-        same, [&](const SideTable::Side& side) { return is_even(side.name.item); });
-    if (more != 0 || !all_even) {
+    const auto is_any_uneven = [&](Of of) {
+      return std::ranges::any_of(
+          same, [&](const SideTable::Side& side) { return is_uneven(side.name.item, of); });
+    };
+    if (more != 0 || is_any_uneven(Of::depth)) {
+      const bool ends_cover = more != 0 || is_any_uneven(Of::cover);
       for (const auto& [high, name] : same) {
-        has_contour_[name.item] = 1;
+        std::uint8_t& contour = has_contour_[name.item];
+        contour = std::max(contour, ends_cover ? kOfCover : kOfDepth);
         contour_sides_.push_back(name);
+        if (ends_cover && !uneven_.empty()) cover_sides_.push_back(name);
       }
     }
     if (more == 0) return;
@@ -69,6 +105,7 @@ ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, cons
     boxes.push_back(box);
   });
   std::ranges::sort(contour_sides_);
+  std::ranges::sort(cover_sides_);
   tree_.build(boxes, threads);
   edges_.reserve(edges.size());
   for (const DepthTree::Item i : tree_.order()) edges_.push_back(edges[i]);

@@ -46,21 +46,36 @@ class ContourEdges {
   }
   std::size_t size() const { return edges_.size(); }
 
+  /// What must be the same on both sides of a side that is no contour: the number of polygons, and
+  /// their depth there; or the number alone, and their depths within step().
+  enum class Of : std::uint8_t { depth, cover };
   /// False only if, at each side of a polygon that hides, there are equally many polygons on the
-  /// left and on the right, at the same depth; the other overload is for one side, by the corner at
-  /// which it ends.
-  bool has_contour(std::uint32_t item) const { return has_contour_[item] != 0; }
-  bool is_contour(std::uint32_t item, std::uint32_t corner) const {
-    return way_[item] == 0 || !is_even(item) ||
-           std::ranges::binary_search(contour_sides_, LineName{item, corner});
+  /// left and on the right; the other overload is for one side, by the corner at which it ends.
+  bool has_contour(std::uint32_t item, Of of) const {
+    return has_contour_[item] > (of == Of::depth ? 0 : kOfDepth);
   }
+  bool is_contour(std::uint32_t item, std::uint32_t corner, Of of) const {
+    if (way_[item] == 0 || is_uneven(item, of)) return true;
+    const auto& sides = of == Of::cover && !uneven_.empty() ? cover_sides_ : contour_sides_;
+    return std::ranges::binary_search(sides, LineName{item, corner});
+  }
+  /// By how much depths differ at most, at a side that is no contour of the cover, of polygons that
+  /// are not even; 0 if all are.
+  double step() const { return step_; }
 
  private:
+  static constexpr std::uint8_t kOfDepth = 1, kOfCover = 2;
+  bool is_uneven(std::uint32_t item, Of of) const {
+    return !uneven_.empty() && uneven_[item] > (of == Of::depth ? 0 : kOfDepth);
+  }
+
   std::vector<std::int8_t> way_;
-  std::vector<std::uint8_t> uneven_;  // empty: none
+  std::vector<std::uint8_t> uneven_;  // kOfCover: by more than half of the step; empty: none
   std::vector<Edge> edges_;           // by position in the tree
   std::vector<std::uint8_t> has_contour_;
   std::vector<LineName> contour_sides_;  // in order
+  std::vector<LineName> cover_sides_;    // those of the cover, unless all polygons are even
+  double step_ = 0.0;
   DepthTree tree_;
 };
 

@@ -20,6 +20,7 @@ using SameSides = std::span<const SideTable::Side>;
 struct SharedSide {
   std::uint32_t low, high;
   SameSides same;
+  bool is_edge = false;  ///< between two polygons that are seen as a whole
 };
 
 SharedSide shared_side(const MapTable& map, SameSides same) {
@@ -27,7 +28,7 @@ SharedSide shared_side(const MapTable& map, SameSides same) {
   const std::uint32_t p = map.sides.vertex(map.lines.corner_point(item, corner));
   const std::uint32_t before = previous_corner(corner, map.lines.sides(item));
   const std::uint32_t q = map.sides.vertex(map.lines.corner_point(item, before));
-  return {std::min(p, q), std::max(p, q), same};
+  return {std::min(p, q), std::max(p, q), same, false};
 }
 
 /// 1 if a polygon that is counted has its inside left of the side, -1 if right, 0 if it is not
@@ -36,6 +37,15 @@ int inside_of(const MapTable& map, const ContourEdges& ways, const SharedSide& s
               const LineName& name) {
   const std::uint32_t end = map.sides.vertex(map.lines.corner_point(name.item, name.corner));
   return end == side.high ? ways.way(name.item) : -ways.way(name.item);
+}
+
+/// The edge that a side is as a whole.
+MapEdge whole_edge(const MapTable& map, const ContourEdges& ways, const SharedSide& side) {
+  const Point2 low(map.lines.point(side.low)), high(map.lines.point(side.high));
+  const std::uint32_t one = side.same[0].name.item, other = side.same[1].name.item;
+  const bool is_left = inside_of(map, ways, side, side.same[0].name) > 0;
+  return {MapPlace::at_point(side.low), MapPlace::at_point(side.high), low + 0.0, high + 0.0,
+          is_left ? one : other,        is_left ? other : one};
 }
 
 /// Finds the edges on one side after the other.
@@ -47,9 +57,10 @@ class SideFinder {
   SideFinder(const MapTable& map, const ContourEdges& ways) : map_(map), ways_(ways), edges_(map) {}
 
   void find(const SharedSide& side, std::vector<MapEdge>& edges) {
+    if (side.is_edge) return edges.push_back(whole_edge(map_, ways_, side));
     const Point3 &a = map_.lines.point(side.low), &b = map_.lines.point(side.high);
     const Extent box = Extent::between(glm::min(a, b), glm::max(a, b));
-    if (map_.lines.all_even() && map_.grid.hides(box)) return;
+    if (map_.grid.hides(with_owners(box, side))) return;
     edges_.line().look_at(side.low, side.high);
     owners_.clear();
     for (const auto& [high, name] : side.same) {
@@ -60,15 +71,24 @@ class SideFinder {
     edges_.seen().begin();
     for (const auto& [high, name] : side.same) begin_with_whole(side, name);
     for (const std::uint32_t item : owners_) {
-      if (map_.faces[item] != SeenFaces::Seen::whole) edges_.add(item);
+      if (!map_.faces.is_all_seen(item)) edges_.add(item);
     }
     edges_.find(box, edges);
   }
 
  private:
+  /// The box of a side, at the depths of its owners' planes too.
+  Extent with_owners(Extent box, const SharedSide& side) const {
+    if (map_.lines.all_even()) return box;
+    for (const auto& [high, name] : side.same) {
+      if (ways_.is_even(name.item)) continue;
+      box.z_max = std::max(box.z_max, map_.lines.extent(name.item).z_max);
+    }
+    return box;
+  }
   /// What is seen as a whole is seen all along its sides.
   void begin_with_whole(const SharedSide& side, const LineName& name) {
-    if (map_.faces[name.item] != SeenFaces::Seen::whole) return;
+    if (!map_.faces.is_all_seen(name.item)) return;
     const bool is_left = inside_of(map_, ways_, side, name) > 0;
     edges_.seen().begin_with(is_left ? Seen::kLeft : Seen::kRight, name.item, true);
     edges_.note_added(name.item);
@@ -81,27 +101,27 @@ class SideFinder {
 };
 
 /// The sides of what may be seen, but for those between two polygons that are seen as a whole:
-/// these are edges, which are added.
+/// these are edges, which are added. Of those found where polygons are not even the edges come
+/// later, in order of sides.
 std::vector<SharedSide> sides_to_look_at(const MapTable& map, const ContourEdges& ways,
                                          std::vector<MapEdge>& edges) {
   using enum SeenFaces::Seen;
   std::vector<SharedSide> sides;
   map.sides.for_each_set([&](SameSides same) {
-    bool any = false, all_whole = true;
+    bool any = false, all_whole = true, all_seen = true;
     for (const auto& [high, name] : same) {
       const SeenFaces::Seen seen = map.faces[name.item];
       any |= seen != nothing;
       all_whole &= seen == whole;
+      all_seen &= seen == whole || seen == entire;
     }
     if (!any) return;
-    const SharedSide side = shared_side(map, same);
+    SharedSide side = shared_side(map, same);
     const Point2 low(map.lines.point(side.low)), high(map.lines.point(side.high));
     if (low == high) return;
-    if (same.size() != 2 || !all_whole) return sides.push_back(side);
-    const std::uint32_t one = same[0].name.item, other = same[1].name.item;
-    const bool is_left = inside_of(map, ways, side, same[0].name) > 0;
-    edges.push_back({MapPlace::at_point(side.low), MapPlace::at_point(side.high), low + 0.0,
-                     high + 0.0, is_left ? one : other, is_left ? other : one});
+    side.is_edge = same.size() == 2 && all_seen;
+    if (!side.is_edge || !all_whole) return sides.push_back(side);
+    edges.push_back(whole_edge(map, ways, side));
   });
   return sides;
 }

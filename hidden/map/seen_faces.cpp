@@ -4,6 +4,7 @@
 
 #include "clip/base/parallel.h"
 #include "clip/corners.h"
+#include "hidden/exact/depth_order.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/visible_pieces.h"
 
@@ -34,7 +35,7 @@ class FaceFinder {
       number_ = 1;
     }
     looked_at_[item] = number_;
-    return is_whole() ? whole : some;
+    return look_around();
   }
 
  private:
@@ -85,8 +86,12 @@ class FaceFinder {
     return true;
   }
 
-  bool is_whole() {
+  /// What is known from all polygons near it, one by one.
+  SeenFaces::Seen look_around() {
+    using enum SeenFaces::Seen;
     const Extent& box = scene_.extent(item_);
+    const bool is_in_cover = !scene_.all_even() && grid_.shows_in_cover(box);
+    SeenFaces::Seen seen = whole;
     const auto levels = grid_.levels();
     for (std::size_t k = levels.size(); k-- > 0;) {
       const CellGrid::Level& level = levels[k];
@@ -98,14 +103,17 @@ class FaceFinder {
             if (e.z_max < box.z_min) break;  // and so are those after it
             if (!e.meets(box) || looked_at_[e.polygon] == number_) continue;
             looked_at_[e.polygon] = number_;
-            if (!is_clearly_behind(e.polygon) && !is_beside(e.polygon) && !is_behind(e.polygon)) {
-              return false;
+            if (is_clearly_behind(e.polygon) || is_beside(e.polygon) || is_behind(e.polygon)) {
+              continue;
             }
+            if (is_in_cover) return entire;
+            if (!is_behind_by_planes(e.polygon)) return some;
+            seen = entire;
           }
         }
       }
     }
-    return true;
+    return seen;
   }
 
   /// True if a side parts the two in the projection.
@@ -145,7 +153,17 @@ class FaceFinder {
       if (!(value < -bound)) return false;
       any = true;
     }
-    return any && (scene_.all_even() || is_behind(other));
+    return any && (ways_.is_even(other) || is_behind(other));
+  }
+  /// The same as is_behind, of one that is not even: its own plane has its depths. Filtered only.
+  bool is_behind_by_planes(std::uint32_t other) const {
+    if (ways_.is_even(other)) return false;
+    const Plane of_other = scene_.plane(other);
+    for (std::uint32_t k = 0; k < scene_.sides(other); ++k) {
+      const Point3& c = scene_.corner(other, k);
+      if (filtered_depth_order(of_other, plane_, {c.x, c.y, 0.0}) >= 0) return false;
+    }
+    return true;
   }
   /// True if all of the other is behind the plane, but not all in it.
   bool is_behind(std::uint32_t other) const {

@@ -16,6 +16,8 @@ class SeenFaces {
   enum class Seen : std::uint8_t {
     nothing,  ///< hidden, or hides nothing
     whole,    ///< convex, with nothing in front of any part of it
+    entire,   ///< the same, found where polygons near it are not even: its edges come after those
+              ///< between whole ones
     some,     ///< unknown
   };
 
@@ -24,6 +26,10 @@ class SeenFaces {
   /// Results are exact.
   SeenFaces(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid, int threads);
 
+  /// True if nothing is in front of any part of it.
+  bool is_all_seen(std::uint32_t item) const {
+    return (*this)[item] == Seen::whole || (*this)[item] == Seen::entire;
+  }
   Seen operator[](std::uint32_t item) const {
     assert(item < seen_.size());
     return seen_[item];

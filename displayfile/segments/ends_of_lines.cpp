@@ -33,6 +33,7 @@ class SidesInPicture {
     }
   };
   Likeness likeness(std::size_t from, std::size_t to, const Point3& a, const Point3& b) const {
+    if (is_exactly_at(from, a) && is_exactly_at(to, b)) return {true, true, 0.0};
     const Vertex p = vertex(from), q = vertex(to);
     Likeness like{is_at(p, a), is_at(q, b), 0.0};
     if (!like.starts) like.off = std::max(like.off, off_side(p, q, a));
@@ -73,6 +74,11 @@ class SidesInPicture {
   double error_in_picture(const Vertex& v, const Point3& at) const {
     const double largest = 1.0 + std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     return (v.error / v.at.w + 16.0 * kRounding) * largest * longest_;
+  }
+  /// As what is not clipped was viewed, bit for bit.
+  bool is_exactly_at(std::size_t k, const Point3& seen) const {
+    const HomogeneousPoint at = item_.volume->transform(item_.polygon.in_world(k));
+    return at.w >= item_.volume->nearest_w() && in_picture(at) == seen;
   }
   bool is_in_front(const Vertex& v) const { return v.at.w >= item_.volume->nearest_w(); }
   bool is_at(const Vertex& v, const Point3& seen) const {

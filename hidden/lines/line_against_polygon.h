@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
@@ -55,6 +57,9 @@ class LineAgainstPolygon {
     if (polygon == own_ || polygon == other_) return false;
     if (scene_.extent(polygon).z_max <= farthest_ || !reaches_over(polygon)) return false;
     steps_.step();
+    if constexpr (Policy::kIsExact) {
+      if (is_beyond_ends(polygon)) return false;
+    }
     const Plane plane = scene_.plane(polygon);
     const auto [nearer_at_a, nearer_at_b] =
         nearer_at_ends(polygon, plane, {a_is_corner_, b_is_corner_});
@@ -103,6 +108,27 @@ class LineAgainstPolygon {
       right += side < 0;
     }
     return left + right + 1 < sides || (left > 0 && right > 0);
+  }
+
+  /// True only if the polygon covers nothing between the line's ends: all of it is before the start
+  /// or all after the end, except for a corner there. Most polygons around an end in a mesh are so.
+  bool is_beyond_ends(std::uint32_t polygon) const {
+    constexpr double kSurely = 0x1p-20, kRounding = 0x1p-48;  // far more than is rounded
+    constexpr double kLeast = 1e-290;                         // of a square
+    if (line_.common != nullptr) return false;
+    const Point2 a(line_.a), b(line_.b), way = b - a;
+    const double length = glm::dot(way, way);
+    if (!(length > kLeast)) return false;
+    bool before = true, after = true;
+    for (std::uint32_t k = 0; k < side_.size(); ++k) {
+      const Point2 c(scene_.corner(polygon, k)), from_a = c - a;
+      const double x = way.x * from_a.x, y = way.y * from_a.y;
+      const double off = kSurely * length + kRounding * (std::abs(x) + std::abs(y));
+      before = before && (x + y < -off || c == a);
+      after = after && (x + y > length + off || c == b);
+      if (!before && !after) return false;
+    }
+    return true;
   }
 
   /// The sign of the plane's depth less the line's, at the line's start and at its end.

@@ -31,6 +31,7 @@ struct DepthLine {
 /// Each sign is the true one, and each parameter the true one rounded once.
 class ExactLines {
  public:
+  static constexpr bool kIsExact = true;
   explicit ExactLines(const Definitions& all) : exact_(all) {}
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const { return exact_.turn(a, b, c); }
@@ -86,6 +87,7 @@ class ExactLines {
 /// their rounded ends.
 class RoundoffLines {
  public:
+  static constexpr bool kIsExact = false;
   RoundoffLines(const Definitions& all, double part) : roundoff_(Roundoff::relative(all, part)) {}
 
   int turn(const Point2& a, const Point2& b, const Point2& c) const {

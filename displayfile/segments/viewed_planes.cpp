@@ -14,6 +14,7 @@
 
 #include "clip/back_face.h"
 #include "displayfile/segments/viewed_scene.h"
+#include "hidden/exact/eye.h"
 #include "hidden/exact/support_plane.h"
 
 // The polygons of a viewed scene as they were entered, and the planes that they share
@@ -314,6 +315,24 @@ bool ViewedScene::is_certainly_seen(Item item) const {
   return twice_area > 16.0 * viewing_radius() * (around + viewing_radius());
 }
 
+namespace {
+
+/// True only if it is a triangle whose plane is not seen edge-on.
+bool has_plane_certainly_seen(const ViewedScene::EnteredItem& of_plane) {
+  constexpr double kSure = 0x1p-36;  // far more than is rounded here
+  if (of_plane.polygon.points.size() != 3 || !of_plane.image->is_identity()) return false;
+  const Normal normal = normal_of(of_plane.polygon, 0.0);
+  const Eye eye = Eye::of(of_plane.volume->view());
+  const Point3 at = of_plane.polygon.in_world(0);
+  const Point3 to_eye = eye.at_infinity ? eye.place : eye.place - at;
+  double size = glm::length(to_eye);
+  if (!eye.at_infinity) size += glm::length(eye.place) + glm::length(at);
+  const double off = std::abs(glm::dot(normal.along, to_eye));
+  return off > (normal.error + kSure * glm::length(normal.along)) * size;
+}
+
+}  // namespace
+
 std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) const {
   if (const auto* const of_bent = plane_of_bent(item)) return *of_bent;
   const PointRow vertices = points(item);
@@ -335,7 +354,11 @@ void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint
   const bool is_its_own = in_plane.size() < 2 && (found.are_close || in_plane[0] == founder);
   if (in_plane.size() < 2 && in_plane[0] == founder) found.are_founders[founder] = 1;
   if (is_its_own) return;
-  if (!found.are_close && !is_certainly_seen(founder) && is_plane_edge_on(in_plane[0])) return;
+  if (!found.are_close && !is_certainly_seen(founder) &&
+      !has_plane_certainly_seen(in_view_of(found.founders[in_plane[0]], in_plane[0])) &&
+      is_plane_edge_on(in_plane[0])) {
+    return;
+  }
   const auto area = [&](Item item) {
     constexpr double kOfFounder = 16.0;
     return std::abs(newell_c(points(item))) * (item == founder ? kOfFounder : 1.0);

@@ -4,7 +4,10 @@
 #include "hidden/exact/rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 namespace displayfile {
 
@@ -45,11 +48,43 @@ double distance_of_depths(std::span<const Point3> vertices, const PixelDepth& de
   return most + other.error(plane, size.width, size.height, dx + 1.0, dy + 1.0);
 }
 
+/// distance_from_entered of a triangle's plane, by its corners viewed in doubles; nothing where
+/// they do not tell it well.
+std::optional<double> quick_distance_from_entered(const ViewedScene& scene,
+                                                  const ViewedScene::EnteredItem& of_plane,
+                                                  ViewedScene::Item item, const PixelDepth& depth,
+                                                  const PictureSize& size) {
+  constexpr double kOfThreePoints = 8.0, kMostOff = 0x1p-32;
+  if (of_plane.polygon.points.size() != 3) return std::nullopt;
+  const ImageMatrix image(*of_plane.image);
+  std::array<Point3, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const HomogeneousPoint viewed = of_plane.volume->transform(of_plane.polygon.in_world(k));
+    if (!(viewed.w >= of_plane.volume->nearest_w())) return std::nullopt;
+    corners[k] = image.apply(of_plane.volume->to_device(viewed));
+    // Farther away than all that is seen, rounding may be larger.
+    if (!(std::abs(corners[k].z) <= scene.largest_depth())) return std::nullopt;
+  }
+  const Plane plane(corners[0], corners[1], corners[2]);
+  if (!(std::abs(plane.normal.z) > plane.bound.z)) return std::nullopt;
+  const PointRow vertices = scene.points(item);
+  double weights = 0.0;
+  for (const Point3& v : vertices) weights = std::max(weights, sum_of_weights(plane, Point2(v)));
+  const PixelDepth other(plane, size.width, size.height);
+  const double slopes = std::abs(other.dz_dx) * size.width + std::abs(other.dz_dy) * size.height;
+  const double off = kOfThreePoints * scene.plane_radius() * weights * (1.0 + slopes);
+  if (!(scene.plane_radius() > 0.0 && off <= kMostOff)) return std::nullopt;
+  return distance_of_depths(vertices.row(), depth, plane, size) + off;
+}
+
 /// The same of the plane that the item lies in as it was entered.
 double distance_from_entered(const ViewedScene& scene, ViewedScene::Item item,
                              const PixelDepth& depth, const PictureSize& size) {
   const ViewedScene::EnteredItem of_plane = scene.plane_as_entered(item);
   if (!of_plane.is_known()) return 0.0;
+  if (const auto quick = quick_distance_from_entered(scene, of_plane, item, depth, size)) {
+    return *quick;
+  }
   const auto plane = EnteredProjection(*of_plane.volume, *of_plane.image).plane(of_plane.polygon);
   if (!plane || plane->is_edge_on()) return 0.0;  // then it has its own
   PixelDepth entered;
@@ -66,6 +101,14 @@ double distance_from_entered(const ViewedScene& scene, ViewedScene::Item item,
 }
 
 }  // namespace
+
+double sum_of_weights(const Plane& plane, const Point2& at) {
+  const Point2 p = Point2(plane.p) - at, q = Point2(plane.q) - at, r = Point2(plane.r) - at;
+  const auto cross = [](const Point2& a, const Point2& b) {
+    return std::abs(a.x * b.y - a.y * b.x);
+  };
+  return (cross(q, r) + cross(r, p) + cross(p, q)) / std::abs(plane.normal.z);
+}
 
 double rounding_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
                       const PictureSize& size) {

@@ -5,6 +5,7 @@
 
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/pixel_centre.h"
+#include "hidden/exact/plane.h"
 #include "interp/scan/pixel_depth.h"
 
 namespace displayfile {
@@ -30,6 +31,10 @@ struct FillDepth {
 /// a few.
 double rounding_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
                       const PictureSize& size);
+
+/// A place in the projection is a combination of the plane's three points by weights: the sum of
+/// their sizes.
+double sum_of_weights(const Plane& plane, const Point2& at);
 
 /// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a
 /// is nearer, -1 if b is, 0 if they are too close.

@@ -45,16 +45,6 @@ const Primitives::PlanePoints* plane_of_founder(const ViewedScene& scene, Viewed
   return scene.shared_plane(item);
 }
 
-/// A place in the projection is a combination of the plane's three points by weights: the sum of
-/// their sizes.
-double sum_of_weights(const Plane& plane, const Point2& at) {
-  const Point2 p = Point2(plane.p) - at, q = Point2(plane.q) - at, r = Point2(plane.r) - at;
-  const auto cross = [](const Point2& a, const Point2& b) {
-    return std::abs(a.x * b.y - a.y * b.x);
-  };
-  return (cross(q, r) + cross(r, p) + cross(p, q)) / std::abs(plane.normal.z);
-}
-
 /// Where fills are compared in their own planes: of those that are no steeper than kOfSlopes over
 /// the radius the rounding_error is within kOfRounding.
 constexpr double kOfSlopes = 0x1p-25, kOfRounding = 0x1p-21;

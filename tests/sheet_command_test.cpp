@@ -24,7 +24,7 @@ TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
     return x;
   }();
   int widths = 0;
-  for (std::size_t i = 0; i < all.size(); i += 2) widths += std::abs(all[i] - left - 60.0) < 1e-11;
+  for (std::size_t i = 0; i < all.size(); i += 2) widths += std::abs(all[i] - left - 60.0) < 1e-9;
   EXPECT_GE(widths, 4);  // two corners of the front view, two of the top view
 }
 
@@ -57,8 +57,8 @@ TEST_F(SheetCommandTest, TheFootOfASolidOnAnotherIsSeen) {
   const double right = 20.0 / std::sqrt(2.0), up = 20.0 / std::sqrt(6.0);
   int edges = 0;
   for (const Stroke& stroke : strokes_of(path_of("s.svg", "VISIBLE"))) {
-    edges += std::abs(stroke[2] - stroke[0] - right) < 1e-6 &&
-             std::abs(stroke[1] - stroke[3] - up) < 1e-6;
+    edges += std::abs(stroke[2] - stroke[0] - right) < 2e-5 &&
+             std::abs(stroke[1] - stroke[3] - up) < 2e-5;
   }
   EXPECT_EQ(edges, 5);
 }

@@ -10,22 +10,42 @@
 namespace displayfile {
 
 /// The purposes of a sheet's lines, one layer each. Widths and dashes are in millimetres.
-enum class SheetLayer { visible, hidden, hatch, cutting, cutting_ends, frame, text };
+enum class SheetLayer {
+  visible,
+  hidden,
+  hatch,
+  centre,
+  cutting,
+  cutting_ends,
+  detail,
+  frame,
+  text
+};
 struct SheetPen {
   std::string_view name;
   double width;
-  std::vector<double> dashes;  ///< drawn, left out, and so on; empty: solid
+  std::vector<double> dashes{};  ///< drawn, left out, and so on; empty: solid
+  /// LibreCAD has patterns of its own, and takes these by their names: the one nearest to the
+  /// pen's.
+  std::string_view dxf_line_type = "CONTINUOUS";
 };
-inline const std::array<SheetPen, 7>& sheet_pens() {
-  static const std::array<SheetPen, 7> pens{{{"VISIBLE", 0.5, {}},
-                                             {"HIDDEN", 0.25, {3.0, 1.0}},
-                                             {"HATCH", 0.13, {}},
-                                             {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}},
-                                             {"CUTTING_ENDS", 0.5, {}},
-                                             {"FRAME", 0.5, {}},
-                                             {"TEXT", 0.25, {}}}};
+inline const std::array<SheetPen, 9>& sheet_pens() {
+  static const std::array<SheetPen, 9> pens{{{"VISIBLE", 0.5},
+                                             {"HIDDEN", 0.25, {3.0, 1.0}, "DASHEDTINY"},
+                                             {"HATCH", 0.13},
+                                             {"CENTRE", 0.25, {8.0, 1.0, 1.0, 1.0}, "CENTER2"},
+                                             {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}, "DASHDOT2"},
+                                             {"CUTTING_ENDS", 0.5},
+                                             {"DETAIL", 0.25},
+                                             {"FRAME", 0.5},
+                                             {"TEXT", 0.25}}};
   return pens;
 }
+/// In the order of drawing.
+inline constexpr std::array kLayersFromBelow{
+    SheetLayer::hatch,   SheetLayer::hidden, SheetLayer::centre,
+    SheetLayer::cutting, SheetLayer::detail, SheetLayer::cutting_ends,
+    SheetLayer::visible, SheetLayer::frame,  SheetLayer::text};
 inline const SheetPen& pen_of(SheetLayer layer) {
   return sheet_pens()[static_cast<std::size_t>(layer)];
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +11,8 @@
 #include "programs/sheet/dash_pieces.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/dxf_module.h"
+#include "programs/sheet/round_outlines.h"
+#include "programs/sheet/sheet_number.h"
 
 namespace displayfile {
 
@@ -58,13 +59,17 @@ std::string in_ascii(const std::string& utf8) {
   return out;
 }
 
-/// LibreCAD has patterns of its own, and takes these by their names: those nearest to the pens'.
-std::string line_type_of(const SheetPen& pen) {
-  return pen.dashes.empty() ? "CONTINUOUS" : pen.dashes.size() == 2 ? "DASHEDTINY" : "DASHDOT2";
-}
+std::string line_type_of(const SheetPen& pen) { return std::string(pen.dxf_line_type); }
 
 /// Hundredths of a millimetre.
 int line_weight(const SheetPen& pen) { return static_cast<int>(std::lround(pen.width * 100.0)); }
+
+/// Numbers of as many digits as sheets have; dxflib writes 17 of each.
+class SheetWriter : public DL_WriterA {
+ public:
+  using DL_WriterA::DL_WriterA;
+  void dxfReal(int group, double value) const override { dxfString(group, sheet_number(value)); }
+};
 
 void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   dxf.writeHeader(out);
@@ -130,32 +135,44 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   out.sectionEnd();
 }
 
+void write_arc(DL_Dxf& dxf, DL_WriterA& out, const OutlineArc& arc,
+               const DL_Attributes& attributes) {
+  const Point2& centre = arc.centre;
+  if (arc.whole) {
+    return dxf.writeCircle(out, DL_CircleData(centre.x, centre.y, 0.0, arc.radius), attributes);
+  }
+  dxf.writeArc(out, DL_ArcData(centre.x, centre.y, 0.0, arc.radius, arc.from, arc.to), attributes);
+}
+
 void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   constexpr int kByLayer = 256, kWidthByLayer = -1;
   const auto on = [](SheetLayer layer, const char* line_type = "BYLAYER") {
     return DL_Attributes(std::string(pen_of(layer).name), kByLayer, kWidthByLayer, line_type, 1.0);
   };
-  const auto write = [&](const std::vector<Point2>& points, bool closed,
-                         const DL_Attributes& attributes) {
+  const auto write = [&](const OutlinePiece& piece, const DL_Attributes& attributes) {
+    const std::vector<Point2>& points = piece.points;
+    if (piece.arc) return write_arc(dxf, out, *piece.arc, attributes);
     if (points.size() == 2) {
       const Point2 &a = points[0], &b = points[1];
       return dxf.writeLine(out, DL_LineData(a.x, a.y, 0.0, b.x, b.y, 0.0), attributes);
     }
-    dxf.writePolyline(out, DL_PolylineData(static_cast<int>(points.size()), 0, 0, closed ? 1 : 0),
-                      attributes);
+    const DL_PolylineData data(static_cast<int>(points.size()), 0, 0, piece.closed ? 1 : 0);
+    dxf.writePolyline(out, data, attributes);
     for (const Point2& p : points) dxf.writeVertex(out, DL_VertexData(p.x, p.y, 0.0, 0.0));
     dxf.writePolylineEnd(out);
   };
   for (const auto& line : sheet.lines) {
     const std::vector<double>& dashes = pen_of(line.layer).dashes;
-    if (line.points.size() == 2 || dashes.empty()) {
-      write(line.points, line.closed, on(line.layer));
-      continue;
-    }
-    // Programs begin the dashes of a line type anew at each vertex, and of a curve's short sides
-    // nothing would be left out.
-    for (const auto& piece : dash_pieces(line.points, line.closed, dashes)) {
-      write(piece, false, on(line.layer, "CONTINUOUS"));
+    for (const OutlinePiece& piece : round_pieces(line.points, line.closed)) {
+      if (piece.arc || piece.points.size() == 2 || dashes.empty()) {
+        write(piece, on(line.layer));
+        continue;
+      }
+      // Programs begin the dashes of a line type anew at each vertex, and of a curve's short sides
+      // nothing would be left out.
+      for (const auto& dash : dash_pieces(piece.points, piece.closed, dashes)) {
+        write({dash}, on(line.layer, "CONTINUOUS"));
+      }
     }
   }
   for (const auto& text : sheet.texts) {
@@ -169,17 +186,17 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
 
 void write(const DrawingSheet& sheet, const std::string& path) {
   DL_Dxf dxf;
-  const std::unique_ptr<DL_WriterA> out(dxf.out(path.c_str(), DL_Codes::AC1015));
-  if (out == nullptr) throw std::runtime_error("dxflib cannot write the DXF");
-  write_tables(dxf, *out, sheet);
-  out->sectionEntities();
-  write_entities(dxf, *out, sheet);
-  out->sectionEnd();
-  dxf.writeObjects(*out);
-  dxf.writeObjectsEnd(*out);
-  out->dxfEOF();
-  out->close();
-  if (out->openFailed()) throw std::runtime_error("dxflib cannot write the DXF");
+  SheetWriter out(path.c_str(), DL_Codes::AC1015);
+  if (out.openFailed()) throw std::runtime_error("dxflib cannot write the DXF");
+  write_tables(dxf, out, sheet);
+  out.sectionEntities();
+  write_entities(dxf, out, sheet);
+  out.sectionEnd();
+  dxf.writeObjects(out);
+  dxf.writeObjectsEnd(out);
+  out.dxfEOF();
+  out.close();
+  if (out.openFailed()) throw std::runtime_error("dxflib cannot write the DXF");
 }
 
 }  // namespace

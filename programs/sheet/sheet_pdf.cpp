@@ -60,9 +60,7 @@ void write_sheet_pdf(const DrawingSheet& sheet, const std::string& file) {
   cairo().set_source_rgb(context.get(), 0.0, 0.0, 0.0);
   cairo().set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
   cairo().set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
-  for (const SheetLayer layer :
-       {SheetLayer::hatch, SheetLayer::hidden, SheetLayer::cutting, SheetLayer::cutting_ends,
-        SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
+  for (const SheetLayer layer : kLayersFromBelow) {
     draw_lines(sheet, layer, context.get());
   }
   draw_texts(sheet, context.get());

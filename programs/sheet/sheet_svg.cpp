@@ -10,6 +10,7 @@
 #include "interp/vector/escaped_xml.h"
 #include "interp/vector/file_key.h"
 #include "programs/sheet/drawing_sheet.h"
+#include "programs/sheet/sheet_number.h"
 
 namespace displayfile {
 
@@ -24,7 +25,8 @@ std::string escaped_text(const std::string& text) {
 std::string path_of(const DrawingSheet& sheet, const DrawingSheet::Line& line) {
   std::string path;
   for (const Point2& p : line.points) {
-    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", p.x, sheet.height - p.y);
+    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", sheet_number(p.x),
+                        sheet_number(sheet.height - p.y));
   }
   return path + (line.closed ? "Z" : "");
 }
@@ -54,9 +56,7 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
              "<g fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" "
              "stroke-linejoin=\"round\">\n",
              sheet.width, sheet.height, escaped_text(sheet.title));
-  for (const SheetLayer layer :
-       {SheetLayer::hatch, SheetLayer::hidden, SheetLayer::cutting, SheetLayer::cutting_ends,
-        SheetLayer::visible, SheetLayer::frame, SheetLayer::text}) {
+  for (const SheetLayer layer : kLayersFromBelow) {
     write_layer(sheet, layer, out);
   }
   fmt::print(out, "</g>\n<g font-family=\"{}\">\n", css_font(sheet.font));

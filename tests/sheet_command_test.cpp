@@ -29,7 +29,7 @@ TEST_F(SheetCommandTest, AMillimetreIsAMillimetreAtOneToOne) {
 }
 
 TEST_F(SheetCommandTest, HiddenLinesUnderVisibleOnesAreLeftOut) {
-  ASSERT_EQ(run("sheet box.obj -o box.svg"), 0) << err_;
+  ASSERT_EQ(run("sheet box.obj -o box.svg --hidden-lines all"), 0) << err_;
   EXPECT_EQ(numbers("box.svg", "HIDDEN").size() / 2, 6U);  // three edges of the isometric view
 }
 
@@ -166,7 +166,7 @@ TEST_F(SheetCommandTest, OutlinesOfAHollowPolygonHideNothing) {
       "open-segment 2\npolygon-abs-3 5 5 20  35 5 20  35 15 20  5 15 20\nclose-segment\n";
   const auto hidden = [&](const std::string& program) {
     write("a.draw", program);
-    EXPECT_EQ(run("sheet a.draw -o s.svg --scale 1:1"), 0) << err_;
+    EXPECT_EQ(run("sheet a.draw -o s.svg --scale 1:1 --hidden-lines all"), 0) << err_;
     return strokes_of(path_of("s.svg", "HIDDEN")).size();
   };
   EXPECT_EQ(hidden(box + "set-fill-style hollow\n" + plate), hidden(box));

@@ -22,7 +22,8 @@ TEST_F(SheetCommandTest, AFaceWithAHoleIsCutAsItsPartsWithoutHolesAre) {
   write("parts.obj", plate_with_boss(false));
   for (const char* section : {"front=2", "front=-12", "top=3", "top=12", "side=5", "side=20"}) {
     const auto strokes = [&](const std::string& part, const std::string& layer) {
-      EXPECT_EQ(run("sheet " + part + ".obj -o s.svg --up z --title plate --section " + section),
+      EXPECT_EQ(run("sheet " + part +
+                    ".obj -o s.svg --up z --title plate --hidden-lines all --section " + section),
                 0);
       EXPECT_EQ(err_, "");
       auto all = strokes_of(path_of("s.svg", layer));
@@ -45,7 +46,7 @@ TEST_F(SheetCommandTest, NoLineOfASectionIsDrawnTwice) {
         "close-segment\n");
   for (const char* part : {"box.obj --section front=10", "plate.obj --up z --section front=2",
                            "plate.obj --up z --section side=10", "turned.draw --section front=0"}) {
-    ASSERT_EQ(run(std::string("sheet -o s.svg ") + part), 0) << err_;
+    ASSERT_EQ(run(std::string("sheet -o s.svg --hidden-lines all ") + part), 0) << err_;
     std::vector<Stroke> all = strokes_of(path_of("s.svg", "VISIBLE"));
     const std::vector<Stroke> hidden = strokes_of(path_of("s.svg", "HIDDEN"));
     all.insert(all.end(), hidden.begin(), hidden.end());
@@ -312,7 +313,10 @@ TEST_F(SheetCommandTest, ARidgeThatIsTouchedHidesNothing) {
         "open-segment 1\nbox-3 -10 10 -10 10 -6 -5\nbox-3 8 9 8 9 -5 5\ntorus-3 0 0 0 3 1 8\n"
         "box-3 -1 1 -1 1 -5 -2\nclose-segment\n");
   const auto hidden = [&](const char* front) {
-    EXPECT_EQ(run(std::string("sheet ring.draw -o s.svg --scale 1:1 --section front=") + front), 0);
+    EXPECT_EQ(run(std::string(
+                      "sheet ring.draw -o s.svg --scale 1:1 --hidden-lines all --section front=") +
+                  front),
+              0);
     int of_box = 0;
     for (const Stroke& stroke : strokes_of(path_of("s.svg", "HIDDEN"))) {
       of_box += std::abs(std::hypot(stroke[2] - stroke[0], stroke[3] - stroke[1]) - 2.0) < 1e-6;

@@ -1,13 +1,16 @@
 #include "programs/command/sheet_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string_view>
 
 #include "clip/base/error.h"
 #include "clip/base/without_choice.h"
@@ -23,6 +26,7 @@
 #include "programs/process/warnings.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/part.h"
+#include "programs/sheet/view_words.h"
 
 namespace displayfile {
 
@@ -45,31 +49,6 @@ SheetProjection projection_of(const std::string& word) {
   if (word == "third") return SheetProjection::third;
   if (word == "first") return SheetProjection::first;
   throw Error(fmt::format("--projection {}: expected third or first", word));
-}
-
-constexpr std::array<std::string_view, 3> kCutViews{"front", "top", "side"};
-using Positions = std::array<std::optional<double>, 4>;
-
-/// Positions of sections in the front, top and side view, as `front=0`.
-Positions sections_of(const std::vector<std::string>& words) {
-  Positions positions;
-  for (const std::string& word : words) {
-    const auto fail = [&](std::string_view what) {
-      throw Error(fmt::format("--section {}: {}", word, what));
-    };
-    constexpr std::string_view kExpected = "expected front=POSITION, top=POSITION or side=POSITION";
-    const std::size_t equals = word.find('=');
-    const auto* const view = std::ranges::find(kCutViews, word.substr(0, equals));
-    if (equals == std::string::npos || view == kCutViews.end()) fail(kExpected);
-    double value = 0.0;
-    const char* const end = word.data() + word.size();
-    const auto [stop, failure] = std::from_chars(word.data() + equals + 1, end, value);
-    if (failure != std::errc{} || stop != end || !std::isfinite(value)) fail(kExpected);
-    auto& position = positions[static_cast<std::size_t>(view - kCutViews.begin())];
-    if (position) fail("the view already has a section: expected one per view");
-    position = value;
-  }
-  return positions;
 }
 
 /// Whether a face of the part lies in the plane at a position of a view.
@@ -117,6 +96,54 @@ void require_cut(const Mesh& part, ViewKind view, std::string_view name, double 
   if (inside || (position == high && has_face_at(part, view, high))) return;
   fail(fmt::format("touches the part and cuts nothing: expected a position between {} and {}", low,
                    high));
+}
+
+/// Which parts are named in --uncut, by their own names or those of their inputs. Throws Error for
+/// names of none.
+std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part) {
+  std::vector<std::uint8_t> named(part.parts.size(), 0);
+  for (const std::string_view word : words_between_commas(words)) {
+    bool is_known = false;
+    for (std::size_t i = 0; i < part.parts.size(); ++i) {
+      if (part.parts[i].name != word && part.parts[i].input != word) continue;
+      named[i] = 1;
+      is_known = true;
+    }
+    if (is_known) continue;
+    std::vector<std::string> names;
+    for (const NamedPart& one : part.parts) {
+      if (std::ranges::find(names, one.name) == names.end()) names.push_back(one.name);
+    }
+    constexpr std::size_t kMost = 12;
+    const bool has_more = names.size() > kMost;
+    names.resize(std::min(names.size(), kMost));
+    throw Error(fmt::format("--uncut {}: no part has this name: expected some of {}{}", word,
+                            fmt::join(names, ", "), has_more ? ", ..." : ""));
+  }
+  return named;
+}
+
+/// Names each part of --uncut that no section plane goes through.
+void warn_of_whole_parts(const Part& part, const std::vector<std::uint8_t>& uncut,
+                         std::span<const ViewWanted> views) {
+  const auto is_cut = [&](const std::string& name) {
+    for (std::size_t object = 0; object < part.part_of.size(); ++object) {
+      if (part.parts[part.part_of[object]].name != name) continue;
+      for (const ViewWanted& view : views) {
+        if (view.position && goes_through(part, object, view.kind, *view.position)) return true;
+      }
+    }
+    return false;
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < part.parts.size(); ++i) {
+    const std::string& name = part.parts[i].name;
+    if (uncut[i] == 0 || std::ranges::find(names, name) != names.end()) continue;
+    names.push_back(name);
+    if (!is_cut(name)) {
+      warnings() << fmt::format("--uncut {}: no section plane goes through it\n", name);
+    }
+  }
 }
 
 void read_paper(const std::string& word, double margin, SheetWords& words) {
@@ -178,7 +205,25 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
           "toward the view's viewer, in the part's unit; may be repeated for other views")
       ->type_name("front=POSITION|top=POSITION|side=POSITION")
       ->group(kPictureOptions);
-  command.add_option("--hatch", hatch, "distance between hatching lines in mm")
+  command
+      .add_option("--uncut", uncut,
+                  "parts that sections leave whole, such as shafts and bolts: names of inputs "
+                  "without folder and extension, of objects of meshes, or PROGRAM:SEGMENT")
+      ->type_name("PART,...")
+      ->group(kPictureOptions);
+  command
+      .add_option(
+          "--centre-lines", centre_lines,
+          "centre lines of what turned routines made (cylinder-3, cone-3, sphere-3, torus-3, "
+          "turn-3), but in the isometric view; meshes have none")
+      ->type_name("on|off")
+      ->capture_default_str()
+      ->group(kPictureOptions);
+  command
+      .add_option(
+          "--hatch", hatch,
+          "distance between hatching lines in mm; neighbouring parts differ in direction, and "
+          "others, if need be, in a wider distance")
       ->type_name("MM")
       ->transform(any_number<double>())
       ->capture_default_str()
@@ -186,6 +231,13 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
   command.add_option("--lines", lines, "kinds of edges drawn as lines, as in draw")
       ->type_name("KIND,...")
       ->capture_default_str()
+      ->group(kHiddenSurfaceOptions);
+  command
+      .add_option(
+          "--hidden-lines", hidden_lines,
+          "views that show hidden lines, dashed, with commas between them; by default those "
+          "that are neither cut nor isometric")
+      ->type_name("front|top|side|isometric|all|none,...")
       ->group(kHiddenSurfaceOptions);
   command
       .add_option("--title", title,
@@ -233,24 +285,39 @@ int SheetCommand::run() {
   std::optional<DrawingScale> asked;
   if (!scale.empty()) asked = drawing_scale(scale);
   const auto positions = sections_of(sections);
+  const auto hidden = hidden_lines_in_views(hidden_lines, positions);
+  if (centre_lines != "on" && centre_lines != "off") {
+    throw Error(fmt::format("--centre-lines {}: expected on or off", centre_lines));
+  }
+  if (!uncut.empty() && sections.empty()) throw Error("--uncut has no effect without --section");
   const LineSelection selection = line_selection_of_option(lines);
   if (!up.empty()) upright_of_option(up);
   const Part part = read_part(inputs, up, import.limits());
   const auto kinds = views_of_sheet(words.projection);
-  for (std::size_t k = 0; k < kCutViews.size(); ++k) {
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (!positions[k]) continue;
-    require_cut(part.mesh, kinds[k], kCutViews[k], *positions[k]);
+    require_cut(part.mesh, kinds[k], kViewNames[k], *positions[k]);
     if (!cuts_a_face(part.mesh, kinds[k], *positions[k])) {
       warnings() << fmt::format("{}: the section plane at {} does not cut the part\n",
                                 inputs.front(), *positions[k]);
     }
+  }
+  std::array<ViewWanted, 4> wanted;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const bool has_centre_lines = centre_lines == "on" && kinds[k] != ViewKind::isometric;
+    wanted[k] = {kinds[k], positions[k], hidden[k], has_centre_lines, {}};
+  }
+  if (!uncut.empty()) {
+    const std::vector<std::uint8_t> named = parts_named(uncut, part);
+    for (ViewWanted& view : wanted) view.uncut = named;
+    warn_of_whole_parts(part, named, wanted);
   }
   std::array<PartDrawing, 4> views;
   {
     Progress progress("finding the lines of four views");
     const WithoutChoice by_this_method_alone;
     for (std::size_t k = 0; k < 4; ++k) {
-      views[k] = view_of_part(part, kinds[k], selection, positions[k], threads);
+      views[k] = view_of_part(part, wanted[k], selection, threads);
       progress.update(k + 1, 4);
     }
   }

@@ -9,12 +9,13 @@
 
 namespace displayfile {
 
-/// `displayfile sheet`: four views of a part on a sheet of paper, hidden lines dashed.
+/// `displayfile sheet`: four views of a part on a sheet of paper.
 struct SheetCommand {
   std::vector<std::string> inputs;
   std::string output, paper = "a3", scale, projection = "third", unit = "mm", title, date, up;
   std::string font = "sans-serif";
-  std::string lines = "outline,boundary,crease";
+  std::string lines = "outline,boundary,crease", hidden_lines, uncut;
+  std::string centre_lines = "on";
   std::vector<std::string> sections;
   double margin = 10.0, hatch = 2.0;
   int threads = 1;

@@ -5,27 +5,30 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <string_view>
 #include <system_error>
 #include <unordered_map>
+#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/input_file.h"
 #include "clip/secret_hash.h"
 #include "clip/unit.h"
-#include "displayfile/files.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
+#include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 #include "programs/sheet/closed_pieces.h"
+#include "programs/sheet/segment_origins.h"
 
 namespace displayfile {
 
@@ -82,7 +85,8 @@ std::vector<int> names_opened(std::string_view program) {
 
 /// Gives other names to segments of earlier inputs, where the program has those for its own: most
 /// programs begin with the first.
-void make_room_for_names(std::string_view program, GraphicsSystem& system) {
+void make_room_for_names(std::string_view program, GraphicsSystem& system,
+                         SegmentOrigins& origins) {
   const std::vector<int> names = names_opened(program);
   std::int64_t last = 0;
   for (const int name : names) last = std::max<std::int64_t>(last, name);
@@ -92,12 +96,14 @@ void make_room_for_names(std::string_view program, GraphicsSystem& system) {
   for (const int name : names) {
     if (!system.display_file().contains(name) || last == std::numeric_limits<int>::max()) continue;
     system.rename_segment(name, static_cast<int>(++last));
+    origins.rename(name, static_cast<int>(last));
   }
 }
 
 /// Which axis is up is not only the mesh's matter, but also of the transformation that turns it.
 std::optional<Upright> enter_mesh_file(const std::string& input, const ImportLimits& limits,
-                                       GraphicsSystem& system) {
+                                       std::size_t index, GraphicsSystem& system,
+                                       SegmentOrigins& origins) {
   const Mesh mesh = [&] {
     const NamedWarnings named(input);
     return read_mesh(input, false, limits);
@@ -106,12 +112,31 @@ std::optional<Upright> enter_mesh_file(const std::string& input, const ImportLim
   MeshOptions options;
   options.sides_drawn = options.hidden_sides_drawn = true;
   naming_mesh(input, [&] { enter_meshes(std::span(&mesh, 1), system, options); });
+  origins.add_mesh(mesh, index, system);
   if (!mesh.upright) return std::nullopt;
   return nearest_upright(system.modelling_transformation().apply_to_difference(mesh.upright->up));
 }
 
-/// What is visible, with the scene's segments as its objects.
-Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
+/// The names of parts that come from these segments.
+std::vector<NamedPart> named_parts(std::span<const SegmentOrigin> origins,
+                                   std::span<const std::string> inputs) {
+  std::vector<std::size_t> parts_of_input(inputs.size(), 0);
+  for (const SegmentOrigin& origin : origins) ++parts_of_input[origin.input];
+  std::vector<NamedPart> parts;
+  for (const SegmentOrigin& origin : origins) {
+    const std::string input = drawable(std::filesystem::path(inputs[origin.input]).stem().string());
+    std::string name =
+        origin.segment ? fmt::format("{}:{}", input, *origin.segment) : drawable(origin.object);
+    if (parts_of_input[origin.input] == 1 || name.empty()) name = input;
+    parts.push_back({input, std::move(name)});
+  }
+  return parts;
+}
+
+/// What is visible, with the scene's segments as its objects, and these as its parts.
+Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file,
+                 const SegmentOrigins& origins, std::span<const std::string> inputs) {
+  std::vector<SegmentOrigin> of_parts;
   Part part;
   Mesh& mesh = part.mesh;
   mesh.first_corner.push_back(0);
@@ -132,16 +157,34 @@ Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file) {
       mesh.first_corner.push_back(mesh.corners.size());
       part.fill_of_face.push_back(scene[i].look);
     }
-    if (mesh.faces() > first_face) {
-      mesh.objects.push_back({"", first_face, mesh.faces() - first_face});
+    if (mesh.faces() == first_face) continue;
+    mesh.objects.push_back({"", first_face, mesh.faces() - first_face});
+    of_parts.push_back(origins.of(segment.name));
+    for (const TurnedShape& shape : of_parts.back().turned) {
+      if (const auto axis = shape.axis_at(points)) part.axes.push_back(*axis);
     }
   }
+  part.parts = named_parts(of_parts, inputs);
   for (std::uint32_t look = 0; look < scene.fill_colours().size(); ++look) {
     FillStyle& fill =
         part.fills.emplace_back(scene.all_attributes()[scene.attributes_of_look(look)].fill);
     fill.colour = scene.fill_colours()[look];
   }
   return part;
+}
+
+/// Puts the objects of a part, which are its parts, in place of its closed pieces.
+void divide_into_pieces(Part& part) {
+  std::vector<std::size_t> first_face_of;
+  for (const Mesh::Object& object : part.mesh.objects) first_face_of.push_back(object.first_face);
+  const std::vector<MeshPiece> pieces = closed_pieces(part.mesh);
+  part.mesh.objects.clear();
+  for (const MeshPiece& piece : pieces) {
+    part.mesh.objects.push_back({"", piece.first_face, piece.faces});
+    part.is_closed.push_back(piece.closed ? 1 : 0);
+    const auto after = std::ranges::upper_bound(first_face_of, piece.first_face);
+    part.part_of.push_back(static_cast<std::uint32_t>(after - first_face_of.begin() - 1));
+  }
 }
 
 /// Makes sides visible that one polygon alone has: where cutting planes left the part open, it ends
@@ -175,24 +218,26 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
                const ImportLimits& limits) {
   RetainedScene scene;
   GraphicsSystem system;
+  SegmentOrigins origins;
   SystemInside::retain_alone(system, scene);
   std::optional<Upright> standing;
   if (!up.empty()) standing = upright(up);
-  for (const std::string& input : inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string& input = inputs[i];
     const Progress progress("reading " + input);
     std::optional<Upright> of_input;
     if (is_drawing_program(input)) {
       const std::size_t segments = scene.segments().size();
       const std::string program = read_text_file(input);
-      make_room_for_names(program, system);
-      replay(program, input_name(input), system);
+      make_room_for_names(program, system, origins);
+      origins.replay_program(program, input_name(input), i, system);
       of_input = upright_of(system, scene, std::min(segments, scene.segments().size()));
     } else {
-      of_input = enter_mesh_file(input, limits, system);
+      of_input = enter_mesh_file(input, limits, i, system, origins);
     }
     if (!standing) standing = of_input;
   }
-  Part part = polygons_of(scene, system.display_file());
+  Part part = polygons_of(scene, system.display_file(), origins, inputs);
   if (part.mesh.faces() == 0) {
     throw Error(fmt::format("{}: no polygons: expected a part to draw", inputs.front()));
   }
@@ -201,16 +246,16 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
                               inputs.front());
   }
   const Upright axes = standing.value_or(Upright{});
-  for (Point3& p : part.mesh.vertices) {
+  const auto turn = [&](Point3& p) {
     p = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.front)};
+  };
+  std::ranges::for_each(part.mesh.vertices, turn);
+  for (CentreAxis& axis : part.axes) {
+    turn(axis.from);
+    turn(axis.to);
   }
   show_ends(part);
-  const std::vector<MeshPiece> pieces = closed_pieces(part.mesh);
-  part.mesh.objects.clear();
-  for (const MeshPiece& piece : pieces) {
-    part.mesh.objects.push_back({"", piece.first_face, piece.faces});
-    part.is_closed.push_back(piece.closed ? 1 : 0);
-  }
+  divide_into_pieces(part);
   return part;
 }
 

@@ -7,10 +7,18 @@
 
 #include "displayfile/looks/style.h"
 #include "displayfile/mesh/mesh.h"
+#include "programs/sheet/turned_shape.h"
 
 namespace displayfile {
 
-/// The part drawn on a sheet: polygons in the coordinates of a viewer in front of it, x to the
+/// One of the parts that are drawn together: an object of a mesh, or a segment of a drawing
+/// program.
+struct NamedPart {
+  std::string input;  ///< its file's name without folder and extension
+  std::string name;   ///< the same if it is the only part of the input
+};
+
+/// What is drawn on a sheet: polygons in the coordinates of a viewer in front of it, x to the
 /// right, y up, z toward the viewer.
 struct Part {
   Mesh mesh;                               ///< its objects are its closed_pieces
@@ -18,6 +26,9 @@ struct Part {
   std::vector<std::uint8_t> side_visible;  ///< of each corner, for the side that ends there
   std::vector<FillStyle> fills;
   std::vector<std::uint32_t> fill_of_face;  ///< in fills
+  std::vector<NamedPart> parts;             ///< in order of entry
+  std::vector<std::uint32_t> part_of;       ///< of each object, in parts
+  std::vector<CentreAxis> axes;             ///< of what turned routines made
 };
 
 /// The polygons of drawing programs and the faces of meshes, entered in order as for a picture:

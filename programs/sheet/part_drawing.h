@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -26,19 +27,44 @@ struct PartDrawing {
     bool hidden;
     bool is_alone = false;  ///< no other ends where it does (hidden/lines/strokes_once.md)
   };
+  /// An outline of a cut face: counterclockwise around what is solid.
+  struct CutLoop {
+    std::vector<Point2> points;
+    std::uint32_t body = 0;  ///< index of an object of the part; their number: all of them
+    std::uint32_t part = 0;  ///< of which it is, in Part::parts
+  };
+  /// Along what is turned about an axis, or across it where it is seen along the axis.
+  struct CentreLine {
+    Point2 from, to;
+  };
   ViewKind kind = ViewKind::front;
-  Point2 low{0.0}, high{0.0};  ///< of the whole part
+  Point2 low{0.0}, high{0.0};  ///< of what is left of the part
   std::vector<Line> lines;
-  std::vector<std::vector<Point2>> cut;  ///< loops of the cut face
-  std::optional<double> position;        ///< of a section, along toward_viewer
-  bool closed = true;                    ///< false: the part is not, where it is cut
+  std::vector<CutLoop> cut;
+  bool has_outlines = false;                ///< lines has the visible parts of the cut loops too
+  std::vector<std::vector<Point2>> before;  ///< polygons, together all that hides the cut faces
+  std::vector<CentreLine> centre_lines;
+  std::optional<double> position;  ///< of a section, along toward_viewer
+  bool closed = true;              ///< false: the part is not, where it is cut
 };
 
-/// Finds a view's lines, including hidden ones, exactly (hidden/lines/franklin.md); in the
-/// isometric view depths that rounding may have separated are equal. With a position the part is
-/// cut there, and the part nearer to the viewer removed; if the part is not closed there, the cut
-/// face is open.
-PartDrawing view_of_part(const Part& part, ViewKind kind, const LineSelection& lines,
-                         std::optional<double> position, int threads);
+/// What a view is to show.
+struct ViewWanted {
+  ViewKind kind = ViewKind::front;
+  std::optional<double> position{};  ///< of a section, along toward_viewer
+  bool hidden_lines = true, centre_lines = true;
+  /// Of each part, in Part::parts: whether objects of it that the plane goes through are whole.
+  std::vector<std::uint8_t> uncut{};
+};
+
+/// Whether the plane at a position of a view goes through an object of the part.
+bool goes_through(const Part& part, std::size_t object, ViewKind view, double position);
+
+/// Finds a view's lines exactly (hidden/lines/franklin.md); in the isometric view depths that
+/// rounding may have separated are equal. With a position the part is cut there, and the part
+/// nearer to the viewer removed, but not objects that stay whole; if the part is not closed there,
+/// the cut face is open.
+PartDrawing view_of_part(const Part& part, const ViewWanted& wanted, const LineSelection& lines,
+                         int threads);
 
 }  // namespace displayfile

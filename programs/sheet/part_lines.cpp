@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
+#include <span>
+#include <utility>
 
 #include "clip/planarity.h"
 #include "clip/surfaces.h"
@@ -89,8 +91,8 @@ class PartEntry {
 
 /// Closed objects in segments of their own: those that touch have no sides in common. All others
 /// together, since they may be parts of one surface.
-RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> caps,
-                       const LineSelection& selection, const View& view) {
+RetainedScene scene_of(const Part& part, const CutFacesOfPart& cut, const LineSelection& selection,
+                       const View& view) {
   RetainedScene scene;
   PartEntry entry(part, scene);
   int name = 0;
@@ -112,7 +114,11 @@ RetainedScene scene_of(const Part& part, std::span<const std::vector<Point3>> ca
   segment([&] {
     Attributes plain;
     plain.line.kind = LineStyle::Kind::none;
-    for (const auto& cap : caps) scene.enter_polygon({cap, {}, Point3(0.0), {}, 0}, plain);
+    for (const auto& cap : cut.caps) scene.enter_polygon({cap, {}, Point3(0.0), {}, 0}, plain);
+    for (const auto& loop : cut.outlines) {
+      Point3 from = loop.back();
+      for (const Point3& to : loop) scene.enter_line(std::exchange(from, to), to, Attributes(), 0);
+    }
   });
   return scene;
 }
@@ -159,19 +165,18 @@ struct LineCollector {
 
 }  // namespace
 
-std::vector<PartDrawing::Line> lines_of_part(const Part& part,
-                                             std::span<const std::vector<Point3>> caps,
+std::vector<PartDrawing::Line> lines_of_part(const Part& part, const CutFacesOfPart& cut,
                                              const LinesWanted& wanted) {
   Bounds box = bounds_of_used(part.mesh);
-  for (const auto& cap : caps) {
+  for (const auto& cap : cut.caps) {
     for (const Point3& p : cap) box.include(p);
   }
   if (box.empty()) return {};
   const SquareWindow window = exact_window(box);
   const View view = window.view();
-  const RetainedScene scene = scene_of(part, caps, wanted.selection, view);
+  const RetainedScene scene = scene_of(part, cut, wanted.selection, view);
   const SurfacePlan plan{.method = HiddenMethod::franklin,
-                         .hidden_lines = HiddenLines::dashed,
+                         .hidden_lines = wanted.hidden ? HiddenLines::dashed : HiddenLines::none,
                          .intersections = contains(wanted.selection.kinds, LineKind::intersection),
                          .scope = HiddenScope::all,
                          .threads = wanted.threads};

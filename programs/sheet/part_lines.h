@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "clip/bounds.h"
@@ -15,12 +14,16 @@ Bounds bounds_of_used(const Mesh& mesh);
 
 struct LinesWanted {
   LineSelection selection;
+  bool hidden;  ///< hidden lines too
   int threads;
 };
-/// The lines of a part already in a view's coordinates; `caps` are polygons that hide what lies
-/// behind them, and have no lines.
-std::vector<PartDrawing::Line> lines_of_part(const Part& part,
-                                             std::span<const std::vector<Point3>> caps,
+/// The faces where a part was cut: polygons that hide what lies behind them, and loops that are
+/// lines.
+struct CutFacesOfPart {
+  std::vector<std::vector<Point3>> caps{}, outlines{};
+};
+/// The lines of a part already in a view's coordinates.
+std::vector<PartDrawing::Line> lines_of_part(const Part& part, const CutFacesOfPart& cut,
                                              const LinesWanted& wanted);
 
 }  // namespace displayfile

@@ -117,7 +117,9 @@ TEST_F(Completion, OffersTheWordsThatTheCommandTakes) {
       const Words words = offered(subcommand + " " + option + " ''");
       for (const std::string& word : words) {
         if (word == "osmesa" && !has_osmesa) continue;
-        const char* const number = option == "--section" ? "0.5" : "0";  // within the box
+        const char* const number = option == "--section"  ? "0.5"  // within the box
+                                   : option == "--detail" ? "0.1,0.1,0.2@1:1"
+                                                          : "0";
         const std::string value = word.ends_with('=') ? word + number : word;
         const bool taken = std::ranges::any_of(right, [&](const std::string& command) {
           return run(command + " " + option + " " + value) == 0;

@@ -1,5 +1,5 @@
 // Sheets as draughtsmen draw them: hidden lines by view, hatching of neighbours, whole parts in
-// sections, centre lines, and arcs in DXF.
+// sections, centre lines, details, parts lists, and arcs in DXF.
 
 #include <algorithm>
 #include <array>
@@ -364,6 +364,93 @@ TEST_F(SheetDrafting, HolesHaveCentreLinesAsLongAsTheyAre) {
   EXPECT_TRUE(strokes("CENTRE").empty());  // nothing of the cylinder's surface is left
 }
 
+TEST_F(SheetDrafting, ADetailIsDrawnAtItsScale) {
+  draw("box.obj --scale 1:1 --detail front=0,0,5@4:1");
+  EXPECT_EQ(count_of_length("VISIBLE", 20.0), 2U);  // of the corner's edges
+  std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
+  double smallest = 1e9;
+  for (const Stroke& s : strokes("DETAIL")) {
+    box = {std::min(box[0], s[0]), std::min({box[1], s[1], s[3]}), std::max(box[2], s[2]),
+           std::max({box[3], s[1], s[3]})};
+    smallest = std::min(smallest, std::hypot(s[2] - s[0], s[3] - s[1]));
+  }
+  EXPECT_NEAR(smallest, 2.0 * 5.0 * std::sin(std::acos(-1.0) / 180.0), 1e-4);
+  const auto all = texts("s.svg");
+  EXPECT_EQ(std::ranges::count(all, "X (4:1)", &Text::characters), 1);
+  EXPECT_EQ(std::ranges::count(all, "X", &Text::characters), 1);
+  draw("box.obj --detail front=0,0,5@4:1 --detail side=-30,0,4@5:1");
+  EXPECT_NE(read(folder_ / "s.svg").find(">Y (5:1)<"), std::string::npos);
+}
+
+TEST_F(SheetDrafting, ADetailOfASectionIsHatchedAsElsewhere) {
+  draw("box.obj --scale 1:1 --section front=10");
+  const double whole = length(strokes("HATCH"));
+  draw("box.obj --scale 1:1 --section front=10 --detail front=30,20,4@5:1");
+  const double of_detail = length(strokes("HATCH")) - whole;
+  EXPECT_NEAR(of_detail, std::acos(-1.0) * 20.0 * 20.0 / 2.0, 10.0);
+  draw("box.obj --scale 1:1 --section front=10 --detail front=30,20,1e-4@100000:1 --hatch 1");
+  EXPECT_LT(strokes("HATCH").size(), 200U);  // only what is in the circle is hatched
+}
+
+TEST_F(SheetDrafting, DetailsHaveRoomOrAreRefused) {
+  const auto scale = [&](const std::string& arguments) {
+    draw("box.obj " + arguments);
+    const auto all = texts("s.svg");
+    return std::next(std::ranges::find(all, "SCALE", &Text::characters))->characters;
+  };
+  EXPECT_EQ(scale(""), "2:1");
+  EXPECT_EQ(scale("--detail front=0,0,10@5:1"), "1:1");
+  const std::string refused = "--detail: no room on the paper: expected a smaller circle or scale";
+  expect_error("sheet box.obj -o s.svg --detail front=0,0,40@5:1", refused);
+  expect_error("sheet box.obj -o s.svg --scale 2:1 --detail front=0,0,10@5:1",
+               "--scale 2:1: the views do not fit on the paper: expected 1:1 or less");
+  const std::string expected =
+      "expected front=, top=, side= or isometric= with X,Y,RADIUS@PAPER:PART";
+  for (const char* word : {"back=0,0,1@2:1", "front=0,0@2:1", "front=0,0,0@2:1", "front=0,0,1",
+                           "front=0,0,1@2", "front=0,0,nan@2:1", "front@2:1=0,0,1"}) {
+    expect_error(std::string("sheet box.obj -o s.svg --detail ") + word,
+                 std::string("--detail ") + word + ": " + expected);
+  }
+  expect_error(
+      "sheet box.obj -o s.svg --detail front=70,0,5@2:1",
+      "--detail front=70,0,5@2:1: nothing of the view is there: expected a circle within 0 "
+      "to 60 and 0 to 40");
+}
+
+TEST_F(SheetDrafting, PartsAreListed) {
+  write("bolt.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write("gears.draw",
+        "open-segment 4\nbox-3 0 4 0 4 0 4\nclose-segment\nopen-segment 7\nbox-3 5 9 0 4 0 4\n"
+        "close-segment\nrename-segment 7 8\n");
+  draw("box.obj bolt.obj gears.draw bolt.obj --parts-list");
+  std::vector<std::string> words;
+  for (const Text& text : texts("s.svg")) words.push_back(text.characters);
+  const std::vector<std::string> list{"ITEM", "PART", "QTY",     "1", "box", "1",       "2", "bolt",
+                                      "2",    "3",    "gears:4", "1", "4",   "gears:7", "1"};
+  EXPECT_TRUE(std::search(words.begin(), words.end(), list.begin(), list.end()) != words.end());
+  draw("box.obj bolt.obj");
+  EXPECT_EQ(read(folder_ / "s.svg").find(">QTY<"), std::string::npos);
+}
+
+/// The views keep clear of it.
+TEST_F(SheetDrafting, AListOfManyPartsTakesRoom) {
+  std::vector<std::string> segments;
+  for (int i = 0; i < 12; ++i) {
+    const std::string x = std::to_string(10 * i) + " " + std::to_string(10 * i + 8);
+    segments.push_back("box-3 " + x + " 0 8 0 8\n");
+  }
+  write_segments("many.draw", segments);
+  draw("many.draw --parts-list");
+  double top_of_list = 1e9, low_of_views = 0.0;
+  for (const Text& text : texts("s.svg")) {
+    if (text.characters == "many:12") top_of_list = text.y;
+  }
+  for (const Stroke& s : strokes("VISIBLE")) low_of_views = std::max({low_of_views, s[1], s[3]});
+  EXPECT_LT(low_of_views, top_of_list - 2.5);
+  expect_error("sheet many.draw -o s.svg --parts-list --paper a6",
+               "no room for four views above the parts list");
+}
+
 TEST_F(SheetDrafting, CirclesAndArcsOfOutlinesAreThatInDxf) {
   const auto draw_dxf = [&](const std::string& program) {
     write_segments("round.draw", {program});
@@ -429,7 +516,7 @@ TEST_F(SheetDrafting, OnlyFacetsOfCirclesAreCircles) {
 
 TEST_F(SheetDrafting, NumbersHaveFiveDecimalsAtMost) {
   write_segments("c.draw", {"cylinder-3 0 0 0 10.123456789 30 48\n"});
-  draw("c.draw --section side=0");
+  draw("c.draw --section side=0 --detail front=0,0,3@5:1");
   const std::regex longer("[0-9]\\.[0-9]{6}"), five("[0-9]\\.[0-9]{5}");
   EXPECT_FALSE(std::regex_search(path_of("s.svg", "VISIBLE"), longer));
   EXPECT_TRUE(std::regex_search(path_of("s.svg", "VISIBLE"), five));

@@ -9,8 +9,11 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 
 #include "clip/base/error.h"
 #include "clip/base/without_choice.h"
@@ -98,6 +101,17 @@ void require_cut(const Mesh& part, ViewKind view, std::string_view name, double 
                    high));
 }
 
+/// Each name of parts once, in order, and how many have it.
+std::vector<ListedPart> listed(std::span<const NamedPart> parts) {
+  std::vector<ListedPart> all;
+  std::unordered_map<std::string_view, std::size_t> row_of;
+  for (const NamedPart& part : parts) {
+    const auto [row, is_new] = row_of.try_emplace(part.name, all.size());
+    is_new ? all.push_back({part.name, 1}) : void(++all[row->second].quantity);
+  }
+  return all;
+}
+
 /// Which parts are named in --uncut, by their own names or those of their inputs. Throws Error for
 /// names of none.
 std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part) {
@@ -111,9 +125,7 @@ std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part
     }
     if (is_known) continue;
     std::vector<std::string> names;
-    for (const NamedPart& one : part.parts) {
-      if (std::ranges::find(names, one.name) == names.end()) names.push_back(one.name);
-    }
+    for (const ListedPart& one : listed(part.parts)) names.push_back(one.name);
     constexpr std::size_t kMost = 12;
     const bool has_more = names.size() > kMost;
     names.resize(std::min(names.size(), kMost));
@@ -121,6 +133,16 @@ std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part
                             fmt::join(names, ", "), has_more ? ", ..." : ""));
   }
   return named;
+}
+
+/// Throws Error if nothing of a view lies in the circle of a detail.
+void require_shown(const DetailWanted& detail, const PartDrawing& view, const std::string& word) {
+  const Point2 nearest = glm::clamp(detail.middle, view.low, view.high);
+  if (glm::distance(nearest, detail.middle) < detail.radius) return;
+  throw Error(
+      fmt::format("--detail {}: nothing of the view is there: expected a circle within {} to "
+                  "{} and {} to {}",
+                  word, view.low.x, view.high.x, view.low.y, view.high.y));
 }
 
 /// Names each part of --uncut that no section plane goes through.
@@ -206,6 +228,14 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("front=POSITION|top=POSITION|side=POSITION")
       ->group(kPictureOptions);
   command
+      .add_option("--detail", details,
+                  "also draw a part of a view at another scale: the circle about X,Y, coordinates "
+                  "of the view in the part's unit, to the right and up; may be repeated")
+      ->type_name("front=X,Y,RADIUS@PAPER:PART|top=DETAIL|side=DETAIL|isometric=DETAIL")
+      ->group(kPictureOptions);
+  command.add_flag("--parts-list", parts_list, "list the parts above the title block")
+      ->group(kPictureOptions);
+  command
       .add_option("--uncut", uncut,
                   "parts that sections leave whole, such as shafts and bolts: names of inputs "
                   "without folder and extension, of objects of meshes, or PROGRAM:SEGMENT")
@@ -286,6 +316,7 @@ int SheetCommand::run() {
   if (!scale.empty()) asked = drawing_scale(scale);
   const auto positions = sections_of(sections);
   const auto hidden = hidden_lines_in_views(hidden_lines, positions);
+  words.details = details_of(details);
   if (centre_lines != "on" && centre_lines != "off") {
     throw Error(fmt::format("--centre-lines {}: expected on or off", centre_lines));
   }
@@ -326,6 +357,10 @@ int SheetCommand::run() {
         "{}: not closed and consistently oriented: the section is open, without hatching\n",
         inputs.front());
   }
+  for (std::size_t i = 0; i < words.details.size(); ++i) {
+    require_shown(words.details[i], views[words.details[i].view], details[i]);
+  }
+  if (parts_list) words.parts = listed(part.parts);
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
   DrawingSheet sheet = arrange(views, words, chosen);
   sheet.font = font;

@@ -16,7 +16,8 @@ struct SheetCommand {
   std::string font = "sans-serif";
   std::string lines = "outline,boundary,crease", hidden_lines, uncut;
   std::string centre_lines = "on";
-  std::vector<std::string> sections;
+  std::vector<std::string> sections, details;
+  bool parts_list = false;
   double margin = 10.0, hatch = 2.0;
   int threads = 1;
   ImportWords import;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/base/error.h"
+#include "programs/sheet/detail_view.h"
 #include "programs/sheet/hatched_bodies.h"
 #include "programs/sheet/placed_view.h"
 #include "programs/sheet/section_marks.h"
@@ -49,7 +50,8 @@ Cells cells_of(const std::array<PartDrawing, 4>& views) {
 
 /// The paper's room, within the frame and above the title block.
 Point2 room_for_views(const SheetWords& words) {
-  return {words.width - 2.0 * words.margin, words.height - 2.0 * words.margin - kTitleHeight};
+  return {words.width - 2.0 * words.margin,
+          words.height - words.margin - block_of_titles(words).high.y};
 }
 
 std::array<ViewPlace, 4> places_of_views(const std::array<PartDrawing, 4>& views,
@@ -57,7 +59,7 @@ std::array<ViewPlace, 4> places_of_views(const std::array<PartDrawing, 4>& views
   const Cells cells = cells_of(views);
   const Point2 gap = (room_for_views(words) - mm * cells.size) / 3.0;
   const bool third = words.projection == SheetProjection::third;
-  const Point2 corner(words.margin, words.margin + kTitleHeight);
+  const Point2 corner(words.margin, block_of_titles(words).high.y);
   const double left = corner.x + gap.x, right = left + mm * cells.column.size() + gap.x;
   const double low = corner.y + gap.y;
   const double high = low + mm * (third ? cells.row.size() : cells.other_row) + gap.y;
@@ -91,19 +93,32 @@ DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const Sheet
   const Cells cells = cells_of(views);
   const Point2 room = room_for_views(words) - Point2(3.0 * kLeastGap);
   if (room.x <= 0.0 || room.y <= 0.0) {
-    throw Error(fmt::format("paper of {}x{} mm with margins of {} mm: no room for four views",
-                            words.width, words.height, words.margin));
+    throw Error(fmt::format("paper of {}x{} mm with margins of {} mm: no room for four views{}",
+                            words.width, words.height, words.margin,
+                            words.parts.empty() ? "" : " above the parts list"));
   }
-  const auto fits = [&](double factor) {
+  const auto views_fit = [&](double factor) {
     const Point2 size = cells.size * (words.unit * factor);
     return size.x <= room.x && size.y <= room.y;
   };
-  if (asked == nullptr) return largest_standard_scale(fits);
-  if (!fits(asked->factor())) {
-    throw Error(fmt::format("--scale {}: the views do not fit on the paper: expected {} or less",
-                            asked->text(), largest_standard_scale(fits).text()));
+  const auto fits = [&](double factor) {
+    if (!views_fit(factor)) return false;
+    const auto places = places_of_views(views, words, words.unit * factor);
+    return places_of_details(views, places, words).has_value();
+  };
+  if (asked != nullptr && fits(asked->factor())) return *asked;
+  const double largest = largest_standard_scale(views_fit).factor();
+  // Smaller ones leave more room for details; those that are too small show nothing.
+  constexpr double kSmallest = 1.0 / 50.0;
+  const DrawingScale found = largest_standard_scale(
+      [&](double factor) { return fits(factor) || factor < kSmallest * largest; });
+  if (!fits(found.factor())) {
+    throw Error(
+        "--detail: no room on the paper: expected a smaller circle or scale, or larger paper");
   }
-  return *asked;
+  if (asked == nullptr) return found;
+  throw Error(fmt::format("--scale {}: the views do not fit on the paper: expected {} or less",
+                          asked->text(), found.text()));
 }
 
 DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
@@ -114,13 +129,19 @@ DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& 
   sheet.title = words.title;
   const double mm = words.unit * scale.factor();
   const std::array<ViewPlace, 4> places = places_of_views(views, words, mm);
+  const auto boxes = places_of_details(views, places, words).value_or(std::vector<PaperBox>());
   const auto hatching = hatching_of_bodies(views, mm, words.hatch);
   std::array<PlacedDrawing, 4> placed;
   for (std::size_t k = 0; k < 4; ++k) {
     add_view(views[k], places[k], hatching, sheet);
     placed[k] = {&views[k], places[k].at, places[k].on_paper(views[k], views[k].high)};
   }
-  add_section_marks(placed, words, mm, sheet);
+  std::vector<PaperBox> taken = boxes;
+  if (!boxes.empty()) {
+    const auto letters = add_details(views, places, boxes, words, hatching, sheet);
+    taken.insert(taken.end(), letters.begin(), letters.end());
+  }
+  add_section_marks(placed, taken, words, mm, sheet);
   remove_covered_centre_lines(sheet);
   add_title_block(words, scale, sheet);
   return sheet;

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "clip/paper_box.h"
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"
@@ -12,6 +15,22 @@ namespace displayfile {
 
 enum class SheetProjection { third, first };
 
+/// Part of a view at another scale: what lies in a circle.
+struct DetailWanted {
+  std::size_t view = 0;  ///< index of a view of the sheet
+  Point2 middle{0.0};    ///< in the view's coordinates and unit
+  double radius = 1.0;   ///< in the view's unit
+  DrawingScale scale{};
+};
+/// The letters of details, in order: others than those of sections.
+inline constexpr std::string_view kDetailLetters = "XYZWVUTSRQPNMLKHGFED";
+
+/// A line of a parts list.
+struct ListedPart {
+  std::string name;
+  std::size_t quantity = 1;
+};
+
 /// What a sheet says of itself, and how it is arranged. Lengths in millimetres.
 struct SheetWords {
   std::string title, date;
@@ -19,13 +38,15 @@ struct SheetWords {
   double width = 420.0, height = 297.0, margin = 10.0;
   double hatch = 2.0;  ///< between hatching lines
   double unit = 1.0;   ///< of the part's
+  std::vector<DetailWanted> details{};
+  std::vector<ListedPart> parts{};  ///< of the parts list; empty: none
 };
 
 /// The views of a sheet, in order: front, top, side, isometric.
 std::array<ViewKind, 4> views_of_sheet(SheetProjection projection);
 
-/// The largest standard scale in which the views fit, or the requested one (null: none). Throws
-/// Error if they do not fit.
+/// The largest standard scale in which the views fit and leave room for details, or the requested
+/// one (null: none). Throws Error if they do not fit.
 DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked);
 
@@ -33,8 +54,10 @@ DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const Sheet
 DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                      const DrawingScale& scale);
 
-/// Frame, title block and the symbol of the projection.
+/// Frame, title block and the symbol of the projection; above the title block the parts list.
 void add_title_block(const SheetWords& words, const DrawingScale& scale, DrawingSheet& sheet);
 inline constexpr double kTitleHeight = 20.0, kTitleWidth = 150.0;
+/// The rectangle of title block and parts list, in the frame's lower right corner.
+PaperBox block_of_titles(const SheetWords& words);
 
 }  // namespace displayfile

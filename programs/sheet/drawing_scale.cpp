@@ -11,7 +11,7 @@ namespace displayfile {
 
 std::string DrawingScale::text() const { return fmt::format("{}:{}", paper, part); }
 
-DrawingScale drawing_scale(std::string_view word) {
+std::optional<DrawingScale> read_scale(std::string_view word) {
   DrawingScale scale;
   const char *const begin = word.data(), *const end = begin + word.size();
   const auto first = std::from_chars(begin, end, scale.paper);
@@ -22,6 +22,11 @@ DrawingScale drawing_scale(std::string_view word) {
       return scale;
     }
   }
+  return std::nullopt;
+}
+
+DrawingScale drawing_scale(std::string_view word) {
+  if (const auto scale = read_scale(word)) return *scale;
   throw Error(
       fmt::format("--scale {}: expected PAPER:PART, two positive numbers, such as 1:2", word));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,9 @@ struct DrawingScale {
   std::string text() const;
 };
 
-/// Reads `2:1`, `1:50` and so on. Throws Error for anything but two positive numbers.
+/// Reads `2:1`, `1:50` and so on; nothing if it is not two positive numbers.
+std::optional<DrawingScale> read_scale(std::string_view word);
+/// The same for --scale: throws Error.
 DrawingScale drawing_scale(std::string_view word);
 /// The largest standard scale (ISO 5455: 1, 2 and 5 times a power of ten, to 1) for which fits(),
 /// from 1000000:1 to 1:1000000000. Throws Error if none does.

@@ -41,9 +41,7 @@ class Taken {
   Taken(const std::array<PlacedDrawing, 4>& views, const SheetWords& words) {
     const Point2 paper(words.width, words.height);
     frame_ = {Point2(words.margin), paper - words.margin};
-    const double block = std::min(kTitleWidth, words.width - 2.0 * words.margin);
-    boxes_.push_back(
-        {{frame_.high.x - block, frame_.low.y}, {frame_.high.x, frame_.low.y + kTitleHeight}});
+    boxes_.push_back(block_of_titles(words));
     for (const PlacedDrawing& view : views) boxes_.push_back(box_of(view));
   }
   void add(const PaperBox& box) { boxes_.push_back(box); }
@@ -211,9 +209,10 @@ void add_caption(std::size_t k, const std::array<PlacedDrawing, 4>& views,
 
 }  // namespace
 
-void add_section_marks(const std::array<PlacedDrawing, 4>& views, const SheetWords& words,
-                       double mm_of_unit, DrawingSheet& sheet) {
+void add_section_marks(const std::array<PlacedDrawing, 4>& views, std::span<const PaperBox> details,
+                       const SheetWords& words, double mm_of_unit, DrawingSheet& sheet) {
   Taken taken(views, words);
+  for (const PaperBox& box : details) taken.add(box);
   std::array<std::string, 4> letters;
   std::vector<ShownCut> cuts;
   for (std::size_t k = 0; k < views.size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "programs/sheet/arrangement.h"
 
@@ -13,8 +14,9 @@ struct PlacedDrawing {
 };
 
 /// For each view that is cut: in another view a line where, with arrows and letters, and the
-/// letters at the view itself. They keep clear of the views, of the title block and of each other.
-void add_section_marks(const std::array<PlacedDrawing, 4>& views, const SheetWords& words,
-                       double mm_of_unit, DrawingSheet& sheet);
+/// letters at the view itself. They keep clear of the views, of the rectangles of details, of the
+/// title block and of each other.
+void add_section_marks(const std::array<PlacedDrawing, 4>& views, std::span<const PaperBox> details,
+                       const SheetWords& words, double mm_of_unit, DrawingSheet& sheet);
 
 }  // namespace displayfile

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -69,15 +70,57 @@ void add_field(const Cell& cell, const char* label, const std::string& text, Dra
   }
 }
 
+constexpr double kListRow = 6.0;  // mm
+
+/// Rows from below: the headings, and the parts in order.
+void add_parts_list(const SheetWords& words, DrawingSheet& sheet) {
+  const PaperBox block = block_of_titles(words);
+  const double width = block.high.x - block.low.x;
+  const std::array columns{block.low.x, block.low.x + 0.12 * width, block.low.x + 0.88 * width,
+                           block.high.x};
+  const double low = block.low.y + kTitleHeight;
+  add_rectangle({block.low.x, low}, block.high, sheet);
+  for (const std::size_t k : {1U, 2U}) {
+    sheet.lines.push_back({SheetLayer::frame, {{columns[k], low}, {columns[k], block.high.y}}});
+  }
+  const auto add_row = [&](std::size_t row, const std::array<std::string, 3>& texts) {
+    const double bottom = low + kListRow * static_cast<double>(row);
+    if (row > 0) {
+      sheet.lines.push_back({SheetLayer::text, {{block.low.x, bottom}, {block.high.x, bottom}}});
+    }
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+      const Point2 room(columns[k + 1] - columns[k] - 2.0 * kInset, kListRow - kInset);
+      const FittedText fitted = fit_text(texts[k], room);
+      const double baseline = bottom + 0.5 * (kListRow - fitted.height);
+      for (const std::string& line : fitted.lines) {
+        sheet.texts.push_back({{columns[k] + kInset, baseline}, fitted.height, line});
+      }
+      if (!fitted.whole) sheet.shortened.push_back(fmt::format("PART {}", texts[k]));
+    }
+  };
+  add_row(0, {"ITEM", "PART", "QTY"});
+  for (std::size_t i = 0; i < words.parts.size(); ++i) {
+    const ListedPart& part = words.parts[i];
+    add_row(i + 1, {fmt::format("{}", i + 1), part.name, fmt::format("{}", part.quantity)});
+  }
+}
+
 }  // namespace
+
+PaperBox block_of_titles(const SheetWords& words) {
+  const double width = std::min(kTitleWidth, words.width - 2.0 * words.margin);
+  const double list =
+      words.parts.empty() ? 0.0 : kListRow * static_cast<double>(words.parts.size() + 1);
+  const Point2 corner(words.width - words.margin, words.margin);
+  return {{corner.x - width, corner.y}, {corner.x, corner.y + kTitleHeight + list}};
+}
 
 void add_title_block(const SheetWords& words, const DrawingScale& scale, DrawingSheet& sheet) {
   const double margin = words.margin;
   const Point2 high(words.width - margin, words.height - margin);
   add_rectangle(Point2(margin), high, sheet);
-  const double width = std::min(kTitleWidth, words.width - 2.0 * margin);
-  const double left = high.x - width, top = margin + kTitleHeight,
-               middle = margin + 0.5 * kTitleHeight;
+  const double left = block_of_titles(words).low.x, width = high.x - left;
+  const double top = margin + kTitleHeight, middle = margin + 0.5 * kTitleHeight;
   add_rectangle({left, margin}, {high.x, top}, sheet);
   const double scales = left + 0.55 * width, symbol = left + 0.78 * width;
   for (const double x : {scales, symbol}) {
@@ -91,6 +134,7 @@ void add_title_block(const SheetWords& words, const DrawingScale& scale, Drawing
     add_field({{scales, margin}, {symbol, middle}}, "DATE", words.date, sheet);
   }
   add_projection_symbol({{symbol, margin}, {high.x, top}}, words.projection, sheet);
+  if (!words.parts.empty()) add_parts_list(words, sheet);
 }
 
 }  // namespace displayfile

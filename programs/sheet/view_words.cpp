@@ -31,6 +31,19 @@ std::optional<double> finite_number(std::string_view word) {
   return value;
 }
 
+std::optional<DetailWanted> read_detail(std::string_view word) {
+  const std::size_t equals = word.find('='), at = word.find('@');
+  if (equals == word.npos || at == word.npos || at < equals) return std::nullopt;
+  const auto view = view_named(word.substr(0, equals), kViewNames.size());
+  const auto scale = read_scale(word.substr(at + 1));
+  const auto circle = words_between_commas(word.substr(equals + 1, at - equals - 1));
+  if (!view || !scale || circle.size() != 3) return std::nullopt;
+  const auto x = finite_number(circle[0]), y = finite_number(circle[1]),
+             radius = finite_number(circle[2]);
+  if (!x || !y || !radius || !(*radius > 0.0)) return std::nullopt;
+  return DetailWanted{*view, {*x, *y}, *radius, *scale};
+}
+
 }  // namespace
 
 std::vector<std::string_view> words_between_commas(std::string_view words) {
@@ -82,6 +95,25 @@ std::array<bool, 4> hidden_lines_in_views(const std::string& words,
     shown[*view] = true;
   }
   return shown;
+}
+
+std::vector<DetailWanted> details_of(const std::vector<std::string>& words) {
+  std::vector<DetailWanted> details;
+  for (const std::string& word : words) {
+    const auto detail = read_detail(word);
+    if (!detail) {
+      throw Error(
+          fmt::format("--detail {}: expected front=, top=, side= or isometric= with "
+                      "X,Y,RADIUS@PAPER:PART",
+                      word));
+    }
+    details.push_back(*detail);
+  }
+  if (details.size() > kDetailLetters.size()) {
+    throw Error(fmt::format("--detail: {} details: expected at most {}", details.size(),
+                            kDetailLetters.size()));
+  }
+  return details;
 }
 
 }  // namespace displayfile

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "programs/sheet/arrangement.h"
+
 namespace displayfile {
 
 /// The views of a sheet in the words of options, in order.
@@ -23,5 +25,10 @@ std::array<std::optional<double>, 4> sections_of(const std::vector<std::string>&
 /// for any other word.
 std::array<bool, 4> hidden_lines_in_views(const std::string& words,
                                           const std::array<std::optional<double>, 4>& sections);
+
+/// Details from words such as `front=10,5,3@5:1`: the middle of a circle and its radius in the
+/// view's coordinates, and a scale. Throws Error for any other word, and for more than there are
+/// letters.
+std::vector<DetailWanted> details_of(const std::vector<std::string>& words);
 
 }  // namespace displayfile

@@ -113,11 +113,14 @@ std::vector<Point2> AnnotationPencil::circle(const Point2& centre, double radius
 void AnnotationPencil::text(std::string_view characters, const Point2& at,
                             TextStyle::Alignment alignment, const Point2& direction) {
   if (characters.empty()) return;
-  DeviceText text{Point3(at.x / page_.width, at.y / page_.height, 1.0),
-                  {.size = height_ / kCapitalsOfEm / page_.height, .alignment = alignment},
-                  {LineStyle::Kind::solid, kept_->colour},
-                  std::string(characters),
-                  kept_->segment};
+  DeviceText text;
+  text.anchor = Point3(at.x / page_.width, at.y / page_.height, 1.0);
+  text.style.size = height_ / kCapitalsOfEm / page_.height;
+  text.style.alignment = alignment;
+  text.line.kind = LineStyle::Kind::solid;
+  text.line.colour = kept_->colour;
+  text.characters = characters;
+  text.segment = kept_->segment;
   constexpr double kLevel = 1e-4;  // degrees, which no picture shows
   const double turn = std::atan2(direction.y, direction.x) * 180.0 / std::numbers::pi;
   if (std::abs(turn) > kLevel) text.turn = turn;

@@ -146,7 +146,7 @@ TEST_F(Camera, NeedsAMeshWhoseViewNoProgramSets) {
   write("m.obj", kPyramid);
   write("square.draw", kSquare);
   write("view.draw", "set-perspective 1 2 9\n");
-  const std::string words = "expected a mesh before which no program sets the view";
+  const std::string words = "expected a mesh before which no program sets the camera";
   expect_error("draw square.draw -o x.png --eye 30,20", "--eye: " + words);
   expect_error("draw view.draw m.obj -o x.png --up z --fov 30", "--up --fov: " + words);
   expect_error("dump square.draw --parallel", "--parallel: " + words);

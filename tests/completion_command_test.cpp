@@ -53,7 +53,9 @@ class Completion : public Command {
 
   /// Commands that are right, each subcommand's.
   const std::map<std::string, std::vector<std::string>> kRight{
-      {"draw", {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg"}},
+      {"draw",
+       {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg",
+        "draw m.obj -o '{name}.svg'", "draw m.obj -o x.svg --parallel --paper a4 --scale 1:100"}},
       {"dump", {"dump m.obj", "dump surface.draw"}},
       {"check",
        {"check m.obj --golden g --picture --update", "check m.obj --golden g --update",

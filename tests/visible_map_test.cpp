@@ -276,6 +276,30 @@ TEST(VisibleMap, ShortcutsChangeNothingInSheetsThatAreUneven) {
   }
 }
 
+/// Level squares in planes that are steps apart, so that depths leave gaps at their sides.
+TEST(VisibleMap, CoversGoOnOverSteps) {
+  constexpr double kStep = 0x1p-12;
+  for (int k = 0; k < 20; ++k) {
+    Source s(static_cast<std::uint64_t>(k));
+    const int squares = s.between(3, 9);
+    ItemList list;
+    list.solid({{-1.0, -1.0, 0.1}, {2.0, -1.0, 0.1}, {0.5, 2.0, 0.1}});
+    for (int j = 0; j < squares; ++j) {
+      for (int i = 0; i < squares; ++i) {
+        const auto at = [&](int x, int y) {
+          return Point3((i + x) / static_cast<double>(squares),
+                        (j + y) / static_cast<double>(squares), 0.9);
+        };
+        const Point3 up(0.0, 0.0, s.below(2) == 0 ? kStep : -kStep);
+        const std::array<Point3, 3> plane{at(0, 0) + up, at(1, 0) + up, at(0, 1) + up};
+        list.solid_in(plane, {at(0, 0), at(1, 0), at(1, 1)});
+        list.solid_in(plane, {at(0, 0), at(1, 1), at(0, 1)});
+      }
+    }
+    if (!is_the_plain_one(list, k)) break;
+  }
+}
+
 TEST(VisibleMap, SheetsThatAreUnevenAgainstTheTruth) {
   const int scenes = from_environment("DISPLAYFILE_MAP_SCENES", 4 / kSlower + 1);
   for (int k = 0; k < scenes; ++k) {

@@ -61,10 +61,25 @@ TEST_F(ExplodeCommand, PartsAreMovedAlongAnAxisInTheirOrder) {
   EXPECT_EQ(after[2], "M30 85l0 5 30 0 0-5Z");    // from 20 + 10 to 60
   EXPECT_EQ(after[1], "M70 90l0 10 20 0 0-10Z");  // from 60 + 10 to 90
   EXPECT_GT(strokes(), 3);
+  // Trace lines begin where the parts before them would have taken their part along.
+  const std::string svg = read(folder_ / "a.svg");
+  EXPECT_NE(svg.find("d=\"M25 87.5l"), svg.npos) << svg;
+  EXPECT_NE(svg.find("d=\"M50 95l"), svg.npos) << svg;
+  EXPECT_EQ(svg.find("d=\"M30 95l"), svg.npos);
   EXPECT_EQ(fills("three.draw --explode x=0.5"), after);
   const std::vector<std::string> farther = fills("three.draw --explode x=0.75");
   EXPECT_EQ(farther[2], "M35 85l0 5 30 0 0-5Z");
   EXPECT_EQ(err_, "");
+}
+
+/// A part that is farther away keeps its distance from the one before it, and the gap is added.
+TEST_F(ExplodeCommand, DistancesStay) {
+  write("apart.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 0, 10, 0, 10) +
+                          segment(2, 10, 20, 0, 10) + segment(3, 50, 60, 0, 10));
+  const std::vector<std::string> moved = fills("apart.draw --explode x");
+  ASSERT_EQ(moved.size(), 3u);
+  EXPECT_EQ(moved[1], "M15 90l0 10 10 0 0-10Z");
+  EXPECT_EQ(moved[2], "M60 90l0 10 10 0 0-10Z");
 }
 
 TEST_F(ExplodeCommand, TheOtherWayTheLastStays) {
@@ -178,6 +193,10 @@ TEST_F(ExplodeCommand, WhatIsMovedOutOfAViewIsNamed) {
   EXPECT_EQ(err_,
             "three.draw: --explode x=2 moves segments out of the view that is set: 2: expected a "
             "larger window or view depth\n");
+  write("out.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 20, 0, 10) +
+                        segment(2, 90, 110, 0, 10));  // it was not whole before
+  fills("out.draw --explode x");
+  EXPECT_EQ(err_, "");
 }
 
 /// Flat parts in one plane each have no length along the axis: their size stands for it.

@@ -47,7 +47,7 @@ void move_along(std::vector<AssemblyPart>& parts, int axis, double sign, double 
     part.neighbour[axis] = sign * move;
     move = std::max(end - begins(part), move) + gap;
     part.move[axis] = sign * move;
-    end = std::max(end, ends(part) + move);
+    end = ends(part) + move;
   }
 }
 

@@ -92,6 +92,17 @@ TEST_F(FontCommand, HersheyFontsThatLackLettersWarnOnce) {
   }
 }
 
+/// Axes write negative numbers with a sign that is not in ASCII.
+TEST_F(FontCommand, HersheyFontsHaveSignsAndQuotationMarks) {
+  if (!has_hershey_fonts()) GTEST_SKIP() << err_;
+  write("typeset.draw", text_of("\u22122\u00d73\u20134 \u2019", "left"));
+  write("plain.draw", text_of("-2x3-4 '", "left"));
+  const std::string typeset = drawn("typeset.draw --font hershey" + kPlot);
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(typeset, drawn("plain.draw --font hershey" + kPlot, "b.svg"));
+  EXPECT_NE(typeset, drawn("i.draw --font hershey" + kPlot, "b.svg"));
+}
+
 TEST_F(FontCommand, HersheyFontsOfOtherNamesAreRefused) {
   if (!has_hershey_fonts()) GTEST_SKIP() << err_;
   expect_error("draw i.draw -o a.svg --font hershey:futurall",

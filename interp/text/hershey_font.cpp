@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/input_file.h"
@@ -25,6 +27,21 @@ constexpr int kBaseLine = 9;            // y of the base line in the file; capit
 constexpr double kCapitalUnits = 21.0;  // their height
 constexpr char kFirstCharacter = ' ';   // of the first glyph
 constexpr double kUnitOfSize = HersheyFont::kCapitalsOfSize / kCapitalUnits;
+
+/// Characters for which one of ASCII stands, as the minus signs of axes.
+constexpr std::pair<std::string_view, char> kStandIns[] = {
+    {"\u2212", '-'}, {"\u2010", '-'},  {"\u2011", '-'},  {"\u2012", '-'}, {"\u2013", '-'},
+    {"\u2014", '-'}, {"\u2018", '\''}, {"\u2019", '\''}, {"\u201c", '"'}, {"\u201d", '"'},
+    {"\u00d7", 'x'}, {"\u00a0", ' '},  {"\u2009", ' '},  {"\u202f", ' '}};
+
+/// The byte of ASCII that is drawn for a character; nothing if there is none.
+std::optional<char> in_ascii(std::string_view character) {
+  if (character.size() == 1) return character[0];
+  const auto* const found =
+      std::ranges::find(kStandIns, character, &std::pair<std::string_view, char>::first);
+  if (found == std::end(kStandIns)) return std::nullopt;
+  return found->second;
+}
 
 std::vector<std::string> hershey_fonts() {
   std::vector<std::string> names;
@@ -120,8 +137,9 @@ void HersheyFont::read(std::string_view text, const std::string& path) {
 }
 
 const HersheyFont::Glyph* HersheyFont::glyph(std::string_view character) const {
-  if (character.size() != 1 || character[0] < kFirstCharacter) return nullptr;
-  const auto place = static_cast<std::size_t>(character[0] - kFirstCharacter);
+  const std::optional<char> byte = in_ascii(character);
+  if (!byte || *byte < kFirstCharacter) return nullptr;
+  const auto place = static_cast<std::size_t>(*byte - kFirstCharacter);
   return place < glyphs_.size() ? &glyphs_[place] : nullptr;
 }
 

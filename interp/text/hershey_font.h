@@ -12,7 +12,8 @@ namespace displayfile {
 
 /// A Hershey font: letters as strokes for pens (A. V. Hershey, "Calligraphy for computers", U. S.
 /// Naval Weapons Laboratory, 1967), read from a file in James Hurt's format, one of Debian's
-/// package hershey-fonts-data. It has the characters of ASCII, or others in their places.
+/// package hershey-fonts-data. It has the characters of ASCII, or others in their places; minus
+/// signs, dashes, quotation marks and blanks of other kinds are drawn as those of ASCII.
 class HersheyFont {
  public:
   /// The font used by the name `hershey` alone.

@@ -304,12 +304,15 @@ TEST_F(PenCommand, PensCutInnerContoursFirst) {
             std::string::npos)
       << err_;
   expect_error("draw plate.draw -o x.svg --order cut", "--order cut: expected with --pens or");
-  expect_error("draw plate.draw -o x.svg --pen-layers red", "--pen-layers red: expected with --pens or");
+  expect_error("draw plate.draw -o x.svg --pen-layers red",
+               "--pen-layers red: expected with --pens or");
   expect_error("draw plate.draw -o x.svg --pens --order deep",
                "--order: pens draw in order of travel or cut, not 'deep'");
   expect_error("draw plate.draw -o x.svg --pens --pen-layers red,", "--pen-layers red,: ''");
-  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,rde", "--pen-layers red,rde: 'rde'");
-  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,#ff0000", "layers 1 and 2 of pens");
+  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,rde",
+               "--pen-layers red,rde: 'rde'");
+  expect_error("draw plate.draw -o x.svg --pens --pen-layers red,#ff0000",
+               "layers 1 and 2 of pens");
 }
 
 }  // namespace

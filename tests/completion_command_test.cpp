@@ -55,7 +55,8 @@ class Completion : public Command {
   const std::map<std::string, std::vector<std::string>> kRight{
       {"draw",
        {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg",
-        "draw m.obj -o '{name}.svg'", "draw m.obj -o x.svg --parallel --paper a4 --scale 1:100"}},
+        "draw m.obj -o '{name}.svg'", "draw m.obj -o x.svg --parallel --paper a4 --scale 1:100",
+        "draw m.obj -o x.svg --pens"}},
       {"dump", {"dump m.obj", "dump surface.draw"}},
       {"check",
        {"check m.obj --golden g --picture --update", "check m.obj --golden g --update",
@@ -66,7 +67,7 @@ class Completion : public Command {
       {"compare", {"compare t.draw t.draw"}},
       {"import", {"import m.obj -o x.draw"}},
       {"export", {"export m.obj -o x.stl", "export m.obj -o x.ply"}},
-      {"surface", {"surface x -o x.svg", "surface x -o x.png"}},
+      {"surface", {"surface x -o x.svg", "surface x -o x.png", "surface x -o x.svg --pens"}},
       {"sheet", {"sheet m.obj -o x.svg"}},
   };
 };

@@ -95,7 +95,7 @@ TEST_F(LineOrderCommand, DumpsHaveTheOrder) {
   write("sorted.draw", "set-hidden-line-removal on\nset-hidden-method franklin\n" +
                            std::string("set-line-order depth\nset-line-halo 8\n") + kCross);
   ASSERT_EQ(run("dump sorted.draw --hidden franklin"), 0) << err_;
-  EXPECT_LT(out_.find("line-style 1 0 0"), out_.rfind("line-style 0 0 0")) << out_;
+  EXPECT_LT(out_.find("solid 1 0 0 40"), out_.find("solid 0 0 0 40")) << out_;
 }
 
 }  // namespace

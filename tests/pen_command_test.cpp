@@ -307,7 +307,7 @@ TEST_F(PenCommand, PensCutInnerContoursFirst) {
   expect_error("draw plate.draw -o x.svg --pen-layers red",
                "--pen-layers red: expected with --pens or");
   expect_error("draw plate.draw -o x.svg --pens --order deep",
-               "--order: pens draw in order of travel or cut, not 'deep'");
+               "--order: the order of pens is travel or cut, not 'deep'");
   expect_error("draw plate.draw -o x.svg --pens --pen-layers red,", "--pen-layers red,: ''");
   expect_error("draw plate.draw -o x.svg --pens --pen-layers red,rde",
                "--pen-layers red,rde: 'rde'");

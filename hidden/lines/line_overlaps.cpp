@@ -28,8 +28,36 @@ struct BoxedParts {
   std::vector<std::uint32_t> stroke;  // of each box
 };
 
+/// Axes along which most of the strokes run, or across, in pixels: along them boxes are thin, also
+/// of long parallel strokes. Four times the angle is the same for both directions of both axes.
+class BoxAxes {
+ public:
+  BoxAxes(std::span<const DeepStroke> strokes, const Point2& pixels) : pixels_(pixels) {
+    const auto squared = [](const Point2& z) {
+      return Point2(z.x * z.x - z.y * z.y, 2.0 * z.x * z.y);
+    };
+    Point2 sum(0.0);
+    for (const DeepStroke& s : strokes) {
+      const Point2 way = Point2(s.to - s.from) * pixels;
+      const double length = glm::length(way);
+      if (length > 0.0 && std::isfinite(length)) sum += length * squared(squared(way / length));
+    }
+    const double angle = std::atan2(sum.y, sum.x) / 4.0;
+    along_ = {std::cos(angle), std::sin(angle)};
+  }
+
+  Point2 operator()(const Point2& device) const {
+    const Point2 p = device * pixels_;
+    return {along_.x * p.x + along_.y * p.y, along_.x * p.y - along_.y * p.x};
+  }
+
+ private:
+  Point2 pixels_, along_{1.0, 0.0};
+};
+
 BoxedParts boxed_parts(std::span<const DeepStroke> strokes, const Point2& pixels) {
   constexpr double kBoxesOfStroke = 4.0;  // on average
+  const BoxAxes axes(strokes, pixels);
   const auto length = [&](const DeepStroke& s) {
     return glm::length(Point2(s.to - s.from) * pixels);
   };
@@ -41,11 +69,12 @@ BoxedParts boxed_parts(std::span<const DeepStroke> strokes, const Point2& pixels
     const DeepStroke& s = strokes[k];
     if (!has_length(s)) continue;
     const double count = std::clamp(std::ceil(length(s) / side), 1.0, 1e6);
+    const Point2 from = axes(Point2(s.from)), way = axes(Point2(s.to)) - from;
+    const double farthest = std::abs(from.x) + std::abs(from.y) + std::abs(way.x) + std::abs(way.y);
     // The boxes of one part reach half of the pen over it, and some rounding.
-    const Point2 margin = (s.width / 2.0 + 1e-6) / pixels;
+    const Point2 margin(s.width / 2.0 + 1e-6 + 1e-12 * farthest);
     for (double i = 0.0; i < count; ++i) {
-      const Point2 a = Point2(s.from) + (i / count) * Point2(s.to - s.from);
-      const Point2 b = Point2(s.from) + ((i + 1.0) / count) * Point2(s.to - s.from);
+      const Point2 a = from + (i / count) * way, b = from + ((i + 1.0) / count) * way;
       parts.boxes.push_back(Extent::between(Point3(glm::min(a, b) - margin, 0.0),
                                             Point3(glm::max(a, b) + margin, 0.0)));
       parts.stroke.push_back(k);

@@ -150,7 +150,7 @@ PaperFit fit_on_paper(const Paper& paper, int picture_width, int picture_height)
 
 PenOrder pen_order(std::string_view text) {
   constexpr Word<PenOrder> kOrders[] = {{PenOrder::travel, "travel"}, {PenOrder::cut, "cut"}};
-  return value_of(kOrders, text, "pens draw in order of");
+  return value_of(kOrders, text, "the order of pens is");
 }
 
 void require_pens(const Pens& pens) {

@@ -201,13 +201,20 @@ bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size) const {
   if (!paper.empty()) options.vectors.paper = paper_of(paper);
   if (pens || !hatch.empty()) options.pens.emplace();
   if (!hatch.empty()) options.pens->hatching = hatching_of(hatch);
-  for (const auto& [option, word] :
-       {std::pair("--order", &order), std::pair("--pen-layers", &layers)}) {
-    if (!*word || options.pens) continue;
-    throw Error(fmt::format("{} {}: expected with --pens or --hatch", option, **word));
+  const auto require_pens_set = [&](const char* option, const std::string& word) {
+    if (options.pens) return;
+    throw Error(fmt::format("{} {}: expected with --pens or --hatch", option, word));
+  };
+  if (order) {
+    const PenOrder wanted = order_of(*order);
+    require_pens_set("--order", *order);
+    options.pens->order = wanted;
   }
-  if (order) options.pens->order = order_of(*order);
-  if (layers) options.pens->layers = layers_of(*layers);
+  if (layers) {
+    std::vector<Colour> wanted = layers_of(*layers);
+    require_pens_set("--pen-layers", *layers);
+    options.pens->layers = std::move(wanted);
+  }
   if (margin && !options.vectors.paper && !options.pens) {
     throw Error(fmt::format("--margin {}: expected with --paper, --pens or --hatch", *margin));
   }

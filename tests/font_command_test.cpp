@@ -103,6 +103,24 @@ TEST_F(FontCommand, HersheyFontsHaveSignsAndQuotationMarks) {
   EXPECT_NE(typeset, drawn("i.draw --font hershey" + kPlot, "b.svg"));
 }
 
+/// Signs of dimensions are no letters of these fonts; other letters of annotation are named.
+TEST_F(FontCommand, HersheyFontsDrawDimensions) {
+  if (!has_hershey_fonts()) GTEST_SKIP() << err_;
+  const auto strokes_of = [&](const std::string& routine) {
+    write("d.draw", "open-segment 1\n" + routine + "\nclose-segment\n");
+    EXPECT_EQ(run("draw d.draw -o a.svg --pens --font hershey"), 0) << err_;
+    return count(read(folder_ / "a.svg"), "M");
+  };
+  const int number = strokes_of("leader-3 0.5 0.5 0 \"1\"");
+  EXPECT_EQ(strokes_of("leader-3 0.5 0.5 0 \"\u00d81\""), number + 2) << err_;
+  EXPECT_EQ(err_.find("lacks"), err_.npos) << err_;
+  EXPECT_EQ(strokes_of("leader-3 0.5 0.5 0 \"1\u00b0\""), number + 1);
+  EXPECT_EQ(strokes_of("leader-3 0.5 0.5 0 \"\u00b11\""), number + 3);
+  EXPECT_EQ(err_.find("lacks"), err_.npos) << err_;
+  strokes_of("leader-3 0.5 0.5 0 \"\u00e9\"");
+  EXPECT_NE(err_.find("the Hershey font futural lacks \u00e9: left out"), err_.npos) << err_;
+}
+
 TEST_F(FontCommand, HersheyFontsOfOtherNamesAreRefused) {
   if (!has_hershey_fonts()) GTEST_SKIP() << err_;
   expect_error("draw i.draw -o a.svg --font hershey:futurall",

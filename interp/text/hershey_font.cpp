@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -89,6 +91,7 @@ void for_each_character(std::string_view text, const Visit& visit) {
 HersheyFont::HersheyFont(const std::string& name) : name_(name) {
   const std::string path = file_of(name);
   read(read_text_file(path), path);
+  add_signs();
 }
 
 /// A glyph is five characters of its number, three of the number of pairs that follow, and the
@@ -136,7 +139,34 @@ void HersheyFont::read(std::string_view text, const std::string& path) {
   }
 }
 
+/// The signs of dimensions, which no Hershey font has: a circle struck through for diameters, a
+/// small one for degrees, and a plus over a minus.
+void HersheyFont::add_signs() {
+  const auto circle = [](const Point2& centre, double radius) {
+    constexpr int kSides = 24;
+    std::vector<Point2> points;
+    for (int k = 0; k <= kSides; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kSides;
+      points.push_back(centre + radius * Point2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+  };
+  constexpr double kMiddle = -0.5 * kCapitalUnits;
+  Glyph diameter{-12, 12, {circle({0.0, kMiddle}, 8.0), {{-7.0, 0.0}, {7.0, -kCapitalUnits}}}};
+  signs_.emplace_back("\u2300", diameter);
+  signs_.emplace_back("\u00d8", std::move(diameter));
+  signs_.emplace_back("\u00b0", Glyph{-6, 6, {circle({0.0, 4.0 - kCapitalUnits}, 3.5)}});
+  signs_.emplace_back("\u00b1", Glyph{-13,
+                                      13,
+                                      {{{0.0, -18.0}, {0.0, -4.0}},
+                                       {{-8.0, -11.0}, {8.0, -11.0}},
+                                       {{-8.0, 0.0}, {8.0, 0.0}}}});
+}
+
 const HersheyFont::Glyph* HersheyFont::glyph(std::string_view character) const {
+  for (const auto& [sign, drawn] : signs_) {
+    if (sign == character) return &drawn;
+  }
   const std::optional<char> byte = in_ascii(character);
   if (!byte || *byte < kFirstCharacter) return nullptr;
   const auto place = static_cast<std::size_t>(*byte - kFirstCharacter);

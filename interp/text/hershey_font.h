@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "clip/point.h"
@@ -13,7 +14,8 @@ namespace displayfile {
 /// A Hershey font: letters as strokes for pens (A. V. Hershey, "Calligraphy for computers", U. S.
 /// Naval Weapons Laboratory, 1967), read from a file in James Hurt's format, one of Debian's
 /// package hershey-fonts-data. It has the characters of ASCII, or others in their places; minus
-/// signs, dashes, quotation marks and blanks of other kinds are drawn as those of ASCII.
+/// signs, dashes, quotation marks and blanks of other kinds are drawn as those of ASCII; the signs
+/// of diameters and degrees, and plus-minus, are made of its strokes.
 class HersheyFont {
  public:
   /// The font used by the name `hershey` alone.
@@ -42,10 +44,12 @@ class HersheyFont {
     std::vector<std::vector<Point2>> strokes;  // y down, from the base line
   };
   void read(std::string_view text, const std::string& path);
+  void add_signs();
   const Glyph* glyph(std::string_view character) const;
 
   std::string name_;
   std::vector<Glyph> glyphs_;  // from the blank on
+  std::vector<std::pair<std::string_view, Glyph>> signs_;
 };
 
 /// The font of that name, read once in a process. Throws Error as the constructor.

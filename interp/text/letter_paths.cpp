@@ -11,6 +11,7 @@
 #include "clip/base/error.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/text/characters.h"
+#include "interp/annotation/annotation_marks.h"
 #include "interp/text/hershey_font.h"
 
 namespace displayfile {
@@ -113,7 +114,7 @@ std::optional<LetterPaths> letter_paths(const Lettering& lettering, const Device
 std::vector<std::string> lettering_warnings(const Lettering& lettering,
                                             const DisplayFile& display_file) {
   std::vector<std::string> all;
-  if (!display_file.has_texts()) return all;
+  if (!display_file.has_texts() && !display_file.has_annotations()) return all;
   if (!lettering.is_of_strokes()) {
     if (lettering.font == Lettering().font) return all;
     const std::string other = font_in_place_of(lettering.font);
@@ -126,6 +127,11 @@ std::vector<std::string> lettering_warnings(const Lettering& lettering,
   std::set<std::string> lacking;
   for (const Segment* segment : display_file.visible_segments()) {
     font.add_lacking(segment->entered()->characters(), lacking);
+  }
+  constexpr AnnotationPage kAnyPage{1000, 1000, 1.0};
+  for (const AnnotationMark& mark : annotation_marks(display_file, kAnyPage)) {
+    if (mark.kind != AnnotationMark::Kind::text) continue;
+    font.add_lacking(mark.text.characters, lacking);
   }
   if (!lacking.empty()) {
     all.push_back(fmt::format("the Hershey font {} lacks {}: left out", font.name(),

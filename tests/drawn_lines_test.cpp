@@ -122,7 +122,8 @@ TEST(DrawnLines, NothingIsSeenThroughASeam) {
   for (const HiddenMethod method :
        {HiddenMethod::franklin, HiddenMethod::roberts, HiddenMethod::appel, HiddenMethod::z_buffer,
         HiddenMethod::bsp, HiddenMethod::map}) {
-    DrawOptions options{.samples = 1};
+    DrawOptions options;
+    options.samples = 1;
     options.width = options.height = 300;
     options.surfaces.method = method;
     EXPECT_EQ(dark_pixels(draw(g, options), 0, 300, 0, 300), 0u) << name_of(method);
@@ -150,7 +151,8 @@ TEST(DrawnLines, HiddenOnesOnEachOtherAreDashedOnce) {
       "end-solid\n"
       "close-segment\n",
       "test", g);
-  DrawOptions options{.samples = 1};
+  DrawOptions options;
+  options.samples = 1;
   options.width = 440;
   options.height = 280;
   EXPECT_EQ(dark_pixels(draw(g, options), 120, 121, 105, 175), 42u);
@@ -172,7 +174,8 @@ TEST(DrawnLines, CrumbsAreLeftOut) {
     replay(program + lines + "close-segment\n", "test", g);
     std::size_t most = 0;
     for (const HiddenMethod method : {HiddenMethod::franklin, HiddenMethod::z_buffer}) {
-      DrawOptions options{.samples = 1};
+      DrawOptions options;
+      options.samples = 1;
       options.width = options.height = 100;
       options.surfaces.method = method;
       options.crumbs = crumbs;

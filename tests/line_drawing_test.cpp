@@ -199,7 +199,8 @@ TEST(LineDrawing, NewViewsOfARetainedSceneAreThoseOfEnteringIt) {
   enter_cubes(retained.system);
   FromEyes renderer(retained.scene, retained.system.display_file());
   const Turntable turntable(retained.scene, retained.system.display_file(), {});
-  DrawOptions options{.samples = 1};
+  DrawOptions options;
+  options.samples = 1;
   options.width = options.height = 90;
   options.with_ids = false;
   for (const HiddenMethod method : {HiddenMethod::roberts, HiddenMethod::franklin}) {
@@ -239,7 +240,8 @@ TEST(LineDrawing, IsTheSameByAllMethodsOverTheGallery) {
   test::for_each_in_gallery([](const std::string&, const test::Retained& retained) {
     const GraphicsSystem& g = retained.system;
     const std::string by_roberts_drawn = drawn(g, HiddenMethod::roberts);
-    DrawOptions options{.samples = 1};
+    DrawOptions options;
+    options.samples = 1;
     options.width = options.height = 90;
     options.surfaces.method = HiddenMethod::roberts;
     const Picture by_roberts = draw(g, options);
@@ -405,7 +407,8 @@ TEST(LineDrawing, PixelsHaveTheHiddenLinesAndIntersectionsThatAnOrderHas) {
       g.set_hidden_surfaces({.hidden_lines = hidden});
       g.set_hidden_surfaces({.lines = line_selection(lines)});
       enter_crossing_plates(g);
-      DrawOptions options{.samples = 1};
+      DrawOptions options;
+      options.samples = 1;
       options.width = options.height = 90;
       const Picture before = draw(g, options);
       g.set_hidden_surfaces(
@@ -481,6 +484,10 @@ TEST(LineDrawing, AStrokeGoesOnAroundCorners) {
 /// The dashes of a triangle's sides, which run on around its corners, are those of the line.
 TEST(LineDrawing, DashesRunOnThroughCorners) {
   const std::vector<Point3> corners{{-0.61, -0.5, 0}, {0.7, -0.33, 0}, {0.1, 0.57, 0}};
+  DrawOptions options;
+  options.width = 90;
+  options.height = 70;
+  options.samples = 1;
   const auto picture = [&](bool as_lines) {
     GraphicsSystem g;
     g.set_hidden_surfaces({.method = HiddenMethod::franklin});
@@ -494,7 +501,7 @@ TEST(LineDrawing, DashesRunOnThroughCorners) {
       g.polygon_abs_3(corners);
     }
     g.close_segment();
-    return draw(g, {.width = 90, .height = 70, .samples = 1}).pixels;
+    return draw(g, options).pixels;
   };
   EXPECT_EQ(picture(false), picture(true));
   GraphicsSystem apart;  // each side with dashes of its own
@@ -506,13 +513,14 @@ TEST(LineDrawing, DashesRunOnThroughCorners) {
     apart.line_abs_3(b.x, b.y, b.z);
   }
   apart.close_segment();
-  EXPECT_NE(draw(apart, {.width = 90, .height = 70, .samples = 1}).pixels, picture(true));
+  EXPECT_NE(draw(apart, options).pixels, picture(true));
 }
 
 TEST(LineDrawing, HasNeitherItemBufferNorDepths) {
   GraphicsSystem g;
   enter_cubes(g);
-  DrawOptions options{.samples = 1};
+  DrawOptions options;
+  options.samples = 1;
   options.surfaces.method = HiddenMethod::franklin;
   options.with_ids = true;
   EXPECT_THROW(draw(g, options), Error);

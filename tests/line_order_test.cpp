@@ -42,7 +42,7 @@ GraphicsSystem random_lines(unsigned seed, int lines, HiddenMethod method, bool 
     for (int k = segment - 1; k < lines; k += 2) {
       LineStyle style;
       style.colour = Colour((20.0 + k) / 255.0, 0.0, 0.0);
-      style.width = 1.0 + random() % 6;
+      style.width = 1.0 + static_cast<double>(random() % 6);
       g.set_line_style(style);
       g.set_pick_id(k);
       g.move_abs_3(unit(), unit(), unit());
@@ -54,7 +54,10 @@ GraphicsSystem random_lines(unsigned seed, int lines, HiddenMethod method, bool 
 }
 
 DrawOptions options_of(LineOrder order, double halo = 0.0) {
-  DrawOptions options{.width = kSize, .height = kSize, .samples = 1};
+  DrawOptions options;
+  options.width = kSize;
+  options.height = kSize;
+  options.samples = 1;
   options.surfaces.line_order = order;
   if (halo > 0.0) options.surfaces.line_halo = halo;
   return options;
@@ -178,7 +181,9 @@ GraphicsSystem cross(LineOrder order, double halo = 0.0) {
 }
 
 TEST(LineOrder, VectorsHaveTheNearerLineLast) {
-  DrawOptions options{.width = 100, .height = 100};
+  DrawOptions options;
+  options.width = 100;
+  options.height = 100;
   const auto order = [&](const GraphicsSystem& g) {
     const std::string svg = draw_as(g, "svg", options);
     return std::pair(svg.find("#ff0000"), svg.find("#000000"));
@@ -205,7 +210,9 @@ TEST(LineOrder, AHaloLeavesAGapInPixelsAndVectors) {
   EXPECT_EQ(pixel(40), 0xffu);
   EXPECT_EQ(pixel(24), 0xffffffu);
   EXPECT_EQ(pixel(23), 0xffu);
-  DrawOptions options{.width = 100, .height = 100};
+  DrawOptions options;
+  options.width = 100;
+  options.height = 100;
   const DrawnPieces pieces = drawn_pieces(g, options);
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_EQ(pieces.line_colours[0], Colour(0.0));  // beside the gap no order is needed
@@ -281,7 +288,10 @@ TEST(LineOrder, SettingsWithoutEffectAreWarnedOf) {
     draw(g, options);
     return texts;
   };
-  DrawOptions options{.width = 16, .height = 16, .samples = 1};
+  DrawOptions options;
+  options.width = 16;
+  options.height = 16;
+  options.samples = 1;
   EXPECT_TRUE(warned(cross(LineOrder::depth), options).empty());
   const auto halo = warned(cross(LineOrder::entry, 2.0), options);
   ASSERT_EQ(halo.size(), 1u);

@@ -109,7 +109,7 @@ TEST_F(FontCommand, HersheyFontsDrawDimensions) {
   const auto strokes_of = [&](const std::string& routine) {
     write("d.draw", "open-segment 1\n" + routine + "\nclose-segment\n");
     EXPECT_EQ(run("draw d.draw -o a.svg --pens --font hershey"), 0) << err_;
-    return count(read(folder_ / "a.svg"), "M");
+    return static_cast<int>(count(read(folder_ / "a.svg"), "M"));
   };
   const int number = strokes_of("leader-3 0.5 0.5 0 \"1\"");
   EXPECT_EQ(strokes_of("leader-3 0.5 0.5 0 \"\u00d81\""), number + 2) << err_;

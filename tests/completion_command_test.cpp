@@ -56,7 +56,7 @@ class Completion : public Command {
       {"draw",
        {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg",
         "draw m.obj -o '{name}.svg'", "draw m.obj -o x.svg --parallel --paper a4 --scale 1:100",
-        "draw m.obj -o x.svg --pens"}},
+        "draw m.obj -o x.svg --pens", "draw m.obj m.obj -o x.svg"}},
       {"dump", {"dump m.obj", "dump surface.draw"}},
       {"check",
        {"check m.obj --golden g --picture --update", "check m.obj --golden g --update",

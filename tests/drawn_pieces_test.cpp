@@ -178,7 +178,7 @@ GraphicsSystem drawn_anew(const DrawnPieces& pieces) {
 bool is_of_pieces(const GraphicsSystem& system) {
   bool plain = system.attributes().shading == Shading::flat && !system.attributes().shadows;
   for (const Segment& segment : system.display_file().segments()) {
-    plain = plain && !segment.entered()->has_texts();
+    plain = plain && !segment.entered()->has_texts() && !segment.has_annotations();
   }
   return plain;
 }

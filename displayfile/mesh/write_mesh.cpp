@@ -64,6 +64,7 @@ int part_of_255(double component) {
 
 std::vector<std::string_view> written_mesh_formats() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(kWrittenFormats));
   for (const WrittenFormat& format : kWrittenFormats) names.push_back(format.extension);
   return names;
 }

@@ -49,6 +49,7 @@ void GraphicsSystem::rotate_z_3(double angle) {
 }
 
 void GraphicsSystem::save_transformation_3() {
+  const RoundToNearest nearest;
   if (state_->modelling_.saved() == kMostSaved) {
     throw Error(
         fmt::format("{} transformations are saved: expected one to be restored first", kMostSaved));

@@ -55,7 +55,7 @@ std::vector<Point2> points_drawn(const ViewedScene& scene) {
   std::vector<Point2> points;
   for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
     const PointRow of_item = scene.points(item);
-    for (std::size_t i = 0; i < of_item.size(); ++i) points.emplace_back(of_item[i]);
+    for (const Point3& p : of_item) points.emplace_back(p);
   }
   return points;
 }
@@ -82,6 +82,7 @@ std::vector<PartsListRow> rows_of(std::span<const KeptAnnotation> all) {
     ++rows.try_emplace(number, PartsListRow{number, balloon.name, 0}).first->second.quantity;
   }
   std::vector<PartsListRow> result;
+  result.reserve(rows.size());
   for (const auto& [number, row] : rows) result.push_back(row);
   return result;
 }

@@ -92,8 +92,8 @@ class Placement {
       : all_(all), rows_(rows), page_(page), figure_(convex_hull({figure.begin(), figure.end()})) {}
 
   void place() {
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      if (!is_moved(all_[i])) taken_.push_back(points_of_annotation(all_[i]));
+    for (const PageAnnotation& one : all_) {
+      if (!is_moved(one)) taken_.push_back(points_of_annotation(one));
     }
     move_dimension_lines_outward();
     choose_corners_of_lists();
@@ -340,6 +340,7 @@ void Placement::place_around() {
   if (labels.empty()) return;
   std::ranges::stable_sort(labels, {}, [](const PageAnnotation* a) { return -a->points[0].y; });
   std::vector<Point2> anchors;
+  anchors.reserve(labels.size());
   for (const PageAnnotation* const label : labels) anchors.push_back(label->points[0]);
   const std::vector<Cell> cells = cells_for(labels);
   const std::vector<std::size_t> cell_of = assigned(anchors, cells);

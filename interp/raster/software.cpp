@@ -369,13 +369,14 @@ std::optional<Pick> SoftwareRenderer::line_at(const PictureSize& size, const Pic
   };
   std::optional<Pick> nearest;
   double least = reach;
-  for (auto part = group->by_depth.rbegin(); part != group->by_depth.rend(); ++part) {
-    if (part->is_hidden) continue;
-    if (const auto depth = depth_shown(*part, size, at)) return pick(*part, *depth);
-    const NearPart near = nearest_of(*part, size, at);
+  for (std::size_t k = group->by_depth.size(); k-- > 0;) {  // the nearest is the last
+    const auto& part = group->by_depth[k];
+    if (part.is_hidden) continue;
+    if (const auto depth = depth_shown(part, size, at)) return pick(part, *depth);
+    const NearPart near = nearest_of(part, size, at);
     if (near.distance > least || (nearest && near.distance == least)) continue;
     least = near.distance;
-    nearest = pick(*part, near.depth);
+    nearest = pick(part, near.depth);
   }
   return nearest;
 }

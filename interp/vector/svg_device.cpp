@@ -102,7 +102,7 @@ std::string hex(std::uint32_t pixel) {
 /// The name, or where an element has that id already, with a number after it.
 std::string SvgDevice::new_id(const std::string& name) {
   for (int& times = times_taken_[name];;) {
-    const std::string id = ++times == 1 ? name : fmt::format("{}-{}", name, times);
+    std::string id = ++times == 1 ? name : fmt::format("{}-{}", name, times);
     if (ids_.insert(id).second) return id;
   }
 }

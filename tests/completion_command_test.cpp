@@ -48,6 +48,7 @@ class Completion : public Command {
   void write_inputs() {
     write("t.draw", kTriangle);
     write("surface.draw", "open-segment 1\nsurface-3 0 1 2 0 1 2  0 0 0 0.5\nclose-segment\n");
+    write("n.obj", "v 2 0 1\nv 3 0 1\nv 2 1 1\nf 1 2 3\n");
     write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
   }
 
@@ -56,7 +57,7 @@ class Completion : public Command {
       {"draw",
        {"draw m.obj -o -", "draw m.obj -o x.svg", "draw surface.draw -o x.svg",
         "draw m.obj -o '{name}.svg'", "draw m.obj -o x.svg --parallel --paper a4 --scale 1:100",
-        "draw m.obj -o x.svg --pens", "draw m.obj m.obj -o x.svg"}},
+        "draw m.obj -o x.svg --pens", "draw m.obj n.obj -o x.svg"}},
       {"dump", {"dump m.obj", "dump surface.draw"}},
       {"check",
        {"check m.obj --golden g --picture --update", "check m.obj --golden g --update",
@@ -74,10 +75,11 @@ class Completion : public Command {
 
 /// The words that a message says it expected.
 Words Completion::words_expected(const std::string& message) const {
-  static const Words kSentence{"a",    "after",  "and",   "as",      "blue",       "cases",
-                               "each", "family", "green", "hard",    "in",         "it",
-                               "name", "of",     "one",   "or",      "red",        "some",
-                               "such", "to",     "with",  "without", "-landscape", "-portrait"};
+  static const Words kSentence{"above", "at",      "factor",     "most",     "a",    "after",
+                               "and",   "as",      "blue",       "cases",    "each", "family",
+                               "green", "hard",    "in",         "it",       "name", "of",
+                               "one",   "or",      "red",        "some",     "such", "to",
+                               "with",  "without", "-landscape", "-portrait"};
   std::smatch found;
   Words words;
   const std::regex sentence("(expected|[a-z] is|[a-z] are) (.*?)(, not '.*)?\n");

@@ -85,10 +85,10 @@ void write_mesh(const SolidTriangles& solid, const std::string& file) {
 
 /// A header that does not begin with "solid", which would stand for a text.
 void write_stl(const SolidTriangles& solid, const std::string& file) {
-  constexpr std::size_t kHeader = 80;
+  constexpr std::size_t kBytesOfHeader = 80;
   OutputFile output(file);
   std::string out = "binary STL by Display File";
-  out.resize(kHeader, ' ');
+  out.resize(kBytesOfHeader, ' ');
   append_binary(out, count_for(file, solid.triangles(), std::numeric_limits<std::uint32_t>::max(),
                                "triangles"));
   output.stream() << out;
@@ -114,8 +114,9 @@ namespace {
 
 /// A name of an object in OBJ is the rest of a line.
 std::string in_one_line(std::string name, const std::string& otherwise) {
-  std::ranges::replace_if(
-      name, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
   return name.empty() ? otherwise : name;
 }
 

@@ -44,11 +44,15 @@ TEST_F(LineOrderCommand, PicturesAndPicksShowTheNearerLine) {
 }
 
 TEST_F(LineOrderCommand, AHaloHasUnits) {
-  ASSERT_EQ(run("draw depth.draw -o a.svg --halo 5 --paper 100x100 --margin 0"), 0) << err_;
+  ASSERT_EQ(run("draw depth.draw -o a.svg --halo 5 --paper 100x100 --margin 0 --size 512x512"), 0)
+      << err_;
   const std::string in_millimetres = read(folder_ / "a.svg");
-  ASSERT_EQ(run("draw depth.draw -o b.svg --halo 5mm --paper 100x100 --margin 0"), 0) << err_;
+  ASSERT_EQ(run("draw depth.draw -o b.svg --halo 5mm --paper 100x100 --margin 0 --size 512x512"), 0)
+      << err_;
   EXPECT_EQ(read(folder_ / "b.svg"), in_millimetres);
-  ASSERT_EQ(run("draw depth.draw -o b.svg --halo 25.6px --paper 100x100 --margin 0"), 0) << err_;
+  ASSERT_EQ(run("draw depth.draw -o b.svg --halo 25.6px --paper 100x100 --margin 0 --size 512x512"),
+            0)
+      << err_;
   EXPECT_EQ(read(folder_ / "b.svg"), in_millimetres);
   ASSERT_EQ(run("draw depth.draw -o b.svg --halo 5 --line-order depth"), 0) << err_;
   EXPECT_NE(read(folder_ / "b.svg"), in_millimetres);

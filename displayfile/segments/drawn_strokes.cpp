@@ -46,7 +46,8 @@ void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const St
   const auto end_of_hidden = std::stable_partition(
       parts.begin(), parts.end(),
       [&](const StrokePart& part) { return pieces.is_hidden(first + part.stroke); });
-  const std::span<const StrokePart> seen(end_of_hidden, parts.end());
+  const auto hidden = static_cast<std::size_t>(end_of_hidden - parts.begin());
+  const auto seen = std::span<const StrokePart>(parts).subspan(hidden);
   std::vector<DeepStroke> strokes;
   strokes.reserve(seen.size());
   for (const StrokePart& part : seen) {

@@ -1,5 +1,7 @@
 #include "interp/vector/vector_device.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

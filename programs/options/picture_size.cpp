@@ -25,14 +25,14 @@ void PictureSizeWord::add_to(CLI::App& command, bool on_paper) {
 }
 
 std::optional<MillimetreSize> PictureSizeWord::millimetres() const {
-  constexpr std::string_view kUnit = "mm";
-  if (!size.ends_with(kUnit)) return std::nullopt;
+  constexpr std::string_view kMillimetresWord = "mm";
+  if (!size.ends_with(kMillimetresWord)) return std::nullopt;
   MillimetreSize sides{};
-  const char* const end = size.data() + size.size() - kUnit.size();
+  const char* const end = size.data() + size.size() - kMillimetresWord.size();
   auto [p, failure] = std::from_chars(size.data(), end, sides.width);
   const bool has_width = failure == std::errc{};
   const std::string_view rest(p, static_cast<std::size_t>(end - p));
-  if (rest.starts_with(kUnit)) p += kUnit.size();
+  if (rest.starts_with(kMillimetresWord)) p += kMillimetresWord.size();
   const bool has_cross = has_width && p != end && (*p == 'x' || *p == 'X');
   const auto height = has_cross ? std::from_chars(p + 1, end, sides.height)
                                 : std::from_chars_result{p, std::errc::invalid_argument};

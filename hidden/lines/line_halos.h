@@ -21,7 +21,7 @@ class JoinedStrokes {
   /// True if one continues the other.
   bool join(std::uint32_t a, std::uint32_t b) const {
     const auto is_of_b = [&](std::uint32_t end) { return end != kNone && end / 2 == b; };
-    return is_of_b(mate_[2 * a]) || is_of_b(mate_[2 * a + 1]);
+    return is_of_b(mate_[std::size_t{2} * a]) || is_of_b(mate_[std::size_t{2} * a + 1]);
   }
 
  private:

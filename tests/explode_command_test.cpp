@@ -103,7 +103,7 @@ TEST_F(ExplodeCommand, PartsAreMovedAwayFromTheMiddle) {
   EXPECT_EQ(fills("centre.draw --explode radial=3")[0], "M25 40l0 10 10 0 0-10Z");
 }
 
-/// Of several inputs each is a part, with all of its segments.
+/// Each of several inputs is a part, with all of its segments.
 TEST_F(ExplodeCommand, InputsAreParts) {
   write("one.draw", segment(1, 10, 20, 0, 10) + segment(2, 20, 30, 0, 10));
   write("two.draw", segment(3, 10, 30, 10, 20));

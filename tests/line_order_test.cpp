@@ -111,7 +111,7 @@ bool crossing_of(const Axis& a, const Axis& b, Point2& at, double& nearer) {
   return true;
 }
 
-/// Of two lines that cross at a pixel, no third one near it, the nearer one is seen: by all
+/// Where two lines cross at a pixel, no third one near it, the nearer one is seen: by all
 /// methods.
 TEST(LineOrder, TheNearerLineIsSeenAtACrossing) {
   int crossings = 0;

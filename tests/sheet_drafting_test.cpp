@@ -142,7 +142,7 @@ TEST_F(SheetDrafting, NeighboursAreHatchedInDifferentDirections) {
   for (const Hatch& hatch : all) EXPECT_NEAR(hatch.spacing, 2.0, 1e-3);
 }
 
-/// Of three that touch each other the third has a wider spacing.
+/// If three bodies touch each other, the third has a wider spacing.
 TEST_F(SheetDrafting, NeighboursAreHatchedInDifferentSpacings) {
   write_segments("three.draw",
                  {"box-3 0 20 0 10 0 10\n", "box-3 20 40 0 10 0 10\n", "box-3 0 40 10 40 0 10\n"});

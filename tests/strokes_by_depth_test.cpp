@@ -213,7 +213,7 @@ TEST(StrokesByDepth, ACircleOfWideStrokesIsCutToo) {
   }
 }
 
-/// Of a straight line (halo + width / 2) / sin(angle) is left out on both sides.
+/// On a straight line (halo + width / 2) / sin(angle) is left out on both sides.
 TEST(StrokesByDepth, AHaloCutsTheFartherLineBack) {
   for (const double degrees : {90.0, 60.0, 30.0, 15.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;

@@ -21,7 +21,7 @@ struct KeptAnnotation {
   Kind kind;
   AnnotationStyle style;
   Colour colour;
-  /// Of leaders and balloons: from the point to the end of the line beside the text, or to the
+  /// For leaders and balloons: from the point to the end of the line beside the text, or to the
   /// circle's centre, in the style's unit. Of a list: the signs of its corner, from the picture's
   /// middle.
   Point2 offset;

@@ -117,7 +117,7 @@ void keep_used(SolidObject& object) {
   object.vertices = std::move(used);
 }
 
-/// Of equal ones each first colour of a material, for all triangles.
+/// The first of equal colours stands for all of them, in all triangles.
 void share_colours(const Mesh& mesh, SolidTriangles& solid) {
   std::map<std::tuple<double, double, double>, std::uint32_t> known;
   std::vector<std::uint32_t> number;

@@ -26,16 +26,6 @@ constexpr double kUsualOffset = 3.0;  // times the annotation's size
 constexpr int kHalvingsOfArc = 5;     // an arc is 2^5 chords
 constexpr double kDegrees = 57.295779513082320877;
 
-void require_annotation_text(std::string_view characters) {
-  if (characters.size() > GraphicsSystem::kLongestText) {
-    throw Error(fmt::format("text of {} bytes: expected at most {}", characters.size(),
-                            GraphicsSystem::kLongestText));
-  }
-  if (const std::size_t good = drawable_length(characters); good < characters.size()) {
-    throw Error(not_drawable(characters.substr(good)));
-  }
-}
-
 /// With at most that many decimals, without trailing zeros.
 std::string measure_text(double measure, int decimals) {
   std::string text = fmt::format("{:.{}f}", measure, decimals);
@@ -94,7 +84,7 @@ struct GraphicsSystem::State::AnnotationEntry {
   std::string arguments = {};
 
   KeptAnnotation operator()(const Leader& leader) {
-    require_annotation_text(leader.text);
+    require_characters(leader.text);
     recorded("leader-3", "{} {}{}", words_of(leader.at), in_quotation_marks(leader.text),
              words_of(leader.offset));
     return kept(Kind::leader, {state.to_world(leader.at)}, leader.text, offset_of(leader.offset));
@@ -103,7 +93,7 @@ struct GraphicsSystem::State::AnnotationEntry {
     if (balloon.number < 1) {
       throw Error(fmt::format("balloon number {}: expected 1 or more", balloon.number));
     }
-    require_annotation_text(balloon.name);
+    require_characters(balloon.name);
     const bool names = !balloon.name.empty() || balloon.offset;
     recorded("balloon-3", "{} {}{}{}{}", words_of(balloon.at), balloon.number, names ? " " : "",
              names ? in_quotation_marks(balloon.name) : "", words_of(balloon.offset));
@@ -160,7 +150,7 @@ struct GraphicsSystem::State::AnnotationEntry {
                 measured(std::atan2(sine, cosine) * kDegrees) + "\u00b0");
   }
   KeptAnnotation operator()(const Title& title) {
-    require_annotation_text(title.text);
+    require_characters(title.text);
     recorded("title", "{}", in_quotation_marks(title.text));
     return kept(Kind::title, {}, title.text);
   }

@@ -18,7 +18,7 @@
 #include "clip/paper_box.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/style.h"
-#include "displayfile/text/characters.h"
+#include "displayfile/user_routines/ranges.h"
 
 namespace displayfile {
 
@@ -385,16 +385,6 @@ void require_box(const Point3& low, const Point3& high) {
   if (low == high) throw Error("axes of a point: expected x-min < x-max, or likewise for y or z");
 }
 
-void require_drawable(std::string_view name) {
-  if (name.size() > GraphicsSystem::kLongestText) {
-    throw Error(fmt::format("text of {} bytes: expected at most {}", name.size(),
-                            GraphicsSystem::kLongestText));
-  }
-  if (const std::size_t good = drawable_length(name); good < name.size()) {
-    throw Error(not_drawable(name.substr(good)));
-  }
-}
-
 /// Where all is, as seen; throws Error if any of it cannot be entered.
 void require_in_range(const GraphicsSystem& system, const Axes& axes) {
   for (const auto& [from, to] : axes.lines) {
@@ -440,7 +430,7 @@ void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
   system.to_device(low);
   system.to_device(high);
   require_box(low, high);
-  std::ranges::for_each(names, require_drawable);
+  std::ranges::for_each(names, require_characters);
   const Axes axes = AxesOfBox(system, low, high).axes(names);
   require_in_range(system, axes);
 

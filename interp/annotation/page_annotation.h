@@ -22,7 +22,7 @@ struct PageAnnotation {
   const KeptAnnotation* kept;
   double height;               ///< of capital letters
   std::vector<Point2> points;  ///< of `kept`
-  /// Of leaders: the end of the line beside the text; of balloons: the circle's centre.
+  /// For leaders, the end of the line beside the text; for balloons, the circle's centre.
   Point2 at{0.0};
   Side side = Side::right;
   std::optional<Point2> line_end = std::nullopt;  ///< of a balloon's line; none: toward the centre

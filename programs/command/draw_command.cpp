@@ -202,8 +202,8 @@ void DrawCommand::add_picture_options(CLI::App& command) {
 
 namespace {
 
-/// Of a picture with these options, if it is known. Numbers without a unit are millimetres on
-/// paper, and where the picture's size is in millimetres.
+/// The size of a picture's pixels with these options, if it is known. Numbers without a unit are
+/// millimetres on paper, and where the picture's size is in millimetres.
 PixelSize pixel_size_of(const DrawOptions& all, bool is_in_millimetres) {
   std::optional<Paper> sheet = all.vectors.paper;
   if (!sheet && all.pens) sheet.emplace();

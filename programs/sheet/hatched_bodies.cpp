@@ -152,7 +152,7 @@ double distance(const Point2& p, const Side& side) {
   return glm::distance(p, side.from + t * along);
 }
 
-/// Of sides that do not cross: those of different bodies that do are overlapping, or nearly touch.
+/// For sides that do not cross: sides that do belong to bodies that overlap or nearly touch.
 double distance(const Side& a, const Side& b) {
   return std::min({distance(a.from, b), distance(a.to, b), distance(b.from, a), distance(b.to, a)});
 }

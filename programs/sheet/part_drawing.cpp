@@ -175,7 +175,7 @@ void add_cut_loops(const Section& cut, const Part& part, PartDrawing& view) {
   }
 }
 
-/// Of the axes that have not been cut off with what was before the plane.
+/// Takes the axes that have not been cut off with the geometry in front of the plane.
 void add_centre_lines_of(std::span<const CentreAxis> axes, PartDrawing& view) {
   constexpr double kAlong = 1e-9;
   for (const CentreAxis& axis : axes) {

@@ -53,7 +53,7 @@ struct ViewWanted {
   ViewKind kind = ViewKind::front;
   std::optional<double> position{};  ///< of a section, along toward_viewer
   bool hidden_lines = true, centre_lines = true;
-  /// Of each part, in Part::parts: whether objects of it that the plane goes through are whole.
+  /// For each part, as in Part::parts: whether objects of it that the plane goes through are whole.
   std::vector<std::uint8_t> uncut{};
 };
 

@@ -10,7 +10,7 @@ namespace displayfile {
 /// group with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each
 /// path is an element, in the order in which they are to be drawn. The file appears whole or not at
 /// all. Throws Error, naming the file, if it cannot be written.
-/// Of the options only those of SVG's names and declaration apply.
+/// Only the options for SVG's names and declaration apply.
 void write_pens_svg(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
 /// The same as PDF, whose page is the sheet, pen after pen. Throws Error too if there is no Cairo.

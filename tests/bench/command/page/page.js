@@ -62,7 +62,7 @@ class Page {
 
   /** The blocks of a README. */
   inShort() {
-    return summaries(this.figures).map(({title, text, rows}) => section(escaped(title), escaped(text), rows ? wide(
+    return summaries(this.figures).filter(({isOfOtherPages}) => !isOfOtherPages).map(({title, text, rows}) => section(escaped(title), escaped(text), rows ? wide(
       `<table>\n${rows.map((cells, r) => `<tr>${cells.map((cell, c) => {
         const tag = r === 0 ? "th" : "td";
         return `<${tag}${isOfNumbers(rows, c) ? "" : " class='l'"}>${escaped(cell)}`;

@@ -1,6 +1,7 @@
 "use strict";
 // Tables that answer one question each: sections of the page, and blocks of a README. A summary has
-// a name (of the block), a title, a text, and rows, of which the first is the head; or no rows.
+// a name (of the block), a title, a text, and rows, of which the first is the head; or no rows. Sentences of
+// other pages (isOfOtherPages) are blocks alone.
 
 /** Collects why figures of a table are missing: a sentence for each, after its text. */
 function notesOfLeftOut() {
@@ -15,6 +16,25 @@ function notesOfLeftOut() {
 /** The row of a scene, if any of its figures is there. */
 function rowOf(row, cells) {
   return cells.some(Boolean) ? [[shortName(row.name), grouped(row.polygons), square(row.size), ...cells]] : [];
+}
+
+/** Pieces of the map, of crossing planes if they were measured, and the scenes on which it is slower or has more of them. */
+function costOfMap(figures) {
+  const rowsOf = (way) => figures.mapRows.filter((row) => row.way === way);
+  const maps = rowsOf("map"), pairs = rowsOf("depth-sort, written").flatMap((row) => {
+    const map = maps.find((one) => one.scene === row.scene);
+    return map ? [{scene: row.scene, polygons: map.polygons, map: map.pieces, written: row.pieces, time: 1 / row.time.median}] : [];
+  });
+  if (!pairs.length) return "";
+  const planes = pairs.find((pair) => pair.scene.startsWith("planes"));
+  const first = planes ? `${grouped(planes.polygons)} crossing planes become ${grouped(planes.map)} visible pieces; depth sort cuts ` +
+    `them into ${grouped(planes.written)}. ` : "";
+  const slow = pairs.filter((pair) => pair.time > 1), more = pairs.filter((pair) => pair.map > pair.written);
+  const slower = slow.length ? ` they take ${times(Math.min(...slow.map((pair) => pair.time)))} to ` +
+    `${times(Math.max(...slow.map((pair) => pair.time)))} times as long to find as depth sort takes with writing` : "";
+  const larger = more.map((pair) => `${shortName(pair.scene)} has ${times(pair.map / pair.written)} times as many`).join(", ");
+  if (!slower && !larger) return first.trimEnd();
+  return `${first}But ${[slower && `on ${slow.length} of ${pairs.length} scenes${slower}`, larger].filter(Boolean).join(", and ")}.`;
 }
 
 const summaryMakers = {
@@ -123,35 +143,27 @@ const summaryMakers = {
               [...heads.map((head) => String(row[head] ?? "")), row.holds === undefined ? "" : row.holds ? "yes" : "no"])]};
   },
 
-  /** Figures that sentences elsewhere repeat, to be compared with them. */
-  quoted(figures) {
-    const found = methodRows(figures, isInSeries), rows = found?.rows ?? [];
-    const of = (name) => rows.find((row) => row.column.name === name);
-    const exact = of("z-buffer, exact"), osmesa = of("osmesa, 24 bits"), body = [];
-    if (exact && osmesa) {
-      body.push(["The exact z-buffer's time over OSMesa's", general(exact.anew / osmesa.anew, 2)]);
-      body.push(["OSMesa's wrong pixels on ordinary scenes, without ties, %", general(osmesa.timed.percent)]);
-      if (figures.hardCases.length) {
-        body.push([`OSMesa's wrong pixels on ${figures.hardCases.length} stress scenes, without ties, %`,
-                   general(osmesa.stress.percent)]);
-      }
-    }
+  /** The three reasons of a README, each with its number and with what speaks against it. */
+  reasons(figures) {
+    const rows = methodRows(figures, isInSeries)?.rows ?? [], of = (name) => rows.find((row) => row.column.name === name);
+    const exact = of("z-buffer, exact"), osmesa = of("osmesa, 24 bits");
+    if (!exact || !osmesa || !figures.hardCases.length) return null;
     const rounded = figures.beside.filter((b) => b.other === "without exact stages" && b.what === "z-buffer" && b.times_faster);
-    if (rounded.length) {
-      const cost = geometricMean(rounded.map((b) => 1 / b.times_faster.median));
-      body.push(["The exact z-buffer's time over that without its exact stages", general(cost)]);
-    }
-    const written = figures.mapRows.filter((row) => row.way === "depth-sort, written").map((row) => 1 / row.time.median);
-    const slow = written.filter((time) => time > 1);
-    if (slow.length) {
-      body.push(["Scenes on which the map takes longer than depth sort with writing", `${slow.length} of ${written.length}`]);
-      body.push(["How many times as long there", `${times(Math.min(...slow))} to ${times(Math.max(...slow))}`]);
-    }
-    for (const row of figures.mapRows.filter((one) => one.scene.startsWith("planes") && one.pieces !== undefined)) {
-      body.push([`Pieces of ${row.polygons} crossing planes, ${row.way}`, grouped(row.pieces)]);
-    }
-    return {title: "Quoted", text: "Figures of this run that sentences of the README and of the user's guide repeat.",
-            rows: [["figure", "value"], ...body]};
+    const share = rounded.length ? geometricMean(rounded.map((b) => b.times_faster.median)) : 1;
+    const texts = [`**Exact.** On ordinary scenes the exact z-buffer gets ${general(exact.timed.percent)} % of the pixels wrong, OSMesa ${general(osmesa.timed.percent)} %; on ` +
+      `${figures.hardCases.length} stress scenes of ${figures.sizesOfHardCases} pixels, made so that rounding decides, ` +
+      `${general(exact.stress.percent)} % and ${general(osmesa.stress.percent)} % (ties do not count: [below](#compared)). Polygons ` +
+      "that touch need no offset: a rug in the plane of a floor does not flicker."];
+    const cost = costOfMap(figures);
+    if (cost) texts.push(`**Small vector files.** ${cost}`);
+    texts.push(`**Fast without a GPU.** The exact z-buffer takes ${general(exact.anew / osmesa.anew, 2)} of OSMesa's time on one thread` +
+      `${share < 1 ? `; without its exact stages it would take ${general(share, 2)} of its own` : ""}.`);
+    return {title: "Reasons", isOfOtherPages: true, text: texts.map((text, i) => `${i + 1}. ${text}`).join("\n")};
+  },
+
+  "map-cost"(figures) {
+    const text = costOfMap(figures);
+    return text ? {title: "Pieces of the map", isOfOtherPages: true, text} : null;
   },
 
   lines(figures) {

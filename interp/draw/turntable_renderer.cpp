@@ -95,8 +95,8 @@ namespace {
 
 /// With the outputs of one view.
 DrawOptions of_view(DrawOptions options, int number, int views) {
-  if (!options.ids.empty()) options.ids = numbered(options.ids, number, views);
-  if (!options.depth.empty()) options.depth = numbered(options.depth, number, views);
+  if (!options.ids.empty()) options.ids = numbered(options.ids, number, views).string();
+  if (!options.depth.empty()) options.depth = numbered(options.depth, number, views).string();
   return options;
 }
 

@@ -41,13 +41,16 @@ class PerimeterPolylines {
     if (line.last < range_.first || line.first >= range_.end) return Known::nothing;
     return line.first >= range_.first && line.last < range_.end ? Known::all : Known::part;
   }
-  /// Parameters of the parts run from that end of the line.
-  void find_hidden(const Line& line, std::uint32_t from, std::vector<PartOfLine>& parts) {
+  /// Parameters of the parts run from that end of the line. False if a side of a perimeter lies on
+  /// the line in the picture, so that planes must decide whether it hides any of it.
+  bool find_hidden(const Line& line, std::uint32_t from, std::vector<PartOfLine>& parts) {
     parts.clear();
-    upper_.find_within(line, line.p != from, below_);
-    if (below_.empty()) return;
-    lower_.find_within(line, line.p != from, above_);
+    const bool on_upper = upper_.find_within(line, line.p != from, below_);
+    if (below_.empty() && !on_upper) return true;
+    const bool on_lower = lower_.find_within(line, line.p != from, above_);
+    if (above_.empty() && !on_lower) return true;
     intersect(below_, above_, parts);
+    return !on_upper && !on_lower;
   }
   void extend(const Line& side) {
     upper_.extend(side);
@@ -170,6 +173,7 @@ class PerimeterMethod {
     WorkSteps steps;
     std::size_t drawn = 0;
     order.for_each_cell([&](std::uint32_t i, std::uint32_t j, bool second_first) {
+      if (gave_up()) return;
       observer_.cell(i, j);
       const std::uint32_t a = surface_.number(i, j), b = surface_.number(i + 1, j),
                           c = surface_.number(i + 1, j + 1), d = surface_.number(i, j + 1);
@@ -186,6 +190,10 @@ class PerimeterMethod {
     work.add(drawn % kCellsAtATime);
   }
 
+  /// Names of lines that are undecided, since others lie on them in the picture.
+  const std::vector<std::uint32_t>& undecided() const { return undecided_; }
+  /// True if there were so many that it stopped: the general methods take less time.
+  bool gave_up() const { return undecided_.size() > kFewUndecided + decided_ / kDecidedForEach; }
   const std::vector<SeenPart>& others() const { return others_; }
   /// The hidden parts of lines that extend beyond these perimeters, possibly several per line and
   /// at least an empty one.
@@ -194,6 +202,7 @@ class PerimeterMethod {
  private:
   using Line = typename Perimeters::Line;
   static constexpr std::size_t kCellsAtATime = 1024;
+  static constexpr std::size_t kFewUndecided = 64, kDecidedForEach = 8;
   struct Side {
     std::uint32_t from, to, number;
   };
@@ -225,7 +234,11 @@ class PerimeterMethod {
     const auto [low, high] = std::minmax(side.from, side.to);
     const bool is_diagonal = side.number >= surface_.diagonal(0, 0);
     const bool from_low = surface_.is_first(names_[name].item) != is_diagonal;
-    perimeters_.find_hidden(line, from_low ? low : high, hidden_);
+    if (!perimeters_.find_hidden(line, from_low ? low : high, hidden_)) {
+      undecided_.push_back(name);
+      return true;
+    }
+    ++decided_;
     observer_.drawn(name, hidden_);
     if (known == Known::part) {
       hidden_in_part_.push_back({name, {0.0, 0.0}});
@@ -244,6 +257,8 @@ class PerimeterMethod {
   std::vector<std::uint8_t> passed_;
   std::vector<PartOfLine> hidden_;
   std::vector<SeenPart> others_, hidden_in_part_;
+  std::vector<std::uint32_t> undecided_;
+  std::size_t decided_ = 0;
   [[no_unique_address]] Observer observer_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "hidden/exact/line_parameter.h"
@@ -85,26 +86,33 @@ bool PerimeterPolyline::is_covered(const Line& line) const {
   return true;
 }
 
-void PerimeterPolyline::find_within(const Line& along, bool runs_left,
+bool PerimeterPolyline::find_within(const Line& along, bool runs_left,
                                     std::vector<PartOfLine>& parts) const {
   parts.clear();
+  const auto is_all = [&] {
+    parts.assign(1, {0.0, 1.0});
+    return false;
+  };
   const bool all_known = along.first >= range_.first && along.last < range_.end;
-  if (all_known && is_below_floors(along)) return parts.push_back({0.0, 1.0});
+  if (all_known && is_below_floors(along)) return is_all();
   const Line line = upright(along);
-  if (all_known && is_covered(line)) return parts.push_back({0.0, 1.0});
+  if (all_known && is_covered(line)) return is_all();
   const double lowest = std::min(line.from.y, line.to.y) - margin_;
   const auto [first, last] = in_range(line);
+  bool in_line = false;
   for (std::uint32_t k = first; k <= last; ++k) {
     for (const Support& support : column(k).supports) {
       if (support.highest < lowest || is_clear_of(line, support.side)) continue;
-      find_within_one(line, runs_left, support.side, parts);
-      if (!parts.empty() && parts.back().from == 0.0 && parts.back().to == 1.0) {
-        parts.clear();
-        return parts.push_back({0.0, 1.0});
+      if (is_in_line(line, support.side)) {
+        in_line = true;
+        continue;
       }
+      find_within_one(line, runs_left, support.side, parts);
+      if (!parts.empty() && parts.back().from == 0.0 && parts.back().to == 1.0) return is_all();
     }
   }
   unite(parts);
+  return in_line;
 }
 
 /// True if no part of the line is below the side, by more than any error but at ends that they
@@ -117,6 +125,27 @@ bool PerimeterPolyline::is_clear_of(const Line& line, const Line& side) const {
   if (is_steep(line) || is_steep(side)) return false;
   return (line.p == side.p || line.height_at(from) > side.height_at(from) + margin_) &&
          (line.q == side.q || line.height_at(to) > side.height_at(to) + margin_);
+}
+
+/// True if both lie on each other in the picture for more than a point, except for rounding and
+/// reach.
+bool PerimeterPolyline::is_in_line(const Line& line, const Line& side) const {
+  const double from = std::max(line.from.x, side.from.x);
+  const double to = std::min(line.to.x, side.to.x);
+  if (to - from <= margin_) return false;
+  if (!is_steep(line) && !is_steep(side)) {
+    const auto apart = [&](double x) { return std::abs(line.height_at(x) - side.height_at(x)); };
+    if (apart(from) > margin_ || apart(to) > margin_) return false;
+  }
+  const Point2 p(surface_.point(side.p)), way = Point2(surface_.point(side.q)) - p;
+  const Point2 l(surface_.point(line.p)), along = Point2(surface_.point(line.q)) - l;
+  const auto off = [](const Point2& point, const Point2& origin, const Point2& direction) {
+    const Point2 a = point - origin;
+    return std::abs(direction.x * a.y - direction.y * a.x) / glm::length(direction);
+  };
+  const double at_from = side.from.x <= line.from.x ? off(l, p, way) : off(p, l, along);
+  const double at_to = side.to.x >= line.to.x ? off(l + along, p, way) : off(p + way, l, along);
+  return at_from <= layout_.in_line() && at_to <= layout_.in_line();
 }
 
 /// What of the line is beyond the side, where both have columns. The line's parameters are those

@@ -24,8 +24,9 @@ class PerimeterPolyline {
                     const SurfaceColumns& columns, const SurfaceColumns::Range& range);
 
   /// The parts of the line strictly within the perimeter. United, with parameters that run to the
-  /// left if `runs_left`.
-  void find_within(const Line& line, bool runs_left, std::vector<PartOfLine>& parts) const;
+  /// left if `runs_left`. Sides of the perimeter that are in one line with it in the picture hide
+  /// nothing, and are reported: true if there is one, and the parts are not the whole line.
+  bool find_within(const Line& line, bool runs_left, std::vector<PartOfLine>& parts) const;
   /// Extends the perimeter to the side, where that is beyond it.
   void extend(const Line& side);
 
@@ -61,6 +62,7 @@ class PerimeterPolyline {
   Support in_column(std::uint32_t column, const Line& line) const;
   bool is_below_floors(const Line& line) const;
   bool is_covered(const Line& line) const;
+  bool is_in_line(const Line& line, const Line& side) const;
   void find_within_one(const Line& line, bool runs_left, const Line& side,
                        std::vector<PartOfLine>& parts) const;
   bool is_clear_of(const Line& line, const Line& side) const;

@@ -5,7 +5,8 @@
 
 namespace displayfile {
 
-SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& verticals)
+SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& verticals,
+                               double touching)
     : surface_(surface), verticals_(verticals) {
   const Rectangle box = verticals.box();
   const double width = box.x_max - box.x_min;
@@ -29,7 +30,11 @@ SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& vert
   left_ = box.x_min;
   width_ = width / count;
   per_width_ = has_width ? count / width : 0.0;
-  margin_ = 1e-9 * (std::abs(box.y_min) + std::abs(box.y_max) + width);
+  const double size = std::abs(box.y_min) + std::abs(box.y_max) + width;
+  // A coordinate is off by its rounding, and a plane within reach may be turned by as much.
+  constexpr double kOfRounding = 0x1p-48, kOfTouching = 16.0;
+  in_line_ = std::max(kOfRounding, kOfTouching * touching);
+  margin_ = std::max(1e-9 * size, 2.0 * verticals.largest_scale() * in_line_);
   size_ = static_cast<std::uint32_t>(count);
 }
 

@@ -23,7 +23,8 @@ struct LineInColumns {
 /// Rounded coordinates decide columns.
 class SurfaceColumns {
  public:
-  SurfaceColumns(const GridSurface& surface, const Verticals& verticals);
+  /// `touching`: as Primitives::touching.
+  SurfaceColumns(const GridSurface& surface, const Verticals& verticals, double touching);
 
   std::uint32_t size() const { return size_; }
   std::uint32_t of(double x) const {
@@ -49,6 +50,9 @@ class SurfaceColumns {
   double left(std::uint32_t column) const { return left_ + column * width_; }
   /// More than the error of any rounded coordinate.
   double margin() const { return margin_; }
+  /// Lines that are no farther from each other in the picture than this may be in one line as
+  /// entered.
+  double in_line() const { return in_line_; }
 
   /// A range of columns: [first, end).
   struct Range {
@@ -60,7 +64,7 @@ class SurfaceColumns {
  private:
   const GridSurface& surface_;
   const Verticals& verticals_;
-  double left_ = 0.0, width_ = 1.0, per_width_ = 1.0, margin_ = 0.0;
+  double left_ = 0.0, width_ = 1.0, per_width_ = 1.0, margin_ = 0.0, in_line_ = 0.0;
   std::uint32_t size_ = 1;
 };
 

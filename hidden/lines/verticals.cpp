@@ -24,6 +24,9 @@ Verticals::Verticals(const GridSurface& surface) : upward_(surface.upward()) {
     if (!(at.over > kTogether * length)) return;
     in_columns_.emplace_back(at.across / at.over * length, at.along / at.over * length);
     box_.include(in_columns_.back());
+    const double from_middle = std::hypot(at.across, at.along);
+    largest_scale_ = std::max(
+        largest_scale_, length / at.over * (1.0 + std::abs(upward_.w) * from_middle / at.over));
   }
   make_columns_ = true;
 }

@@ -29,6 +29,9 @@ class Verticals {
   }
   /// The rectangle around all of them.
   const Rectangle& box() const { return box_; }
+  /// Points close to the surface's are no farther apart in column coordinates than this times their
+  /// distance in the picture, nearly.
+  double largest_scale() const { return largest_scale_; }
   /// The upward direction of the vertical's image at a point.
   Point2 direction_at(const Point2& p) const { return Point2(upward_) - upward_.w * p; }
   /// True if a line runs along the verticals, almost.
@@ -63,6 +66,7 @@ class Verticals {
   Point2 middle_{0.0}, up_{0.0}, across_{0.0};
   std::vector<Point2> in_columns_;
   Rectangle box_ = Rectangle::nothing();
+  double largest_scale_ = 1.0;
   bool are_points_ = false, make_columns_ = false;
 };
 

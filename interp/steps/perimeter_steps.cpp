@@ -105,7 +105,8 @@ class PerimeterSteps {
       {"part", 2, "it goes through a perimeter: it is seen up to there, or from there on"},
       {"seen", 2, "it is on or outside of them: it is seen"},
       {"grow", 1, "then move the perimeters out to these sides: the horizon grows"},
-      {"others", 0, "sides that run along verticals, and what has none, are found by cells"},
+      {"others", 0,
+       "sides that run along verticals or lie on others in the picture are found by cells"},
   });
   static constexpr auto kPanels = std::to_array<PanelEntry>({
       {"array", "Least and greatest height drawn, column by column", PanelEntry::Kind::graph},
@@ -119,11 +120,10 @@ class PerimeterSteps {
 
   void run() {
     if (verticals_.are_points() || !verticals_.make_columns()) {
-      std::vector<LineName> all(lines_.names().begin(), lines_.names().end());
-      return find_others(all);
+      return find_others(lines_.names());
     }
     const NamedSides named(surface_, verticals_, lines_.names(), lines_.items());
-    const SurfaceColumns columns(surface_, verticals_);
+    const SurfaceColumns columns(surface_, verticals_, lines_.items().touching);
     const SurfaceColumns::Range all{0, columns.size()};
     horizon_.emplace(surface_, verticals_);
     SeenParts seen(lines_.names().size());
@@ -136,7 +136,11 @@ class PerimeterSteps {
     CountedWork work(nobody, 0);
     method.draw(CellsInOrder(surface_), work);
     grow();
-    find_others(named.others());
+    if (method.gave_up()) return find_others(lines_.names());
+    std::vector<LineName> others(named.others().begin(), named.others().end());
+    for (const std::uint32_t name : method.undecided()) others.push_back(lines_.names()[name]);
+    std::ranges::sort(others);
+    find_others(others);
   }
 
  private:

@@ -9,7 +9,6 @@
 #include "interp/truth/judged_lines.h"
 #include "tests/fuzz/failed.h"
 #include "tests/fuzz/fuzz_input.h"
-#include "tests/lines_in_doubt.h"
 
 namespace {
 
@@ -46,8 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;  // no direction to look in, or some of it behind the eye
   }
   const double wrong = judged.errors.missing + judged.errors.extra;
-  const double crumbs = kLineCrumb * static_cast<double>(judged.lines);
-  if (wrong > crumbs && wrong > crumbs + test::length_in_doubt(system.display_file())) {
+  if (wrong > kLineCrumb * static_cast<double>(judged.lines)) {
     fuzz::failed("missing " + std::to_string(judged.errors.missing) + ", extra " +
                  std::to_string(judged.errors.extra));
   }

@@ -276,6 +276,97 @@ TEST_F(PaperCommand, WhatDoesNotFitIsRefusedWithTheExcess) {
   EXPECT_NE(err_.find("is 10 mm too wide"), std::string::npos) << err_;
 }
 
+/// The figure counts, not only the window in which it stands.
+TEST_F(PaperCommand, AFigureThatLeavesThePaperIsRefused) {
+  write("big.draw",
+        "set-parallel 0 0 1\nopen-segment 1\nbox-3 -500 500 -500 500 0 1\nclose-segment\n");
+  expect_error(
+      "draw big.draw --paper a4 --scale 1:1 -o a.svg",
+      "big.draw: 6 of 6 polygons, lines and annotations reach beyond the picture at --scale 1:1");
+  expect_error("draw big.draw --paper a4 --scale 1:5 --fit each -o a.svg",
+               "200 x 200 mm at this scale");
+  EXPECT_NEAR(svg_of("big.draw --paper a4 --scale 1:5.3 --fit each --hidden franklin").width(),
+              1000.0 / 5.3, kTolerance);
+  // Of a window that a program sets, some may be left out, with a warning.
+  write("part.draw",
+        "set-parallel 0 0 1\nset-window -5 5 -5 5\nopen-segment 1\n"
+        "polygon-abs-3 -1 -1 0  1 -1 0  0 1 0\npolygon-abs-3 -1 -1 0  900 -1 0  0 1 0\n"
+        "close-segment\n");
+  ASSERT_EQ(run("draw part.draw --paper a4 --scale 1:1 -o a.svg"), 0) << err_;
+  EXPECT_EQ(err_,
+            "part.draw: 1 of 2 polygons, lines and annotations reach beyond the picture at "
+            "--scale 1:1\n");
+  ASSERT_EQ(run("draw part.draw -o a.svg"), 0) << err_;
+  EXPECT_EQ(err_, "");
+}
+
+/// The window -1 1 -1 1 is nobody's choice.
+TEST_F(PaperCommand, AFigureBeyondAWindowThatIsNotSetGivesAWarning) {
+  const std::string boxes = "open-segment 1\nbox-3 0 40 0 20 0 1\nclose-segment\n";
+  write("boxes.draw", "set-parallel 0 0 1\n" + boxes);
+  const std::string warning =
+      "boxes.draw: 6 of 6 polygons, lines and annotations reach beyond the window -1 1 -1 1, which "
+      "no "
+      "set-window sets: --fit each fits it\n";
+  ASSERT_EQ(run("draw boxes.draw -o a.png"), 0) << err_;
+  EXPECT_EQ(err_, warning);
+  ASSERT_EQ(run("draw - -o a.png", "boxes.draw"), 0) << err_;
+  EXPECT_EQ(err_, "standard input" + warning.substr(warning.find(':')));
+  ASSERT_EQ(run("draw boxes.draw --fit each -o a.png"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const Measured fitted = svg_of("boxes.draw --fit each --hidden franklin --paper 120x120");
+  EXPECT_NEAR(fitted.width(), 90.0, 0.1);
+  EXPECT_NEAR(fitted.height(), 45.0, 0.1);
+  write("inside.draw", "open-segment 1\nbox-3 -1 1 -1 1 -1 1\nclose-segment\n");
+  ASSERT_EQ(run("draw inside.draw -o a.png"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  write("set.draw", "set-window -2 2 -2 2\n" + boxes);
+  expect_error("draw set.draw --fit each -o a.png",
+               "set.draw: sets a window: expected none with --fit each");
+  write("two.draw",
+        "set-parallel 0 0 1\n" + boxes +
+            "set-viewport 0 0.5 0 0.5\nopen-segment 2\nbox-3 0 1 0 1 0 1\nclose-segment\n");
+  expect_error("draw two.draw --fit each -o a.png",
+               "two.draw: has several views: expected one with --fit each");
+}
+
+/// A part as large as the sheet of a laser cutter.
+TEST_F(PaperCommand, WhatIsAsLargeAsThePaperFits) {
+  write_box("plate.obj", 80, 1, 50);
+  const Measured plate = svg_of(
+      "plate.obj --paper 80x50 --margin 0 --scale 1:1 --hidden franklin "
+      "--parallel --eye 0,90");
+  EXPECT_NEAR(plate.left, 0.0, kTolerance);
+  EXPECT_NEAR(plate.right, 80.0, kTolerance);
+  EXPECT_NEAR(plate.bottom, 50.0, kTolerance);
+  write_box("page.obj", 277, 190, 1);
+  EXPECT_NEAR(
+      svg_of(std::string("page.obj --paper a4-landscape --scale 1:1 --size 277x190mm") + kLines)
+          .width(),
+      277.0, kTolerance);
+}
+
+TEST_F(PaperCommand, ASizeInMillimetresIsTheSheetOfPensToo) {
+  ASSERT_EQ(run("draw box.obj --pens --size 100x70mm -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("width=\"100mm\" height=\"70mm\""), std::string::npos);
+  ASSERT_EQ(run("draw box.obj --pens --paper a4-landscape --size 100x70mm -o a.svg"), 0) << err_;
+  EXPECT_NE(read(folder_ / "a.svg").find("width=\"297mm\" height=\"210mm\""), std::string::npos);
+}
+
+/// Commands that write one file have no fields for many.
+TEST_F(PaperCommand, FieldsAreForCommandsThatDrawMany) {
+  for (const char* const command :
+       {"sheet box.obj -o '{name}.svg'", "export box.obj -o '{name}.stl'",
+        "dump plate.draw -o '{name}.txt'", "import box.obj -o '{name}.draw'",
+        "steps plate.draw --hidden franklin -o '{number}.json'"}) {
+    expect_error(command, "this command writes one file: expected a name without fields");
+  }
+  expect_error("draw box.obj -o a.dxf", "or displayfile sheet, which writes .dxf");
+  EXPECT_EQ(run("sheet box.obj -o a.svg --unit inch"), 0) << err_;
+  EXPECT_EQ(run("sheet box.obj -o b.svg --unit in"), 0) << err_;
+  EXPECT_EQ(read(folder_ / "a.svg"), read(folder_ / "b.svg"));
+}
+
 TEST_F(PaperCommand, WhatHasNoScaleIsRefusedByName) {
   expect_error("draw box.obj --paper a4 --scale 1:1 -o a.svg",
                "--scale 1:1: a perspective view has no scale: expected --parallel");

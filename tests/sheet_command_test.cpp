@@ -319,7 +319,7 @@ TEST_F(SheetCommandTest, EveryOptionHasItsMessage) {
   expect_error("sheet box.obj -o s.svg --scale 1:0", "--scale 1:0: expected PAPER:PART");
   expect_error("sheet box.obj -o s.svg --scale 50:1", "--scale 50:1: the views do not fit");
   expect_error("sheet box.obj -o s.svg --projection second", "expected third or first");
-  expect_error("sheet box.obj -o s.svg --unit foot", "--unit foot: expected mm, cm, m or inch");
+  expect_error("sheet box.obj -o s.svg --unit foot", "--unit foot: expected mm, cm, m or in");
   expect_error("sheet box.obj -o s.svg --section back=1", "--section back=1: expected front=");
   expect_error("sheet box.obj -o s.svg --section front=nan", "--section front=nan: expected");
   expect_error("sheet box.obj -o s.svg --section top=1 --section top=2", "already has a section");

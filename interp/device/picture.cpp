@@ -107,12 +107,11 @@ namespace {
 
 /// Throws Error unless a picture fits, up to rounding. Millimetres.
 void require_room(const Point2& room, const Point2& picture) {
-  constexpr double kRounding = 1e-6;
   if (!(picture.x > 0.0 && picture.y > 0.0)) {
     throw Error("pixels on paper: expected a side of more than 0 mm");
   }
   const Point2 over = picture - room;
-  if (over.x <= kRounding && over.y <= kRounding) return;
+  if (over.x <= kOverMargins && over.y <= kOverMargins) return;
   const bool is_wide = over.x > over.y;
   throw Error(fmt::format(
       "a picture of {:.6g}x{:.6g} mm does not fit on the paper, which has {:.6g}x{:.6g} mm between "

@@ -113,6 +113,8 @@ inline constexpr double kLargestSheet = 10'000.0;
 
 inline constexpr double kPointsOfMillimetre = 72.0 / 25.4;  ///< of PDF
 inline constexpr double kMillimetresOfInch = 25.4;
+/// By how many mm, at most, a picture may be larger than the space between the margins.
+inline constexpr double kOverMargins = 0.01;
 inline constexpr double kHighestDensity = 100'000.0;  ///< pixels per inch; the lowest is 1
 
 /// The place of a picture on a sheet.

@@ -123,8 +123,9 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == name) return format;
   }
-  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}", whose, extension,
-                          meant_by(kFormats, name), names(kFormats, " ", kAny)));
+  const char* const beside = name == ".dxf" ? ", or displayfile sheet, which writes .dxf" : "";
+  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}{}", whose, extension,
+                          meant_by(kFormats, name), names(kFormats, " ", kAny), beside));
 }
 
 const PictureFormat& format_of(const Destination& to, const DrawOptions& options) {

@@ -30,6 +30,7 @@
 #include "programs/inputs/nothing_by_pens.h"
 #include "programs/inputs/output_name.h"
 #include "programs/inputs/output_paths.h"
+#include "programs/options/length_unit.h"
 #include "programs/options/number_in.h"
 #include "programs/options/number_range.h"
 #include "programs/options/option_groups.h"
@@ -133,7 +134,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->type_name("PAPER:SCENE")
       ->group(kPaperOptions);
   command.add_option("--unit", unit, "unit of the scene, for --scale [mm]")
-      ->type_name("mm|cm|m|in")
+      ->type_name(kLengthUnits)
       ->group(kPaperOptions);
   command
       .add_option(
@@ -227,7 +228,7 @@ double precision_at_scale(const PixelSize& pixel) {
 DrawOptions DrawCommand::all_options() const {
   DrawOptions all = options;
   all.vectors = vectors.options();
-  paper.read(all, size);
+  paper.read(all, size, scale.has_value());
   if (scale && vectors.precision.empty()) {
     all.vectors.precision = precision_at_scale(pixel_size_of(all, false));
   }
@@ -263,28 +264,15 @@ ViewsDrawn DrawCommand::views_drawn() const {
 
 bool DrawCommand::takes_papers_shape() const {
   DrawOptions on_paper;
-  return paper.read(on_paper, size);
+  return paper.read(on_paper, size, scale.has_value());
 }
 
 PixelSize DrawCommand::pixel_size() const {
   return pixel_size_of(all_options(), size.millimetres().has_value());
 }
 
-namespace {
-
-/// What --unit sets, in mm.
-double unit_of_option(const std::string& word) {
-  if (word.empty() || word == "mm") return 1.0;
-  if (word == "cm") return 10.0;
-  if (word == "m") return 1000.0;
-  if (word == "in") return kMillimetresOfInch;
-  throw Error(fmt::format("--unit {}: expected mm, cm, m or in", word));
-}
-
-}  // namespace
-
 std::optional<ExactScale> DrawCommand::exact_scale() const {
-  const double unit_in_mm = unit_of_option(unit);
+  const double unit_in_mm = unit.empty() ? 1.0 : millimetres_of_unit(unit);
   if (!scale) {
     if (!unit.empty()) throw Error(fmt::format("--unit {}: expected --scale too", unit));
     return std::nullopt;
@@ -353,6 +341,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
       drawn, drawing, entering(), starts_with,
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   const double entering_took = watch.lap();
+  entered.check_window();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   if (takes_papers_shape()) {
     warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);

@@ -129,6 +129,7 @@ void warn_of_rounding(const std::string& output, const SingleTriangles& single) 
 int ExportCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
   inputs = input_names(inputs);
+  require_no_field(output);
   const std::vector<std::string> files = files_of_mesh(output);
   require_files_of_their_own(files, inputs, lists);
   NotExported left_out;

@@ -22,6 +22,7 @@
 #include "programs/inputs/output_paths.h"
 #include "programs/options/camera_options.h"
 #include "programs/options/hidden_surface_words.h"
+#include "programs/options/length_unit.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 #include "programs/options/title_words.h"
@@ -34,19 +35,6 @@
 namespace displayfile {
 
 namespace {
-
-struct LengthUnit {
-  const char* name;
-  double millimetres;
-};
-constexpr std::array kUnits{LengthUnit{"mm", 1.0}, LengthUnit{"cm", 10.0}, LengthUnit{"m", 1000.0},
-                            LengthUnit{"inch", 25.4}};
-
-double millimetres_of(const std::string& unit) {
-  const auto* const found = std::ranges::find(kUnits, unit, &LengthUnit::name);
-  if (found != kUnits.end()) return found->millimetres;
-  throw Error(fmt::format("--unit {}: expected mm, cm, m or inch", unit));
-}
 
 SheetProjection projection_of(const std::string& word) {
   if (word == "third") return SheetProjection::third;
@@ -210,7 +198,7 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->capture_default_str()
       ->group(kPictureOptions);
   command.add_option("--unit", unit, "unit of the part's coordinates")
-      ->type_name("mm|cm|m|inch")
+      ->type_name(kLengthUnits)
       ->capture_default_str()
       ->group(kPictureOptions);
   command
@@ -303,7 +291,7 @@ int SheetCommand::run() {
   SheetWords words;
   read_paper(paper, margin, words);
   words.projection = projection_of(projection);
-  words.unit = millimetres_of(unit);
+  words.unit = millimetres_of_unit(unit);
   words.title = title_or_name(title, std::filesystem::path(inputs.front()).stem().string());
   require_drawable("--date", date);
   words.date = date;

@@ -7,9 +7,11 @@
 #include <ostream>
 #include <sstream>
 
+#include "clip/base/error.h"
 #include "clip/base/input_file.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/user_routines/system_inside.h"
+#include "interp/draw/cropped_figure.h"
 #include "interp/draw/nothing_seen.h"
 #include "interp/draw/picture_plan.h"
 #include "interp/draw/renderer.h"
@@ -23,6 +25,10 @@ namespace {
 
 /// What is said where it would take more to know more.
 constexpr const char* kNoReason = "finding the reason would exceed the limits";
+
+bool reads_standard_input(std::span<const std::string> inputs) {
+  return std::ranges::find(inputs, "-") != inputs.end();
+}
 
 /// By a method that views a retained scene, on a device that needs no display file.
 bool draws_views(const DrawOptions& options) {
@@ -43,12 +49,20 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions&
     system_.retain(&scene_);
   } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
     SystemInside::retain_alone(system_, scene_);
+  } else if (meshes_.scale || (are_programs() && reads_standard_input(inputs_))) {
+    system_.retain(&scene_);  // for check_window, as standard input is read once
   }
   enter(system_);
 }
 
 bool DrawnInputs::are_bare_meshes() const {
   return std::ranges::none_of(inputs_, is_drawing_program);
+}
+
+bool DrawnInputs::are_programs() const { return std::ranges::all_of(inputs_, is_drawing_program); }
+
+std::string DrawnInputs::first_name() const {
+  return input_name(inputs_.front()) + (inputs_.size() > 1 ? " and others" : "");
 }
 
 std::size_t DrawnInputs::polygons() const {
@@ -90,7 +104,7 @@ std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
     if (system_.retained() != nullptr) {
       return displayfile::why_nothing_is_seen(*system_.retained(), drawn, picture);
     }
-    if (std::ranges::find(inputs_, "-") != inputs_.end()) {
+    if (reads_standard_input(inputs_)) {
       return displayfile::why_nothing_is_seen(drawn, picture);
     }
     RetainedScene scene;
@@ -105,6 +119,41 @@ std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
   }
 }
 
+void DrawnInputs::check_window() const {
+  const bool is_set = system_.explicit_settings().contains(Setting::window);
+  if (SystemInside::retains_alone(system_) || !(meshes_.scale || (are_programs() && !is_set)))
+    return;
+  const auto cropped = [&] {
+    if (system_.retained() != nullptr) {
+      return cropped_figure(*system_.retained(), system_.display_file());
+    }
+    std::ostringstream warned_before;
+    const CollectedWarnings collected(warned_before);
+    RetainedScene scene;
+    GraphicsSystem again;
+    again.retain(&scene);
+    enter(again);
+    return cropped_figure(scene, again.display_file());
+  };
+  const CroppedFigure figure = cropped();
+  if (figure.beyond == 0) return;
+  const std::string beyond =
+      fmt::format("{}: {} of {} polygons, lines and annotations reach beyond", first_name(),
+                  figure.beyond, figure.all);
+  if (!meshes_.scale) {
+    const Rectangle window = system_.view().window;
+    warnings() << fmt::format(
+        "{} the window {:.6g} {:.6g} {:.6g} {:.6g}, which no set-window sets: --fit each fits it\n",
+        beyond, window.x_min, window.x_max, window.y_min, window.y_max);
+    return;
+  }
+  const std::string paper = fmt::format("{} the picture at {}", beyond, meshes_.scale->name);
+  if (!is_set) {
+    throw Error(paper + ": expected a smaller scale, or larger paper");
+  }
+  warnings() << paper << '\n';
+}
+
 bool DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned,
                                           PictureKind kind) const {
   const bool is_empty = std::ranges::any_of(warned, [](const DrawWarning& warning) {
@@ -112,8 +161,7 @@ bool DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned
   });
   if (!is_empty) return false;
   const std::string why = why_nothing_is_seen(kind);
-  warnings() << fmt::format("{}{}: nothing is seen: {}\n", input_name(inputs_.front()),
-                            inputs_.size() > 1 ? " and others" : "", why);
+  warnings() << fmt::format("{}: nothing is seen: {}\n", first_name(), why);
   return true;
 }
 

@@ -39,6 +39,11 @@ class DrawnInputs {
   std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
                                 const WorkProgress& progress) const;
 
+  /// Warns if something reaches beyond a window that no program set, or beyond the paper at an exact
+  /// scale in a window that a program set. Error: beyond the paper otherwise. Inputs that were not
+  /// retained are entered once more for the former.
+  void check_window() const;
+
   /// Warns, with the reason, if such a picture is empty, and returns true then. To work out the
   /// reason, inputs that were not retained are entered once more.
   bool warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned, PictureKind kind) const;
@@ -46,6 +51,8 @@ class DrawnInputs {
  private:
   void enter(GraphicsSystem& system) const;
   bool are_bare_meshes() const;
+  bool are_programs() const;
+  std::string first_name() const;
   std::string why_nothing_is_seen(PictureKind kind) const;
 
   std::span<const std::string> inputs_;

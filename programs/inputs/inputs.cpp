@@ -18,6 +18,7 @@
 #include "clip/base/file_extension.h"
 #include "clip/base/input_file.h"
 #include "clip/system/freed_memory.h"
+#include "clip/view_volume.h"
 #include "displayfile/files.h"
 #include "displayfile/looks/background.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -60,14 +61,18 @@ struct InputsRead {
   CommonUpright upright;  ///< of those meshes
 };
 
+/// True if they differ in no more than the window, which may be widened.
+bool differ_in_window_alone(View one, const View& other) {
+  one.window = other.window;
+  return one == other;
+}
+
 /// Adds what programs drew in the view, and is visible.
 void append_drawn(const View& view, const RetainedScene& retained, const GraphicsSystem& system,
                   std::vector<Point3>& points) {
   const RetainedScene drawn = retained.visible_in(system.display_file());
   for (const RetainedScene::Segment& segment : drawn.segments()) {
-    View other = segment.view;
-    other.window = view.window;  // which may be widened
-    if (other != view) continue;
+    if (!differ_in_window_alone(segment.view, view)) continue;
     const auto of_segment = drawn.points(segment);
     points.insert(points.end(), of_segment.begin(), of_segment.end());
     for (const RetainedScene::Text& text : drawn.texts(segment)) points.push_back(text.anchor);
@@ -273,17 +278,76 @@ void set_view_of_all(const ViewOfAll& all, const CameraAsSet& before, GraphicsSy
   set_fitted_view(all.view, system, before);
 }
 
+/// The part of the view's window that the points take.
+Rectangle shown_in_window(const View& view, std::span<const Point3> points) {
+  const ViewVolume volume(view);
+  Rectangle in_volume = Rectangle::nothing();
+  for (const Point3& point : points) {
+    const HomogeneousPoint p = volume.transform(point);
+    in_volume.include({p.x / p.w, p.y / p.w});
+  }
+  const auto& [x_min, x_max, y_min, y_max] = view.window;
+  return {x_min + in_volume.x_min * (x_max - x_min), x_min + in_volume.x_max * (x_max - x_min),
+          y_min + in_volume.y_min * (y_max - y_min), y_min + in_volume.y_max * (y_max - y_min)};
+}
+
+/// Sets the window that shows all that the programs draw in their one view, as a default.
+void fit_window(std::span<const std::string> programs, std::span<const std::string> inputs,
+                GraphicsSystem& system) {
+  RetainedScene drawn;
+  GraphicsSystem ahead;
+  ahead.retain(&drawn);
+  SystemInside::place_segments(ahead, SystemInside::places(system));
+  ahead.set_aspect_ratio(system.aspect_ratio());
+  for (std::size_t k = 0; k < programs.size(); ++k) {
+    replay_ahead(programs[k], input_name(inputs[k]), ahead);
+    if (!ahead.explicit_settings().contains(Setting::window)) continue;
+    throw Error(
+        fmt::format("{}: sets a window: expected none with --fit each", input_name(inputs[k])));
+  }
+  const View& view = ahead.view();
+  const bool has_one_view =
+      std::ranges::all_of(drawn.segments(), [&](const RetainedScene::Segment& segment) {
+        return differ_in_window_alone(segment.view, view);
+      });
+  if (!has_one_view) {
+    throw Error(fmt::format("{}: has several views: expected one with --fit each",
+                            input_name(inputs.front())));
+  }
+  std::vector<Point3> points;
+  append_drawn(view, drawn, ahead, points);
+  if (points.empty()) return;
+  const View fitted = fit(view, points, system.aspect_ratio());
+  Rectangle window = fitted.window;
+  if (SystemInside::scale(system)) {  // then only what is shown has to fit
+    const Rectangle shown = shown_in_window(fitted, points);
+    if (shown.x_min < shown.x_max && shown.y_min < shown.y_max) window = shown;
+  }
+  SystemInside::by_default(system, Setting::window, [&] {
+    system.set_window(window.x_min, window.x_max, window.y_min, window.y_max);
+  });
+}
+
+void replay_each(std::span<const std::string> inputs, GraphicsSystem& system, bool fitted) {
+  std::vector<std::string> programs;
+  if (fitted) {
+    for (const std::string& input : inputs) programs.push_back(read_text_file(input));
+    fit_window(programs, inputs, system);
+  }
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    Progress progress("replaying " + inputs[k]);
+    const ToldOfClosing told(system, progress);
+    fitted ? replay(programs[k], input_name(inputs[k]), system) : replay_file(inputs[k], system);
+  }
+}
+
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
                                   const MeshOptions& options,
                                   const std::optional<LineSelection>& lines_of_meshes,
-                                  const ViewOfAll* together) {
+                                  const ViewOfAll* together, bool fit_programs) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     if (together != nullptr) throw Error(kNothingToFit);
-    for (const std::string& input : inputs) {
-      Progress progress("replaying " + input);
-      const ToldOfClosing told(system, progress);
-      replay_file(input, system);
-    }
+    replay_each(inputs, system, fit_programs);
     return std::nullopt;
   }
   InputsRead read = read_inputs(inputs, system, options);
@@ -322,11 +386,11 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
 std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
                                  const MeshOptions& options,
                                  const std::optional<LineSelection>& lines_of_meshes,
-                                 const ViewOfAll* together) {
+                                 const ViewOfAll* together, bool fit_programs) {
   for (const std::string& input : inputs) require_no_folder_or_pattern(input);
   const std::int64_t empty_before = system.counts().empty_solids;
   const std::optional<Upright> upright =
-      enter_each(inputs, system, options, lines_of_meshes, together);
+      enter_each(inputs, system, options, lines_of_meshes, together, fit_programs);
   if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {
     warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
                               empty == 1 ? "" : "s");
@@ -338,7 +402,7 @@ std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSy
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options) {
-  return enter_all(inputs, system, options, std::nullopt, nullptr);
+  return enter_all(inputs, system, options, std::nullopt, nullptr, false);
 }
 
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
@@ -363,8 +427,8 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
           inputs.front(), meshes.explosion->word, fmt::join(exploded->cut_off, ", "));
     }
   }
-  const std::optional<Upright> fitted =
-      enter_all(inputs, system, options, meshes.lines_of_meshes, meshes.together.get());
+  const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes,
+                                                  meshes.together.get(), meshes.fits_each());
   constexpr double kTraceOfWidth = 0.5;
   if (exploded) SystemInside::enter_segment_of_lines(system, exploded->traces, kTraceOfWidth);
   meshes.require_fitted(fitted.has_value());

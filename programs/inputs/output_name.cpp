@@ -76,6 +76,12 @@ void append(const std::string& value, std::string& made) {
 
 }  // namespace
 
+bool has_field(std::string_view text) {
+  return std::ranges::any_of(kFields, [&](const Field& field) {
+    return text.find(fmt::format("{{{}}}", field.name)) != text.npos;
+  });
+}
+
 bool is_name_pattern(std::string_view text) {
   return text.find_first_of("{}") != std::string_view::npos;
 }

@@ -20,6 +20,9 @@ namespace displayfile {
 /// True if the text has a field or a brace.
 bool is_name_pattern(std::string_view text);
 
+/// True if the text has one of these fields.
+bool has_field(std::string_view text);
+
 /// The name of the output of input k of `count`, from 0. Throws Error for an unknown field or an
 /// unmatched brace.
 std::string output_name(std::string_view pattern, const std::string& input, std::size_t k,

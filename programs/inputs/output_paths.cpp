@@ -9,6 +9,7 @@
 #include "clip/base/file_extension.h"
 #include "clip/base/real_path.h"
 #include "displayfile/text/output_file.h"
+#include "programs/inputs/output_name.h"
 
 namespace displayfile {
 
@@ -71,7 +72,15 @@ void require_files_of_their_own(std::span<const std::string> outputs,
 void require_files_of_their_own(std::initializer_list<std::string> outputs,
                                 std::span<const std::string> inputs,
                                 std::span<const std::string> lists) {
+  for (const std::string& output : outputs) require_no_field(output);
   require_files_of_their_own(std::span(outputs.begin(), outputs.size()), inputs, lists);
+}
+
+void require_no_field(const std::string& output) {
+  if (!has_field(output)) return;
+  throw Error(fmt::format(
+      "{}: this command writes one file: expected a name without fields, which draw and check have",
+      output));
 }
 
 void require_extension(const std::string& output, const char* extension, const char* what) {

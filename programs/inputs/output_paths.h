@@ -21,9 +21,14 @@ std::optional<std::filesystem::path> input_at(const std::filesystem::path& name)
 void require_files_of_their_own(std::span<const std::string> outputs,
                                 std::span<const std::string> inputs,
                                 std::span<const std::string> lists = {});
+/// The same for a command that writes one file of each kind, with require_no_field.
 void require_files_of_their_own(std::initializer_list<std::string> outputs,
                                 std::span<const std::string> inputs,
                                 std::span<const std::string> lists = {});
+
+/// Throws Error for the output of a command that writes one file, if its name has a field
+/// (output_name.h).
+void require_no_field(const std::string& output);
 
 /// Throws Error unless the output has the extension, such as ".html", or is standard output.
 void require_extension(const std::string& output, const char* extension, const char* what);

@@ -87,7 +87,8 @@ void CameraWords::add_to(CLI::App& command, const UsualCamera& usual) {
   if (usual.many) {
     option("--fit", fit_to, "each|all",
            "inputs to which the camera and the window are fitted: those of each picture, or of all "
-           "pictures together, so that parts have one scale [each]");
+           "pictures together, so that parts have one scale [each]; each, where it is given, also "
+           "fits the window to drawing programs that set none");
     command
         .add_flag("!--no-fit", fit,
                   "do not fit the window, or the eye's distance for --fov: show a ball of radius 1 "

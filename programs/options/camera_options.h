@@ -30,6 +30,8 @@ struct CameraWords {
   /// True if one view is to be fitted to all inputs of several pictures. Throws Error for another
   /// word than each or all.
   bool fits_all() const;
+  /// True if `each` is set, not the default: then windows are fitted to drawing programs too.
+  bool fits_each() const { return fit_to == "each"; }
   /// Throws Error, naming the options, if some change a fitted view and there is none.
   void require_fitted(bool fitted) const;
   /// What the inputs start with.

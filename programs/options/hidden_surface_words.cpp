@@ -26,8 +26,8 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
   command
       .add_option(
           "--scope", scope,
-          "sort each segment by itself, or all visible segments together [segment, unless a "
-          "program sets another]")
+          "sort each segment by itself, or all visible segments together [all with --hidden and "
+          "where the method is automatic, otherwise segment, unless a program sets another]")
       ->type_name("segment|all")
       ->group(kHiddenSurfaceOptions);
   command

@@ -156,31 +156,78 @@ double usual_pixel(const DrawOptions& options) {
   return options.dpi ? kMillimetresOfInch / *options.dpi : 1.0 / kPointsOfMillimetre;
 }
 
-/// The shape of the paper between its margins.
-void take_shape(DrawOptions& options) {
+/// A picture's sides in pixels.
+struct Sides {
+  int width, height;
+};
+
+/// In mm: a pixel with which the picture leaves nothing of the room out.
+double covering_pixel(const Sides& sides, const Point2& room) {
+  return std::max(room.x / sides.width, room.y / sides.height);
+}
+
+int whole_side(double side) { return std::max(1, static_cast<int>(std::lround(side))); }
+
+Sides usual_sides(const Point2& room, double pixel) {
+  return {whole_side(room.x / pixel), whole_side(room.y / pixel)};
+}
+
+/// Of pictures whose pixels are about that large, the first with nearly the shape of the room;
+/// millimetres.
+Sides sides_of_shape(const Point2& room, double pixel) {
+  constexpr double kAbout = 0.02;
+  const Sides usual_ones = usual_sides(room, pixel);
+  const int usual = usual_ones.width;
+  const auto sides = [&](int width) { return Sides{width, whole_side(width * room.y / room.x)}; };
+  const auto over = [&](const Sides& of) {
+    const double covering = covering_pixel(of, room);
+    return std::max(covering * of.width - room.x, covering * of.height - room.y);
+  };
+  const int most = static_cast<int>(kAbout * usual);
+  for (int k = 0; k <= most; ++k) {
+    for (const int width : {usual - k, usual + k}) {
+      if (over(sides(width)) <= kOverMargins) return sides(width);
+    }
+  }
+  return usual_ones;
+}
+
+/// The shape of the paper between its margins. At a scale a picture without a density may be over
+/// the margins by less than anyone sees, so that what fits on the paper fits in the picture.
+void take_shape(DrawOptions& options, bool at_scale) {
   if (!options.vectors.paper) options.vectors.paper.emplace();
   Paper& paper = *options.vectors.paper;
   const PaperFit fit = fit_on_paper(paper, options.width, options.height);
   paper.turned = fit.width > fit.height ? Paper::Turned::landscape : Paper::Turned::portrait;
+  const Point2 room = Point2(fit.width, fit.height) - 2.0 * paper.margin;
   const double pixel = usual_pixel(options);
-  const auto pixels = [&](double side) {
-    const double exact = (side - 2.0 * paper.margin) / pixel;
-    return std::max(1,
-                    static_cast<int>(options.dpi ? std::floor(exact + 1e-6) : std::round(exact)));
-  };
-  options.width = pixels(fit.width);
-  options.height = pixels(fit.height);
+  if (options.dpi) {
+    const auto pixels = [&](double side) {
+      return std::max(1, static_cast<int>(std::floor(side / pixel + 1e-6)));
+    };
+    options.width = pixels(room.x);
+    options.height = pixels(room.y);
+    return;
+  }
+  const Sides sides = at_scale ? sides_of_shape(room, pixel) : usual_sides(room, pixel);
+  options.width = sides.width;
+  options.height = sides.height;
+  const double covering = covering_pixel(sides, room);
+  const Point2 over = covering * Point2(sides.width, sides.height) - room;
+  if (at_scale && std::max(over.x, over.y) <= kOverMargins) paper.pixel = covering;
 }
 
 /// On the paper that is set, or else on a sheet of that size.
 void take_size(const MillimetreSize& size, DrawOptions& options) {
   const double pixel = usual_pixel(options);
-  options.width = std::max(1, static_cast<int>(std::lround(size.width / pixel)));
-  options.height = std::max(1, static_cast<int>(std::lround(size.height / pixel)));
+  const Point2 room(size.width, size.height);
+  const bool on_sheet = options.vectors.paper && !options.dpi;
+  const Sides sides = on_sheet ? sides_of_shape(room, pixel) : usual_sides(room, pixel);
+  options.width = sides.width;
+  options.height = sides.height;
   if (options.dpi) return;
-  if (options.vectors.paper || options.pens) {
-    if (!options.vectors.paper) options.vectors.paper.emplace();
-    options.vectors.paper->pixel = size.width / options.width;
+  if (on_sheet) {
+    options.vectors.paper->pixel = covering_pixel(sides, room);
     return;
   }
   const bool is_wide = size.width > size.height;
@@ -193,7 +240,7 @@ void take_size(const MillimetreSize& size, DrawOptions& options) {
 
 }  // namespace
 
-bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size) const {
+bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size, bool at_scale) const {
   if (dpi && !(*dpi >= 1.0 && *dpi <= kHighestDensity)) {
     throw Error(fmt::format("--dpi {}: expected 1 to {}", *dpi, kHighestDensity));
   }
@@ -227,7 +274,7 @@ bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size) const {
   }
   size.read(options.width, options.height);
   const bool takes_papers = !size.is_set() && (options.vectors.paper || options.pens);
-  if (takes_papers) take_shape(options);
+  if (takes_papers) take_shape(options, at_scale);
   return takes_papers;
 }
 

@@ -21,8 +21,9 @@ struct PaperWords {
   /// picture on paper takes the shape of the paper between its margins, with pixels of a point, or
   /// as the density has them; then it returns true. The options' size before that decides how the
   /// paper is turned, where its word does not. Throws Error for a word that is none, or for a
-  /// length out of its range.
-  bool read(DrawOptions& options, const PictureSizeWord& size) const;
+  /// length out of its range. `at_scale`: the shape is exact, so that what fits on the paper fits
+  /// in the picture; pixels are then up to a fiftieth larger or smaller than a point.
+  bool read(DrawOptions& options, const PictureSizeWord& size, bool at_scale = false) const;
 };
 
 }  // namespace displayfile

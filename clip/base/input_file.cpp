@@ -46,17 +46,22 @@ std::string read_text_file(const std::string& path) {
   if (!file) fail(path);
   std::string text;
   const std::uintmax_t size = path == "-" ? 0 : std::filesystem::file_size(path, unknown);
+  // One byte more than a small file has, so that one read finds its end.
+  const std::size_t read_at_once =
+      unknown || path == "-"
+          ? kBytesPerRead
+          : static_cast<std::size_t>(std::clamp<std::uintmax_t>(size + 1, 4096, kBytesPerRead));
   if (!unknown) {
     text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kMostAtOnce)) +
-                 kBytesPerRead);
+                 read_at_once);
   }
   for (std::size_t used = 0;;) {
-    text.resize(used + kBytesPerRead);
-    const std::size_t count = std::fread(text.data() + used, 1, kBytesPerRead, file.get());
+    text.resize(used + read_at_once);
+    const std::size_t count = std::fread(text.data() + used, 1, read_at_once, file.get());
     if (std::ferror(file.get()) != 0) fail(path);
     const bool binary = std::memchr(text.data() + used, 0, count) != nullptr;
     used += count;
-    if (count < kBytesPerRead || binary) {
+    if (count < read_at_once || binary) {
       text.resize(used);
       return text;
     }

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "clip/base/parallel.h"
 #include "clip/corners.h"
@@ -52,20 +56,46 @@ class Sheets {
     bool is_single = false;  ///< before it nothing is on anything else
   };
 
+  /// Goes to a cell of the finest level.
+  void go_to(std::uint32_t i, std::uint32_t j) {
+    near_.clear();
+    const auto levels = grid_.levels();
+    const auto own = levels[0].in_cell(std::size_t{j} * levels[0].columns + i);
+    near_.assign(own.begin(), own.end());
+    const CellLayout& layout = grid_.layout();
+    low_ = layout.origin() + layout.cell() * (Point2(i, j) - CellLayout::kMargin);
+    high_ = layout.origin() + layout.cell() * (Point2(i + 1, j + 1) + CellLayout::kMargin);
+    middle_ = layout.origin() + layout.cell() * (Point2(i, j) + 0.5);
+    has_several_levels_ = false;
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+      if (levels[k].entries.empty()) continue;
+      for (const CellGrid::Entry& entry :
+           levels[k].in_cell(std::size_t{j >> k} * levels[k].columns + (i >> k))) {
+        if (entry.x_min > high_.x || entry.x_max < low_.x || entry.y_min > high_.y ||
+            entry.y_max < low_.y) {
+          continue;
+        }
+        near_.push_back(entry);
+        has_several_levels_ = true;
+      }
+    }
+  }
+
   /// True if a polygon near the cell is not even: else covers are what sheets are.
-  bool is_any_uneven(std::uint32_t i, std::uint32_t j) {
-    find_those_near(i, j);
+  bool is_any_uneven() const {
     return std::ranges::any_of(
         near_, [&](const CellGrid::Entry& entry) { return !contours_.is_even(entry.polygon); });
   }
 
-  /// Looks at the first sheets of a cell of the finest level: polygons that follow each other by
-  /// depth without a gap of more than the step. One that has no contour in the cell covers each of
-  /// its points as often as its middle.
-  Known look_at(std::uint32_t i, std::uint32_t j) {
-    find_those_near(i, j);
-    const CellLayout& layout = grid_.layout();
-    const Point2 middle = layout.origin() + layout.cell() * (Point2(i, j) + 0.5);
+  /// Looks at the first sheets of the cell: polygons that follow each other by depth without a gap
+  /// of more than the step. One that has no contour in the cell covers each of its points as often
+  /// as its middle.
+  Known look() {
+    if (has_several_levels_) {
+      std::ranges::sort(near_, [](const CellGrid::Entry& a, const CellGrid::Entry& b) {
+        return a.z_max > b.z_max;
+      });
+    }
     float least = std::numeric_limits<float>::infinity();
     bool is_first = true, is_broken = false, is_unknown = false;
     int covers = 0;
@@ -80,7 +110,7 @@ class Sheets {
       least = std::min(least, scene_.extent(entry.polygon).z_min);
       is_broken = is_broken || has_contour_near(entry.polygon);
       if (is_broken) continue;
-      const Covering at_middle = covering(scene_, entry.polygon, middle);
+      const Covering at_middle = covering(scene_, entry.polygon, middle_);
       covers += at_middle == Covering::yes ? 1 : 0;
       is_unknown = is_unknown || at_middle == Covering::unknown;
     }
@@ -88,34 +118,6 @@ class Sheets {
   }
 
  private:
-  void find_those_near(std::uint32_t i, std::uint32_t j) {
-    near_.clear();
-    const auto levels = grid_.levels();
-    const auto own = levels[0].in_cell(std::size_t{j} * levels[0].columns + i);
-    near_.assign(own.begin(), own.end());
-    const CellLayout& layout = grid_.layout();
-    low_ = layout.origin() + layout.cell() * (Point2(i, j) - CellLayout::kMargin);
-    high_ = layout.origin() + layout.cell() * (Point2(i + 1, j + 1) + CellLayout::kMargin);
-    bool any = false;
-    for (std::size_t k = 1; k < levels.size(); ++k) {
-      if (levels[k].entries.empty()) continue;
-      for (const CellGrid::Entry& entry :
-           levels[k].in_cell(std::size_t{j >> k} * levels[k].columns + (i >> k))) {
-        if (entry.x_min > high_.x || entry.x_max < low_.x || entry.y_min > high_.y ||
-            entry.y_max < low_.y) {
-          continue;
-        }
-        near_.push_back(entry);
-        any = true;
-      }
-    }
-    if (any) {
-      std::ranges::sort(near_, [](const CellGrid::Entry& a, const CellGrid::Entry& b) {
-        return a.z_max > b.z_max;
-      });
-    }
-  }
-
   /// False only if none of the polygon's sides in the cell is a contour.
   bool has_contour_near(std::uint32_t polygon) const {
     if (!contours_.has_contour(polygon, of_)) return false;
@@ -138,7 +140,8 @@ class Sheets {
   double step_;
   const CellGrid& grid_;
   std::vector<CellGrid::Entry> near_;
-  Point2 low_{0.0}, high_{0.0};  // of the cell
+  bool has_several_levels_ = false;            // near_ is not in order
+  Point2 low_{0.0}, high_{0.0}, middle_{0.0};  // of the cell
 };
 
 }  // namespace
@@ -147,17 +150,50 @@ void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& 
                                     int threads) {
   if (levels_.empty()) return;
   if (levels_[0].behind.empty()) begin_blocking();
-  find_sheets(scene, contours, ContourEdges::Of::depth, single_, threads);
+  single_.assign(levels_[0].cells(), 0);
+  find_sheets(scene, contours, ContourEdges::Of::depth, {}, single_, threads);
   if (scene.all_even()) return;
   behind_single_ = levels_[0].behind;
-  find_sheets(scene, contours, ContourEdges::Of::cover, single_cover_, threads);
+  single_cover_ = single_;
+  find_sheets(scene, contours, ContourEdges::Of::cover, cells_near_uneven(scene, contours),
+              single_cover_, threads);
 }
 
-/// Raises `behind`, and finds the cells of a single sheet.
+/// For each cell of the finest level 0 only if no polygon near it is uneven: those few polygons are
+/// entered in the cells of their levels, and from there in the cells' parts.
+std::vector<std::uint8_t> CellGrid::cells_near_uneven(const LineTable& scene,
+                                                      const ContourEdges& contours) const {
+  std::vector<std::vector<std::uint8_t>> near;
+  for (const Level& level : levels_) near.emplace_back(level.cells(), std::uint8_t{0});
+  for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
+    if (!scene.hides(polygon) || contours.is_even(polygon)) continue;
+    const Rectangle box = rectangle_of(scene.extent(polygon));
+    const std::size_t at = level_of(box);
+    const CellLayout::Range cells = layout_.range(box, at);
+    for (std::uint32_t j = cells.bottom; j <= cells.top; ++j) {
+      const std::size_t row = std::size_t{j} * levels_[at].columns;
+      std::fill(near[at].begin() + static_cast<std::ptrdiff_t>(row + cells.left),
+                near[at].begin() + static_cast<std::ptrdiff_t>(row + cells.right + 1), 1);
+    }
+  }
+  for (std::size_t k = levels_.size() - 1; k-- > 0;) {
+    for (std::uint32_t j = 0; j < levels_[k].rows; ++j) {
+      for (std::uint32_t i = 0; i < levels_[k].columns; ++i) {
+        near[k][std::size_t{j} * levels_[k].columns + i] |=
+            near[k + 1][std::size_t{j / 2} * levels_[k + 1].columns + i / 2];
+      }
+    }
+  }
+  return std::move(near.front());
+}
+
+/// Raises `behind`, and finds the cells of a single sheet. Of covers only in cells near polygons
+/// that are not even.
 void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
-                           ContourEdges::Of of, std::vector<std::uint8_t>& single, int threads) {
+                           ContourEdges::Of of, std::span<const std::uint8_t> near_uneven,
+                           std::vector<std::uint8_t>& single, int threads) {
   Level& finest = levels_[0];
-  single.assign(finest.cells(), 0);
+  const bool of_covers = of == ContourEdges::Of::cover;
   constexpr std::uint32_t kRowsOfAPart = 16;
   in_parallel(threads, (finest.rows + kRowsOfAPart - 1) / kRowsOfAPart, [&](std::size_t part) {
     Sheets sheets(scene, contours, of, *this);
@@ -165,11 +201,10 @@ void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
     for (std::uint32_t j = first; j < std::min(first + kRowsOfAPart, finest.rows); ++j) {
       for (std::uint32_t i = 0; i < finest.columns; ++i) {
         const std::size_t cell = std::size_t{j} * finest.columns + i;
-        if (of == ContourEdges::Of::cover && !sheets.is_any_uneven(i, j)) {
-          single[cell] = single_[cell];
-          continue;
-        }
-        const Sheets::Known known = sheets.look_at(i, j);
+        if (of_covers && near_uneven[cell] == 0) continue;
+        sheets.go_to(i, j);
+        if (of_covers && !sheets.is_any_uneven()) continue;
+        const Sheets::Known known = sheets.look();
         finest.behind[cell] = std::max(finest.behind[cell], known.behind);
         single[cell] = known.is_single ? 1 : 0;
       }

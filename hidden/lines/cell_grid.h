@@ -76,8 +76,11 @@ class CellGrid {
                        const Point2& high) const;
   void pass_on_blocking();
   void begin_blocking();
+  std::vector<std::uint8_t> cells_near_uneven(const LineTable& scene,
+                                              const ContourEdges& contours) const;
   void find_sheets(const LineTable& scene, const ContourEdges& contours, ContourEdges::Of of,
-                   std::vector<std::uint8_t>& single, int threads);
+                   std::span<const std::uint8_t> near_uneven, std::vector<std::uint8_t>& single,
+                   int threads);
   bool is_in_single(const Extent& box, std::span<const std::uint8_t> single,
                     std::span<const float> behind) const;
   void enter(const LineTable& scene, int threads);

@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -115,6 +117,14 @@ void require_no_mistaken_values(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// True for the name of a command but bench, which is another program's.
+bool is_command(std::string_view name) {
+  constexpr std::string_view kCommands[] = {"draw",    "dump",   "check",  "truth",
+                                            "compare", "import", "export", "surface",
+                                            "sheet",   "steps",  "page"};
+  return std::ranges::find(kCommands, name) != std::end(kCommands);
+}
+
 int run(int count, char** as_given) {
   std::vector<char*> words = command_line(count, as_given);
   const int argc = static_cast<int>(words.size()) - 1;
@@ -127,9 +137,12 @@ int run(int count, char** as_given) {
   std::function<int()> chosen;
   WorkLimitWords limits;
   const AskedOfItself asked(argc, argv);
-  const auto add = [&](auto& command) {
+  // The options of the others would only take time at every start.
+  const bool wants_all = asked.anything() || argc < 2 || !is_command(argv[1]);
+  const auto add = [&](std::string_view name, auto& command) {
+    if (!wants_all && name != argv[1]) return;
     CLI::App& subcommand = command.add_to(app);
-    // Those of the others would only take time at every start.
+    assert(subcommand.get_name() == name);
     if (asked.subcommand() == subcommand.get_name()) {
       limits.add_to(subcommand, !asked.for_any_machine());
       refuse_empty_values(subcommand);
@@ -157,17 +170,17 @@ int run(int count, char** as_given) {
   draw.options.surfaces.threads = dump.threads = check.threads = truth.threads = surface.threads =
       sheet.threads = page.threads =
           static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  add(draw);
-  add(dump);
-  add(check);
-  add(truth);
-  add(compare);
-  add(import);
-  add(exported);
-  add(surface);
-  add(sheet);
-  add(steps);
-  add(page);
+  add("draw", draw);
+  add("dump", dump);
+  add("check", check);
+  add("truth", truth);
+  add("compare", compare);
+  add("import", import);
+  add("export", exported);
+  add("surface", surface);
+  add("sheet", sheet);
+  add("steps", steps);
+  add("page", page);
   const CLI::App& bench = add_bench(app);
 
   if (asked.anything()) {

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
 #include "interp/opengl/osmesa.h"
-#include "interp/vector/pens/stroke_letters.h"
+#include "interp/vector/pens/pen_drawing.h"
 #include "tests/replayed.h"
 #include "tests/temporary_folder.h"
 #include "tests/without_keys.h"
@@ -108,16 +111,14 @@ TEST(AnnotationFiles, MillimetresOnPaper) {
   EXPECT_GT(draw_as(g, "pdf", options).size(), 1000u);
   EXPECT_NE(draw_as(g, "pdf"), draw_as(g, "pdf", options));
   EXPECT_GT(draw_as(g, "eps").size(), 1000u);
-  DrawOptions with_pens;
-  with_pens.pens = Pens{};
+  const DrawOptions with_pens{.pens = Pens{}};
   const std::string pens = draw_as(g, "svg", with_pens);
   EXPECT_NE(pens.find("stroke-width=\"0.25\""), pens.npos) << pens;
 }
 
 /// Numbers are strokes; nothing is left out.
 TEST(AnnotationFiles, PensDrawLetters) {
-  DrawOptions options;
-  options.pens = Pens{};
+  const DrawOptions options{.pens = Pens{}};
   const auto size = [&](std::string_view text) {
     const GraphicsSystem g =
         replayed(fmt::format("open-segment 1\nleader-3 0 0 0 \"{}\" 10 10\nclose-segment\n", text));
@@ -129,22 +130,106 @@ TEST(AnnotationFiles, PensDrawLetters) {
   EXPECT_NE(size("W"), size("I"));
 }
 
-/// Letters follow each other, within the width; a character without strokes is a box.
-TEST(AnnotationFiles, StrokeLetters) {
-  for (const std::string_view text : {"AB", "jy", "1.5", "\u00d830", "a b", "\u00e9\u4e00"}) {
-    const StrokeLetters letters = stroke_letters(text);
-    const StrokeLetters twice = stroke_letters(std::string(text) + std::string(text));
-    ASSERT_EQ(twice.strokes.size(), 2 * letters.strokes.size()) << text;
-    for (std::size_t k = 0; k < letters.strokes.size(); ++k) {
-      const auto& [from, to] = letters.strokes[k];
-      for (const Point2& p : {from, to}) {
-        EXPECT_TRUE(p.x >= 0.0 && p.x <= letters.width && p.y >= -0.4 && p.y <= 1.0) << text;
-      }
-      EXPECT_GT(twice.strokes[letters.strokes.size() + k].first.x, letters.width) << text;
-    }
+/// What a pen draws of a program, in millimetres from the sheet's corner, joined to paths.
+std::vector<PenPath> paths_of_red(std::string_view program, const Pens& pens,
+                                  const Background& background = {}) {
+  const PenDrawing drawing =
+      pen_drawing(replayed(program).display_file(), 512, 512, Paper{}, pens, background);
+  for (const PenLayer& layer : drawing.layers) {
+    if (layer.pen.colour == pixel_of(Colour(1, 0, 0))) return layer.paths;
   }
-  EXPECT_EQ(stroke_letters("\u00e9").strokes.size(), 4u);
-  EXPECT_EQ(stroke_letters("").width, 0.0);
+  return {};
+}
+
+/// A red line through a balloon whose centre is the picture's: as in SVG, where the circle is
+/// filled with the background's colour. The balloon's radius is 1.15 times 3.5 mm.
+constexpr std::string_view kLineBehindBalloon =
+    "set-line-style solid 1 0 0\nopen-segment 1\nmove-abs-2 -0.5 0\nline-abs-2 0.5 0\n"
+    "set-line-style solid 0 0 0\nballoon-3 0 0 0 7 \"\" 0 0\nclose-segment\n";
+
+TEST(AnnotationFiles, PensDrawNothingBehindBalloons) {
+  const std::vector<PenPath> paths = paths_of_red(kLineBehindBalloon, {});
+  ASSERT_EQ(paths.size(), 2u);
+  const double middle = 105'000.0, radius = 4'025.0;
+  for (const PenPath& path : paths) {
+    ASSERT_EQ(path.points.size(), 2u);
+    const auto [low, high] = std::minmax(path.points[0].x, path.points[1].x);
+    const bool is_left = low < middle;
+    EXPECT_NEAR(is_left ? high : low, is_left ? middle - radius : middle + radius, 1.0);
+    EXPECT_NEAR(is_left ? low : high, is_left ? 57'500.0 : 152'500.0, 1.0);
+  }
+  // Without a background nothing is covered, as in SVG.
+  Background none;
+  none.kind = Background::Kind::none;
+  EXPECT_EQ(paths_of_red(kLineBehindBalloon, {}, none).size(), 1u);
+}
+
+/// Hatching and the dashes of dashed lines are covered too, and what comes after a balloon is not.
+TEST(AnnotationFiles, PensCoverHatchingAndDashesBeforeABalloon) {
+  Pens hatched;
+  hatched.hatching = Hatching{.angle = 0.0, .colour = Colour(1, 0, 0)};
+  const std::string square =
+      "set-line-style none\nset-fill-style solid 0 0 0\nopen-segment 1\n"
+      "polygon-abs-3 -.5 -.5 0  .5 -.5 0  .5 .5 0  -.5 .5 0\n";
+  const std::string balloon =
+      "set-line-style solid 0 0 0\nballoon-3 0 0 0 7 \"\" 0 0\nclose-segment\n";
+  const auto reaches_middle = [](const std::vector<PenPath>& paths) {
+    return std::ranges::any_of(paths, [](const PenPath& path) {
+      for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const auto [low, high] = std::minmax(path.points[i - 1].x, path.points[i].x);
+        const bool is_level = std::abs(path.points[i].y - 148'500) < 3'000 &&
+                              path.points[i].y == path.points[i - 1].y;
+        if (is_level && low < 104'500 && high > 105'500) return true;
+      }
+      return false;
+    });
+  };
+  EXPECT_TRUE(reaches_middle(paths_of_red(square + "close-segment\n", hatched)));
+  EXPECT_FALSE(reaches_middle(paths_of_red(square + balloon, hatched)));
+  const std::string dashed =
+      "set-line-style dashed 1 0 0 1 60 4\nopen-segment 1\nmove-abs-2 -0.5 0\n"
+      "line-abs-2 0.5 0\n";
+  EXPECT_FALSE(reaches_middle(paths_of_red(dashed + balloon, {})));
+  const std::string leader_after =
+      "open-segment 1\nset-line-style solid 0 0 0\nballoon-3 0 0 0 7 \"\" 0 0\n"
+      "set-line-style solid 1 0 0\nleader-3 -0.5 0 0 \"\" 100 0\nclose-segment\n";
+  EXPECT_TRUE(reaches_middle(paths_of_red(leader_after, {})));
+}
+
+/// Letters are those of a Hershey font, in the width of the annotation's lines, with one pen.
+TEST(AnnotationFiles, PensWriteWithThePenOfTheLines) {
+  const GraphicsSystem g =
+      replayed("open-segment 1\nleader-3 0 0 0 \"AWX\" 10 10\nclose-segment\n");
+  Pens hershey;
+  hershey.lettering.font = "hershey";
+  const PenDrawing usual = pen_drawing(g.display_file(), 512, 512, Paper{}, {});
+  const PenDrawing set = pen_drawing(g.display_file(), 512, 512, Paper{}, hershey);
+  ASSERT_EQ(usual.layers.size(), 1u);
+  ASSERT_EQ(set.layers.size(), 1u);
+  EXPECT_EQ(usual.layers[0].pen.width, 250);
+  EXPECT_EQ(usual.layers[0].paths.size(), set.layers[0].paths.size());
+}
+
+/// The height of a picture's letters is that of the paper: 600 dots per inch have more pixels.
+TEST(AnnotationFiles, MillimetresAreThoseOfTheDensity) {
+  const GraphicsSystem g = replayed(
+      "open-segment 1\nset-line-style solid 1 0 0\nballoon-3 0 0 0 7 \"\" 0 0\nclose-segment\n");
+  DrawOptions options;
+  options.samples = 1;
+  const auto extent = [&](std::optional<double> dpi) {
+    options.dpi = dpi;
+    const Picture picture = draw(g, options);
+    std::size_t first = picture.pixels.size(), last = 0;
+    for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+      if ((picture.pixels[k] >> 8 & 0xFFu) > 200u) continue;
+      first = std::min(first, k / 512);
+      last = std::max(last, k / 512);
+    }
+    return static_cast<double>(last - first);
+  };
+  const double usual = extent(std::nullopt);
+  EXPECT_NEAR(usual, 2 * 4.025 * 96 / 25.4, 2.0);
+  EXPECT_NEAR(extent(300.0), 2 * 4.025 * 300 / 25.4, 2.0);
 }
 
 /// Without annotation nothing changes, by a device that would draw it.

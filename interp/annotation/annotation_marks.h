@@ -28,7 +28,7 @@ struct AnnotationMark {
     line,   ///< solid, through the points
     area,   ///< filled
     blank,  ///< filled in the background's colour; nothing if there is none
-    text,   ///< in device coordinates, as other texts
+    text,   ///< in device coordinates, as other texts; its line style is that of stroke letters
   };
   Kind kind;
   std::size_t annotation;  ///< the number of the annotation to which it belongs, in order of entry

@@ -119,6 +119,7 @@ void AnnotationPencil::text(std::string_view characters, const Point2& at,
   text.style.alignment = alignment;
   text.line.kind = LineStyle::Kind::solid;
   text.line.colour = kept_->colour;
+  text.line.width = line_width(height_);
   text.characters = characters;
   text.segment = kept_->segment;
   constexpr double kLevel = 1e-4;  // degrees, which no picture shows

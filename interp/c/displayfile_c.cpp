@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clip/base/work_budget.h"
@@ -70,6 +71,12 @@ DrawOptions draw_options(const df_options& options) {
     result.surfaces.hidden_lines = hidden_lines(options.hidden_lines);
   if (options.line_order != nullptr) result.surfaces.line_order = line_order(options.line_order);
   if (options.line_halo != 0.0) result.surfaces.line_halo = options.line_halo;
+  if (options.font != nullptr || options.text != nullptr) {
+    const auto word = [](const char* text) {
+      return text == nullptr ? std::nullopt : std::optional<std::string_view>(text);
+    };
+    result.lettering = lettering_of(word(options.font), word(options.text));
+  }
   if (options.device != nullptr) result.device = options.device;
   result.background = background_of(options);
   if (options.samples != 0) result.samples = options.samples;

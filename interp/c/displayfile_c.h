@@ -204,6 +204,9 @@ typedef struct {
   uint64_t most_bytes;         /**< limit on the memory of one operation's tables */
   const char* line_order; /**< "entry" or "depth": which of two lines is drawn over the other */
   double line_halo;       /**< with "depth": the gap beside the farther one, in pixels */
+  const char* font;       /**< of texts: the name of a font of the system, or "hershey", or
+                               "hershey:NAME" for letters of strokes; default "sans-serif" */
+  const char* text;       /**< letters in vectors: "text", or "outlines", the same in every viewer */
 } df_options;
 /** Values of df_options.background. */
 enum df_background {
@@ -215,7 +218,7 @@ enum df_background {
 #define DF_OPTIONS_INIT                                                                          \
   {                                                                                              \
     sizeof(df_options), 0, 0, NULL, NULL, NULL, NULL, NULL, 0, {0.0, 0.0, 0.0}, 0, 0, 0, 0.0, 0, \
-        0, 0, 0, NULL, 0.0                                                                       \
+        0, 0, 0, NULL, 0.0, NULL, NULL                                                           \
   }
 
 /** Draws into the caller's memory, top row first.

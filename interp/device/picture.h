@@ -151,17 +151,23 @@ struct Lettering {
   static constexpr std::string_view kHershey = "hershey";
   /// The name of a font of the system, such as DejaVu Serif; or `hershey`, or `hershey:NAME`, such
   /// as hershey:scripts: the strokes of a Hershey font, in the width of the line style in force, of
-  /// Debian's package hershey-fonts-data.
-  std::string font = "sans-serif";
+  /// Debian's package hershey-fonts-data. Empty: sans-serif.
+  std::string font{};
   /// In vectors, letters as filled outlines, the same in every viewer; by pens as lines.
   bool outlines = false;
 
+  /// The font of the system; sans-serif where none is set.
+  std::string family() const { return font.empty() ? "sans-serif" : font; }
   bool is_of_strokes() const;
   bool is_of_paths() const { return outlines || is_of_strokes(); }
   bool operator==(const Lettering&) const = default;
 };
 /// Throws Error for a font that is no name; a Hershey font that is not installed; outlines of one.
 void require_lettering(const Lettering& lettering);
+/// Reads the words of a lettering, as the options --font and --text: `text` is `text` or
+/// `outlines`; nothing: the default. Throws Error for an empty font, for another word, and as
+/// require_lettering.
+Lettering lettering_of(std::optional<std::string_view> font, std::optional<std::string_view> text);
 
 /// Options for a pen plotter or laser cutter: a layer of lines for each pen, no line twice, in an
 /// order with short pen travel (interp/vector/pens/README.md).
@@ -172,7 +178,8 @@ struct Pens {
   /// use. A colour that no pen has is warned of.
   std::vector<Colour> layers{};
   bool crumbs = false;  ///< as VectorOptions::crumbs
-  /// Texts are drawn if this is of paths; their letters are areas otherwise.
+  /// Texts are drawn if this is of paths; their letters are areas otherwise. Texts of annotation
+  /// are drawn in the usual Hershey font then.
   Lettering lettering{};
   bool operator==(const Pens&) const = default;
 };

@@ -318,7 +318,8 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
                               by_device ? FoundBy::device : FoundBy::method)) {
     plan.options.warn({DrawWarning::Kind::no_effect, text});
   }
-  for (const std::string& text : lettering_warnings(plan.options.lettering, drawn)) {
+  for (const std::string& text :
+       lettering_warnings(plan.options.lettering, drawn, plan.options.pens.has_value())) {
     plan.options.warn({DrawWarning::Kind::no_effect, text});
   }
 }

@@ -35,6 +35,7 @@ RasterRequest raster_request(const PicturePlan& plan) {
   request.background = options.background.value_or(Background{});
   request.crumbs = options.crumbs;
   request.lettering = options.lettering;
+  request.dpi = options.dpi;
   return request;
 }
 

@@ -188,14 +188,13 @@ const std::map<std::string_view, Read>& readers() {
        }},
       {"seams",
        [](py::handle v, DrawOptions& o) { o.vectors.seams = seams_in(word_in(v, "seams")); }},
-      {"font", [](py::handle v, DrawOptions& o) { o.lettering.font = word_in(v, "font"); }},
+      {"font",
+       [](py::handle v, DrawOptions& o) {
+         o.lettering.font = lettering_of(word_in(v, "font"), std::nullopt).font;
+       }},
       {"text",
        [](py::handle v, DrawOptions& o) {
-         const auto word = word_in(v, "text");
-         if (word != "text" && word != "outlines") {
-           throw Error(fmt::format("text '{}': expected text or outlines", word));
-         }
-         o.lettering.outlines = word == "outlines";
+         o.lettering.outlines = lettering_of(std::nullopt, word_in(v, "text")).outlines;
        }},
       {"pick_ids",
        [](py::handle v, DrawOptions& o) { o.vectors.pick_ids = switch_in(v, "pick_ids"); }},

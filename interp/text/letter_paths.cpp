@@ -36,7 +36,7 @@ void require_lettering(const Lettering& lettering) {
                     lettering.font));
   }
   constexpr std::size_t kLongest = 100;
-  const std::string& font = lettering.font;
+  const std::string font = lettering.family();
   const bool is_name = !font.empty() && font.size() <= kLongest && font.front() != ' ' &&
                        font.back() != ' ' && drawable_length(font) == font.size() &&
                        font.find_first_of("'\"\\<>&;:{}(),/") == std::string::npos;
@@ -45,6 +45,24 @@ void require_lettering(const Lettering& lettering) {
       fmt::format("font '{}': expected the name of a font of the system, such as DejaVu Serif, "
                   "hershey, or hershey:NAME",
                   drawable(font.substr(0, kLongest))));
+}
+
+Lettering lettering_of(std::optional<std::string_view> font, std::optional<std::string_view> text) {
+  Lettering lettering;
+  if (font) {
+    lettering.font = *font;
+    if (font->empty()) {
+      throw Error(
+          "font '': expected the name of a font of the system, such as DejaVu Serif, "
+          "hershey, or hershey:NAME");
+    }
+  }
+  lettering.outlines = text == "outlines";
+  if (text && *text != "text" && !lettering.outlines) {
+    throw Error(fmt::format("text '{}': expected text or outlines", drawable(*text)));
+  }
+  require_lettering(lettering);
+  return lettering;
 }
 
 double part_before_anchor(TextStyle::Alignment alignment) {
@@ -98,7 +116,7 @@ std::optional<LetterPaths> letter_paths(const Lettering& lettering, const Device
     paths.are_outlines = true;
     paths.stroke.colour = text.line.colour;
     paths.stroke.width = text.line.width;
-    paths.letters = letter_outlines(lettering.font, text, anchor, size);
+    paths.letters = letter_outlines(lettering.family(), text, anchor, size);
     return paths;
   }
   if (!lettering.is_of_strokes()) return std::nullopt;
@@ -111,28 +129,55 @@ std::optional<LetterPaths> letter_paths(const Lettering& lettering, const Device
   return paths;
 }
 
-std::vector<std::string> lettering_warnings(const Lettering& lettering,
-                                            const DisplayFile& display_file) {
-  std::vector<std::string> all;
-  if (!display_file.has_texts() && !display_file.has_annotations()) return all;
-  if (!lettering.is_of_strokes()) {
-    if (lettering.font == Lettering().font) return all;
-    const std::string other = font_in_place_of(lettering.font);
-    if (other.empty()) return all;
-    all.push_back(
-        fmt::format("this system has no font {}: {} stands in its place", lettering.font, other));
-    return all;
-  }
-  const HersheyFont& font = hershey_font_of(lettering);
-  std::set<std::string> lacking;
+Lettering lettering_of_pens(const Lettering& lettering) {
+  if (lettering.is_of_paths()) return lettering;
+  Lettering of_strokes;
+  of_strokes.font = Lettering::kHershey;
+  return of_strokes;
+}
+
+namespace {
+
+void add_lacking_of_texts(const DisplayFile& display_file, const HersheyFont& font,
+                          std::set<std::string>& lacking) {
   for (const Segment* segment : display_file.visible_segments()) {
     font.add_lacking(segment->entered()->characters(), lacking);
   }
+}
+
+void add_lacking_of_annotation(const DisplayFile& display_file, const HersheyFont& font,
+                               std::set<std::string>& lacking) {
   constexpr AnnotationPage kAnyPage{1000, 1000, 1.0};
   for (const AnnotationMark& mark : annotation_marks(display_file, kAnyPage)) {
     if (mark.kind != AnnotationMark::Kind::text) continue;
     font.add_lacking(mark.text.characters, lacking);
   }
+}
+
+/// In place of the font that is set.
+std::vector<std::string> warnings_of_other_font(const Lettering& lettering) {
+  const std::string other = font_in_place_of(lettering.font);
+  if (other.empty()) return {};
+  return {fmt::format("this system has no font {}: {} stands in its place", lettering.font, other)};
+}
+
+}  // namespace
+
+std::vector<std::string> lettering_warnings(const Lettering& lettering,
+                                            const DisplayFile& display_file, bool by_pens) {
+  const bool has_annotation = display_file.has_annotations();
+  if (!display_file.has_texts() && !has_annotation) return {};
+  std::vector<std::string> all;
+  if (!lettering.is_of_strokes() && !lettering.font.empty()) {
+    all = warnings_of_other_font(lettering);
+  }
+  const Lettering of_annotation = by_pens ? lettering_of_pens(lettering) : lettering;
+  const bool in_strokes = of_annotation.is_of_strokes() && has_annotation;
+  if (!lettering.is_of_strokes() && !in_strokes) return all;
+  const HersheyFont& font = hershey_font_of(of_annotation);
+  std::set<std::string> lacking;
+  if (lettering.is_of_strokes()) add_lacking_of_texts(display_file, font, lacking);
+  if (in_strokes) add_lacking_of_annotation(display_file, font, lacking);
   if (!lacking.empty()) {
     all.push_back(fmt::format("the Hershey font {} lacks {}: left out", font.name(),
                               fmt::join(lacking, " ")));

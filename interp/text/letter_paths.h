@@ -29,6 +29,10 @@ struct LetterPaths {
 std::optional<LetterPaths> letter_paths(const Lettering& lettering, const DeviceText& text,
                                         const Point2& anchor, double size);
 
+/// The lettering by which pens draw the texts of annotation: this one if it is of paths, otherwise
+/// the usual Hershey font.
+Lettering lettering_of_pens(const Lettering& lettering);
+
 class HersheyFont;
 /// The font of a lettering of strokes (interp/text/hershey_font.h). Throws Error as its
 /// constructor.
@@ -46,8 +50,9 @@ double part_before_anchor(TextStyle::Alignment alignment);
 std::string font_in_place_of(const std::string& family);
 
 /// Sentences about texts of visible segments that a lettering does not draw as set: characters that
-/// a Hershey font lacks, and a font that the system does not have.
+/// a Hershey font lacks, and a font that the system does not have. By pens annotation has the
+/// lettering of lettering_of_pens.
 std::vector<std::string> lettering_warnings(const Lettering& lettering,
-                                            const DisplayFile& display_file);
+                                            const DisplayFile& display_file, bool by_pens);
 
 }  // namespace displayfile

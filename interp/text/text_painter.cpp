@@ -74,13 +74,13 @@ class TextPainter {
               Picture& picture)
       : letters_(letters), size_(size), held_{0, top, size.width, bottom}, picture_(picture) {}
 
-  void paint(const DeviceText& text) const {
+  void paint(const DeviceText& text) const { paint(text, text.line.width * letters_.line_scale); }
+  void paint(const DeviceText& text, double width) const {
     if (!letters_.lettering.is_of_strokes()) {
       return paint(on_page(text, measure_.context()).ink(), pixel_of(text.line.colour),
                    [&](cairo_t* context) { on_page(text, context).show(); });
     }
     const auto paths = letter_paths(letters_.lettering, text, anchor(text), size(text));
-    const double width = paths->stroke.width * letters_.line_scale;
     Rectangle ink = paths->around();
     ink = {ink.x_min - width, ink.x_max + width, ink.y_min - width, ink.y_max + width};
     paint(ink, pixel_of(text.line.colour),
@@ -88,7 +88,7 @@ class TextPainter {
   }
   void paint(const AnnotationMark& mark, const Background& background) const {
     using enum AnnotationMark::Kind;
-    if (mark.kind == text) return paint(mark.text);
+    if (mark.kind == text) return paint(mark.text, mark.width);
     if (mark.kind == blank && background.kind == Background::Kind::none) return;
     Rectangle ink = Rectangle::nothing();
     for (const Point2& p : mark.points) ink.include({p.x, size_.height - p.y});
@@ -139,7 +139,7 @@ class TextPainter {
   }
   double size(const DeviceText& text) const { return text.style.size * size_.height; }
   CairoText on_page(const DeviceText& text, cairo_t* context) const {
-    return {context, letters_.lettering.font, text, anchor(text), size(text)};
+    return {context, letters_.lettering.family(), text, anchor(text), size(text)};
   }
 
   static void stroke(const LetterPaths& paths, double width, cairo_t* context) {

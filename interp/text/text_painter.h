@@ -26,8 +26,8 @@ void paint_texts(std::span<const DeviceText> texts, const DrawnLetters& letters,
 
 /// The picture in which annotation is laid out, in its samples.
 inline AnnotationPage annotation_page(const RasterRequest& request) {
-  return {request.width, request.height, kPixelsOfMillimetre * request.line_scale,
-          request.line_scale};
+  const double millimetre = request.dpi ? *request.dpi / kMillimetresOfInch : kPixelsOfMillimetre;
+  return {request.width, request.height, millimetre * request.line_scale, request.line_scale};
 }
 
 /// The same for annotation; `background` is the picture's.

@@ -178,7 +178,7 @@ void PdfDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
 void PdfDevice::paint_text(const DeviceText& text, const Point2& anchor, double size) {
   begin_layer(segment_, {});
   set_colour(text.line.colour);
-  CairoText(context_.get(), options().lettering.font, text, anchor, size).show();
+  CairoText(context_.get(), options().lettering.family(), text, anchor, size).show();
 }
 
 void PdfDevice::finish() {

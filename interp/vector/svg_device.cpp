@@ -256,7 +256,7 @@ std::vector<std::string> SvgDevice::style_rules() const {
     const auto [pixel, size, alignment] = key;
     std::string& rule = texts[number - 1];
     rule = fmt::format(".t{}{}{{fill:{};font-family:{};font-size:", number, kOwn, hex(pixel),
-                       css_font(options().lettering.font));
+                       css_font(options().lettering.family()));
     append_coordinate(rule, size);
     rule += fmt::format("px;text-anchor:{}}}\n", text_anchor(alignment));
   }

@@ -19,6 +19,11 @@ export interface Options {
   lineOrder?: 'entry' | 'depth';
   /** With "depth": the gap beside a line where another one crosses in front of it, in pixels. */
   lineHalo?: number;
+  /** Of texts in SVG: the name of a font that the viewer has; default "sans-serif". Fonts of strokes are
+   *  files, which pages do not read: "hershey" is refused. */
+  font?: string;
+  /** Letters in SVG as text; outlines need Cairo, which pages do not have. */
+  text?: 'text';
   /** Red, green and blue in [0,1]; default: the application's. */
   background?: [number, number, number] | 'none';
   /** Samples per pixel side, 1 to 16; default 4, or as many as a picture of this size may have. */

@@ -89,8 +89,8 @@
       return value;
     };
     const kOptions = new Set(['width', 'height', 'method', 'scope', 'precision', 'hiddenLines',
-      'lineOrder', 'lineHalo', 'background', 'samples', 'mostPieces', 'mostSeconds', 'ids', 'depth',
-      'reach']);
+      'lineOrder', 'lineHalo', 'font', 'text', 'background', 'samples', 'mostPieces', 'mostSeconds',
+      'ids', 'depth', 'reach']);
 
     function options_in(lent, options = {}) {
       for (const name of Object.keys(options)) {
@@ -113,6 +113,8 @@
         most_seconds: options.mostSeconds,
         line_order: lent.text(options.lineOrder),
         line_halo: options.lineHalo,
+        font: lent.text(options.font),
+        text: lent.text(options.text),
       });
     }
 

@@ -57,7 +57,7 @@ void VectorWords::add_to(CLI::App& command) {
 
 Lettering VectorWords::lettering() const {
   Lettering lettering;
-  if (!font.empty()) lettering.font = font;
+  lettering.font = font;
   lettering.outlines = text == "outlines";
   if (!text.empty() && text != "text" && !lettering.outlines) {
     throw Error("--text " + text + ": expected text or outlines");

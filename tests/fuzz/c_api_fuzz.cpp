@@ -159,6 +159,8 @@ class CProgram {
       said.first_row = input_.below(8) - 1;
       said.end_row = chance(90) ? input_.below(9) : std::numeric_limits<int>::max();
     }
+    if (chance(3)) said.font = one_of({"serif", "hershey", "hershey:", "a;b", ""});
+    if (chance(3)) said.text = one_of({"text", "outlines", "lines", ""});
     return said;
   }
 

@@ -224,6 +224,45 @@ static void test_pieces(void) {
   df_destroy(system);
 }
 
+/* The font of texts, and letters as strokes or outlines where fonts are installed. */
+static void test_lettering(void) {
+  static const char kText[] = "open-segment 1\nmove-abs-2 0 0\ntext \"I\"\nclose-segment\n";
+  df_options options = DF_OPTIONS_INIT;
+  const char* bytes = NULL;
+  size_t length = 0;
+  df_system* system = df_create();
+  DO(system, df_replay(system, kText, sizeof kText - 1, NULL));
+  DO(system, df_draw_as(system, &options, "svg", &bytes, &length));
+  EXPECT(strstr(bytes, "font-family:sans-serif;") != NULL && strstr(bytes, "<text") != NULL);
+  options.font = "DejaVu Serif";
+  DO(system, df_draw_as(system, &options, "svg", &bytes, &length));
+  EXPECT(strstr(bytes, "font-family:'DejaVu Serif',sans-serif;") != NULL);
+  options.text = "lines";
+  REFUSED(system, df_draw_as(system, &options, "svg", &bytes, &length),
+          "text 'lines': expected text or outlines");
+  options.text = NULL;
+  options.font = "";
+  REFUSED(system, df_draw_as(system, &options, "svg", &bytes, &length), "font ''");
+  options.font = "a;b";
+  REFUSED(system, df_draw_as(system, &options, "svg", &bytes, &length), "font 'a;b'");
+  options.font = "hershey";
+  if (df_draw_as(system, &options, "svg", &bytes, &length) == DF_OK) {
+    EXPECT(strstr(bytes, "<text") == NULL);
+    options.text = "outlines";
+    REFUSED(system, df_draw_as(system, &options, "svg", &bytes, &length), "have no outlines");
+  } else {
+    EXPECT(strstr(df_error(system), "hershey-fonts-data") != NULL);
+  }
+  options.font = NULL;
+  options.text = "outlines";
+  if (df_draw_as(system, &options, "svg", &bytes, &length) == DF_OK) {
+    EXPECT(strstr(bytes, "<text") == NULL);
+  } else {
+    EXPECT(strstr(df_error(system), "Cairo") != NULL);
+  }
+  df_destroy(system);
+}
+
 static void test_meshes(void) {
   static const double kVertices[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1};
   static const uint32_t kCorners[] = {0, 1, 2, 3, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
@@ -561,6 +600,7 @@ int main(int argc, char** argv) {
   test_samples();
   test_rows_and_limits();
   test_pieces();
+  test_lettering();
   test_meshes();
   test_another_eye();
   test_errors();

@@ -1,11 +1,8 @@
 #include "interp/vector/pens/pen_annotation.h"
 
-#include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
-#include <numbers>
-
-#include "interp/annotation/page_annotation.h"
-#include "interp/vector/pens/stroke_letters.h"
+#include <vector>
 
 namespace displayfile {
 
@@ -13,9 +10,10 @@ namespace {
 
 class AnnotationStrokes {
  public:
-  AnnotationStrokes(const AnnotationMark& mark, const Point2& picture, PenDevice& device)
-      : mark_(mark), picture_(picture), device_(device) {
-    style_.colour = mark.kind == AnnotationMark::Kind::text ? mark.text.line.colour : mark.colour;
+  AnnotationStrokes(const AnnotationMark& mark, const Point2& picture, const Background& background,
+                    PenDevice& device)
+      : mark_(mark), picture_(picture), background_(background), device_(device) {
+    style_.colour = mark.colour;
     style_.width = mark.width;
   }
 
@@ -24,17 +22,22 @@ class AnnotationStrokes {
     switch (mark_.kind) {
       case line: return path(mark_.points, mark_.closed);
       case area: return filled();
-      case text: return letters();
-      case blank: return;
+      case text: return device_.draw_annotation_text(mark_.text);
+      case blank: return hide();
     }
   }
 
  private:
+  Point3 in_device(const Point2& p) const { return {p.x / picture_.x, p.y / picture_.y, 1.0}; }
   void stroke(const Point2& from, const Point2& to) {
-    const auto device = [&](const Point2& p) {
-      return Point3(p.x / picture_.x, p.y / picture_.y, 1.0);
-    };
-    device_.line({device(from), device(to), style_});
+    device_.line({in_device(from), in_device(to), style_});
+  }
+  /// As a fill in the background's colour does, where there is one.
+  void hide() {
+    if (background_.kind == Background::Kind::none) return;
+    std::vector<Point3> polygon;
+    for (const Point2& p : mark_.points) polygon.push_back(in_device(p));
+    device_.blank(polygon);
   }
   void path(std::span<const Point2> points, bool closed) {
     for (std::size_t i = 1; i < points.size(); ++i) stroke(points[i - 1], points[i]);
@@ -52,28 +55,9 @@ class AnnotationStrokes {
       next -= length;
     }
   }
-  void letters() {
-    const DeviceText& text = mark_.text;
-    if (device_.draw_text(text)) return;
-    const double turn = text.turn * std::numbers::pi / 180.0;
-    const Point2 along(std::cos(turn), std::sin(turn)), up(-along.y, along.x);
-    const Point2 anchor(text.anchor.x * picture_.x, text.anchor.y * picture_.y);
-    const double height = text.style.size * picture_.y * kCapitalsOfEm;
-    const StrokeLetters letters = stroke_letters(text.characters);
-    const double before = text.style.alignment == TextStyle::Alignment::left ? 0.0
-                          : text.style.alignment == TextStyle::Alignment::right
-                              ? letters.width
-                              : 0.5 * letters.width;
-    for (const auto& [from, to] : letters.strokes) {
-      const auto at = [&](const Point2& p) {
-        return anchor + height * ((p.x - before) * along + p.y * up);
-      };
-      stroke(at(from), at(to));
-    }
-  }
-
   const AnnotationMark& mark_;
   Point2 picture_;
+  const Background& background_;
   PenDevice& device_;
   LineStyle style_;
 };
@@ -81,8 +65,10 @@ class AnnotationStrokes {
 }  // namespace
 
 void draw_annotation(std::span<const AnnotationMark> marks, const Point2& picture,
-                     PenDevice& device) {
-  for (const AnnotationMark& mark : marks) AnnotationStrokes(mark, picture, device).draw();
+                     const Background& background, PenDevice& device) {
+  for (const AnnotationMark& mark : marks) {
+    AnnotationStrokes(mark, picture, background, device).draw();
+  }
 }
 
 }  // namespace displayfile

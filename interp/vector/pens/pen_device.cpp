@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "clip/clip_to_rectangle.h"
 #include "clip/corners.h"
@@ -10,6 +11,7 @@
 #include "interp/device/picture.h"
 #include "interp/text/letter_paths.h"
 #include "interp/text/seen_texts.h"
+#include "interp/vector/pens/blanked_strokes.h"
 #include "interp/vector/pens/dashes.h"
 #include "interp/vector/pens/sheet_point.h"
 #include "interp/vector/pens/stroke_chains.h"
@@ -60,12 +62,13 @@ std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
   const bool dashed = style.kind == LineStyle::Kind::dashed;
   const double dash = dashed ? style.dash * of_pixel * kUnitsOfMillimetre : 0.0;
   const double gap = dashed ? style.gap * of_pixel * kUnitsOfMillimetre : 0.0;
+  const std::size_t blanked = blanks_.size();
   const auto is_it = [&](const Collected& c) {
-    return c.pen == pen && c.dash == dash && c.gap == gap;
+    return c.pen == pen && c.dash == dash && c.gap == gap && c.blanked == blanked;
   };
   if (last_ < collected_.size() && is_it(collected_[last_])) return collected_[last_].strokes;
-  const auto [place, is_new] = places_.try_emplace({pen, dash, gap}, collected_.size());
-  if (is_new) collected_.push_back({pen, dash, gap, {}});
+  const auto [place, is_new] = places_.try_emplace({pen, dash, gap, blanked}, collected_.size());
+  if (is_new) collected_.push_back({pen, dash, gap, blanked, {}});
   last_ = place->second;
   return collected_[last_].strokes;
 }
@@ -90,14 +93,17 @@ void PenDevice::line(const DrawnLine& line) {
 
 void PenDevice::draw_texts(const DisplayFile& display_file) {
   if (!lettering_.is_of_paths()) return;
-  for (const DeviceText& text : seen_texts(display_file, false)) draw_text(text);
+  for (const DeviceText& text : seen_texts(display_file, false)) draw_text(text, lettering_);
 }
 
-bool PenDevice::draw_text(const DeviceText& text) {
-  if (!lettering_.is_of_paths()) return false;
+void PenDevice::draw_annotation_text(const DeviceText& text) {
+  draw_text(text, lettering_of_pens(lettering_));
+}
+
+void PenDevice::draw_text(const DeviceText& text, const Lettering& lettering) {
   const double millimetres = picture_.height * picture_.fit.pixel;
   const auto letters =
-      letter_paths(lettering_, text, on_sheet(text.anchor), text.style.size * millimetres);
+      letter_paths(lettering, text, on_sheet(text.anchor), text.style.size * millimetres);
   std::vector<Stroke>& strokes = strokes_of(letters->stroke);
   for (const LetterPaths::Letter& letter : letters->letters) {
     for (const auto& points : letter) {
@@ -105,7 +111,23 @@ bool PenDevice::draw_text(const DeviceText& text) {
       if (letters->are_outlines) add(points.back(), points.front(), strokes);
     }
   }
-  return true;
+}
+
+void PenDevice::blank(std::span<const Point3> polygon) {
+  std::vector<Point2>& area = blanks_.emplace_back();
+  for (const Point3& p : polygon) area.push_back(kUnitsOfMillimetre * on_sheet(p));
+}
+
+/// What is twice is removed first: ends that are cut twice are rounded twice, and could be too far
+/// from each other afterwards (unique_strokes).
+std::vector<Stroke> PenDevice::not_blanked(std::vector<Stroke> strokes,
+                                           std::size_t first_blank) const {
+  if (first_blank == blanks_.size()) return strokes;
+  strokes = unique_strokes(std::move(strokes));
+  for (std::size_t k = first_blank; k < blanks_.size(); ++k) {
+    strokes = strokes_outside(strokes, blanks_[k]);
+  }
+  return strokes;
 }
 
 void PenDevice::edges(const DrawnPolygon& polygon) {
@@ -141,15 +163,16 @@ std::vector<PenStrokes> PenDevice::strokes() {
     return all[place->second].strokes;
   };
   for (Collected& c : collected_) {
-    if (c.strokes.empty()) continue;
-    std::vector<Stroke>& of_pen = strokes_of_pen(c.pen);
     if (c.gap > 0.0) {
       c.strokes = dashes(stroke_chains(unique_strokes(std::move(c.strokes))), c.dash, c.gap);
     }
+    c.strokes = not_blanked(std::move(c.strokes), c.blanked);
+    if (c.strokes.empty()) continue;
+    std::vector<Stroke>& of_pen = strokes_of_pen(c.pen);
     of_pen.insert(of_pen.end(), c.strokes.begin(), c.strokes.end());
   }
   if (!hatched_) return all;
-  if (const std::vector<Stroke> lines = hatched_->strokes(); !lines.empty()) {
+  if (const std::vector<Stroke> lines = not_blanked(hatched_->strokes(), 0); !lines.empty()) {
     std::vector<Stroke>& of_pen = strokes_of_pen(hatching_pen_);
     of_pen.insert(of_pen.end(), lines.begin(), lines.end());
   }

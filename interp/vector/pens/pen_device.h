@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
+#include "displayfile/segments/viewed_scene.h"
 #include "interp/device/output_device.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/hatched_fills.h"
@@ -43,8 +45,11 @@ class PenDevice : public OutputDevice {
   void line(const DrawnLine& line) override;
   /// Converts the texts that are seen of the visible segments, if their letters are paths.
   void draw_texts(const DisplayFile& display_file);
-  /// Converts a text if its letters are paths, or returns false.
-  bool draw_text(const DeviceText& text);
+  /// Converts a text of annotation: in the usual Hershey font if the lettering fills areas. Throws
+  /// Error if that is not installed.
+  void draw_annotation_text(const DeviceText& text);
+  /// Hides what was drawn before it within a convex polygon, in device coordinates.
+  void blank(std::span<const Point3> polygon);
 
   /// All strokes, with dashed lines cut into dashes. Must be called once.
   std::vector<PenStrokes> strokes();
@@ -52,9 +57,12 @@ class PenDevice : public OutputDevice {
  private:
   struct Collected {
     Pen pen;
-    double dash, gap;  // thousandths of a millimetre; 0 and 0: solid
+    double dash, gap;     // thousandths of a millimetre; 0 and 0: solid
+    std::size_t blanked;  // the number of blanks that were drawn before it, and do not hide it
     std::vector<Stroke> strokes;
   };
+  void draw_text(const DeviceText& text, const Lettering& lettering);
+  std::vector<Stroke> not_blanked(std::vector<Stroke> strokes, std::size_t first_blank) const;
   Point2 on_sheet(const Point3& device) const;
   std::vector<Stroke>& strokes_of(const LineStyle& style);
   void add(const Point2& a, const Point2& b, std::vector<Stroke>& strokes) const;
@@ -68,8 +76,10 @@ class PenDevice : public OutputDevice {
   std::optional<HatchedFills> hatched_;
   bool fills_are_disjoint_ = false;
   std::vector<Collected> collected_;
-  std::map<std::tuple<Pen, double, double>, std::size_t> places_;  // in it, of pen, dash and gap
-  std::size_t last_ = 0;                                           // requested last
+  /// In it, of pen, dash, gap and number of blanks.
+  std::map<std::tuple<Pen, double, double, std::size_t>, std::size_t> places_;
+  std::size_t last_ = 0;                     // requested last
+  std::vector<std::vector<Point2>> blanks_;  // convex, in the unit of strokes
   std::vector<Point2> points_;
   std::vector<double> dark_;
 };

@@ -28,7 +28,7 @@ std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, 
   device.draw_texts(display_file);
   const double millimetre = 1.0 / fit_on_paper(paper, width, height).pixel;
   draw_annotation(annotation_marks(display_file, {width, height, millimetre}), {width, height},
-                  device);
+                  background, device);
   return device.strokes();
 }
 

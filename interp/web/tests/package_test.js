@@ -97,6 +97,20 @@ test('user routines are methods, and what is seen is told', async () => {
   assert.strictEqual(pieces.points.length, 3 * pieces.first[1]);
 });
 
+test('texts have the font that is set', async () => {
+  const { System } = await load();
+  const system = new System();
+  system.openSegment(1);
+  system.moveAbs2(0, 0);
+  system.text('"I"');
+  system.closeSegment();
+  assert.match(system.svg(), /font-family:sans-serif;/);
+  assert.match(system.svg({ font: 'DejaVu Serif', text: 'text' }), /font-family:'DejaVu Serif',sans-serif;/);
+  refused(system, () => system.svg({ font: 'a;b' }), /font 'a;b': expected the name of a font/);
+  refused(system, () => system.svg({ font: 'hershey' }), /hershey/);
+  refused(system, () => system.svg({ text: 'outlines' }), /Cairo/);
+});
+
 test('meshes come as arrays and as files', async () => {
   const { System } = await load();
   const vertices = [0, 0, 0, 0.5, 0, 0, 0, 0.5, 0, 0.5, 0.5, 0];

@@ -232,6 +232,25 @@ TEST(AnnotationFiles, MillimetresAreThoseOfTheDensity) {
   EXPECT_NEAR(extent(300.0), 2 * 4.025 * 300 / 25.4, 2.0);
 }
 
+/// What has no room is warned of by name, on that paper.
+TEST(AnnotationFiles, WhatHasNoRoomIsWarnedOf) {
+  GraphicsSystem g = replayed(
+      "set-annotation-placement auto\nopen-segment 1\n"
+      "polygon-abs-3 -.7 -.7 0  .7 -.7 0  .7 .7 0  -.7 .7 0\n"
+      "balloon-3 0 0 0 1 \"A name of a part\"\nparts-list\nclose-segment\n");
+  const auto warnings_on = [&](double side) {
+    std::string all;
+    DrawOptions options;
+    options.vectors.paper = Paper{side, side};
+    options.warn = [&](const DrawWarning& warning) { all += warning.text; };
+    draw_as(g, "svg", options);
+    return all;
+  };
+  EXPECT_NE(warnings_on(100.0).find("no room for the parts list, "), std::string::npos)
+      << warnings_on(100.0);
+  EXPECT_EQ(warnings_on(1000.0), "");
+}
+
 /// Without annotation nothing changes, by a device that would draw it.
 TEST(AnnotationFiles, SettingsAloneDrawNothing) {
   const std::string_view plain =

@@ -1,6 +1,9 @@
 #include "interp/annotation/annotation_marks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -8,6 +11,7 @@
 
 #include "clip/base/round_to_nearest.h"
 #include "displayfile/entered/instructions.h"
+#include "displayfile/text/characters.h"
 #include "interp/annotation/page_annotation.h"
 #include "interp/annotation/placement.h"
 
@@ -19,45 +23,52 @@ using AnnotationKind = KeptAnnotation::Kind;
 
 constexpr double kFarthestOnPage = 10'000.0;  // pixels outside of the picture
 
-/// The points of what is drawn, in device coordinates.
-class OutlinePoints {
+/// What is drawn, on the page.
+class DrawnFigure {
  public:
-  explicit OutlinePoints(std::vector<Point2>& points) : points_(points) {}
+  DrawnFigure(const AnnotationPage& page, PageFigure& figure) : page_(page), figure_(figure) {}
   void fill(const FillStyle& style) { fills_ = style.kind == FillStyle::Kind::solid; }
   void line_style(const LineStyle& style) { lines_ = style.kind != LineStyle::Kind::none; }
   void pick(std::int32_t /*id*/) {}
   void move(const Point3& p) { pen_ = p; }
   void line(const Point3& p) {
-    if (lines_) points_.insert(points_.end(), {Point2(pen_), Point2(p)});
+    if (lines_) add(std::array{pen_, p});
     pen_ = p;
   }
   void polygon(std::span<const Point3> vertices, std::span<const std::int32_t> /*sides*/) {
     pen_ = vertices.back();
-    if (!fills_ && !lines_) return;
-    for (const Point3& v : vertices) points_.emplace_back(v);
+    if (fills_ || lines_) add(vertices);
+  }
+  template <class Points>
+  void add(const Points& points) {
+    item_.clear();
+    for (const Point3& p : points) item_.emplace_back(p.x * page_.width, p.y * page_.height);
+    figure_.add(item_);
   }
 
  private:
-  std::vector<Point2>& points_;
+  const AnnotationPage& page_;
+  PageFigure& figure_;
+  std::vector<Point2> item_;
   bool fills_ = true, lines_ = true;
   Point3 pen_{0.0};
 };
 
-std::vector<Point2> points_drawn(const DisplayFile& display_file) {
-  std::vector<Point2> points;
+PageFigure figure_drawn(const DisplayFile& display_file, const AnnotationPage& page) {
+  PageFigure figure;
   for (const Segment* const segment : display_file.visible_segments()) {
-    segment->walk_entered_drawn(OutlinePoints(points));
+    segment->walk_entered_drawn(DrawnFigure(page, figure));
   }
-  return points;
+  return figure;
 }
 
-std::vector<Point2> points_drawn(const ViewedScene& scene) {
-  std::vector<Point2> points;
+PageFigure figure_drawn(const ViewedScene& scene, const AnnotationPage& page) {
+  PageFigure figure;
+  DrawnFigure drawn(page, figure);
   for (ViewedScene::Item item = 0; item < scene.items(); ++item) {
-    const PointRow of_item = scene.points(item);
-    for (const Point3& p : of_item) points.emplace_back(p);
+    drawn.add(PointRow(scene.points(item)));
   }
-  return points;
+  return figure;
 }
 
 std::vector<KeptAnnotation> annotations_of(const DisplayFile& display_file) {
@@ -110,31 +121,74 @@ std::optional<PageAnnotation> on_page(const KeptAnnotation& kept, const Annotati
   return result;
 }
 
+/// All annotation of a page at its place.
+struct LaidOut {
+  std::vector<PageAnnotation> all;
+  std::vector<std::size_t> numbers;  // of each, in order of entry
+  std::vector<PartsListRow> rows;
+};
+
+template <class Scene>
+LaidOut laid_out(std::span<const KeptAnnotation> kept, const Scene& scene,
+                 const AnnotationPage& page) {
+  LaidOut result;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (const auto annotation = on_page(kept[i], page)) {
+      result.all.push_back(*annotation);
+      result.numbers.push_back(i);
+    }
+  }
+  result.rows = rows_of(kept);
+  if (std::ranges::any_of(result.all, &PageAnnotation::is_automatic)) {
+    place_annotation(result.all, figure_drawn(scene, page), result.rows, page);
+  }
+  return result;
+}
+
 template <class Scene>
 std::vector<AnnotationMark> marks_of(std::span<const KeptAnnotation> kept, const Scene& scene,
                                      const AnnotationPage& page) {
   const RoundToNearest nearest;
-  std::vector<PageAnnotation> all;
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (const auto annotation = on_page(kept[i], page)) {
-      all.push_back(*annotation);
-      numbers.push_back(i);
-    }
-  }
-  const std::vector<PartsListRow> rows = rows_of(kept);
-  if (std::ranges::any_of(all, &PageAnnotation::is_automatic)) {
-    std::vector<Point2> figure = points_drawn(scene);
-    for (Point2& p : figure) p = {p.x * page.width, p.y * page.height};
-    place_annotation(all, figure, rows, page);
-  }
+  const LaidOut laid = laid_out(kept, scene, page);
   std::vector<AnnotationMark> marks;
   AnnotationPencil pencil(page, marks);
-  for (std::size_t i = 0; i < all.size(); ++i) pencil.draw(all[i], numbers[i], rows);
+  for (std::size_t i = 0; i < laid.all.size(); ++i) {
+    pencil.draw(laid.all[i], laid.numbers[i], laid.rows);
+  }
   return marks;
 }
 
+std::string name_in_message(const KeptAnnotation& kept) {
+  switch (kept.kind) {
+    case AnnotationKind::list: return "the parts list";
+    case AnnotationKind::title: return "the title";
+    case AnnotationKind::balloon: return "balloon " + kept.characters;
+    case AnnotationKind::leader: return "leader " + in_quotation_marks(kept.characters);
+    case AnnotationKind::linear:
+    case AnnotationKind::diameter:
+    case AnnotationKind::radius:
+    case AnnotationKind::angle: break;
+  }
+  return "dimension " + kept.characters;
+}
+
 }  // namespace
+
+std::string annotation_without_room(const DisplayFile& display_file, const AnnotationPage& page) {
+  if (!display_file.has_annotations()) return {};
+  const RoundToNearest nearest;
+  const std::vector<KeptAnnotation> kept = annotations_of(display_file);
+  const LaidOut laid = laid_out(kept, display_file, page);
+  std::vector<std::string> names;
+  for (const PageAnnotation& one : laid.all) {
+    if (!one.has_place) names.push_back(name_in_message(*one.kept));
+  }
+  if (names.empty()) return {};
+  return fmt::format(
+      "annotation placement auto has no room for {}, which may cover the figure: expected larger "
+      "paper or a larger window",
+      fmt::join(names, ", "));
+}
 
 std::vector<AnnotationMark> annotation_marks(const DisplayFile& display_file,
                                              const AnnotationPage& page) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "clip/point.h"
@@ -47,5 +48,9 @@ struct AnnotationMark {
 std::vector<AnnotationMark> annotation_marks(const DisplayFile& display_file,
                                              const AnnotationPage& page);
 std::vector<AnnotationMark> annotation_marks(const ViewedScene& scene, const AnnotationPage& page);
+
+/// A sentence that names the annotation that is placed automatically and for which there is no room
+/// on that page (placement.md); empty if there is none.
+std::string annotation_without_room(const DisplayFile& display_file, const AnnotationPage& page);
 
 }  // namespace displayfile

@@ -70,11 +70,11 @@ void AnnotationPencil::draw(const PageAnnotation& annotation, std::size_t number
       extension_line(p[0], p[2]);
       extension_line(p[1], p[3]);
       return dimension_line(p[2], p[3]);
-    case diameter: return dimension_line(p[0], p[1]);
-    case KeptAnnotation::Kind::radius: return this->radius(p[0], p[1]);
+    case KeptAnnotation::Kind::diameter: return this->diameter(annotation);
+    case KeptAnnotation::Kind::radius: return this->radius(annotation);
     case KeptAnnotation::Kind::angle: return this->angle(p);
     case KeptAnnotation::Kind::title: return this->title();
-    case list: return parts_list(annotation.corner, rows);
+    case list: return parts_list(annotation, rows);
   }
 }
 

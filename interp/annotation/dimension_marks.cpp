@@ -72,17 +72,12 @@ void AnnotationPencil::outer_arrow(const Point2& tip, const Point2& direction) {
   arrow(tip, direction);
 }
 
-/// Arrowheads that have no room between the ends are outside of them. A number that has none stands
-/// beyond the end that is read last.
-void AnnotationPencil::dimension_line(const Point2& from, const Point2& to) {
-  const double length = glm::distance(from, to);
-  if (length < line_width(height_)) return;
-  const Point2 direction = readable((to - from) / length);
-  const bool turned = glm::dot(direction, to - from) < 0.0;
-  const Point2 start = turned ? to : from, end = turned ? from : to;
-  const double width = width_of(kept_->characters), half_arrow = 0.5 * arrow_length();
-  const bool arrows_inside = length >= kArrowsInLine * arrow_length();
-  if (arrows_inside) {
+/// Arrowheads that have no room between the ends are outside of them; returns true if they have.
+bool AnnotationPencil::arrows_of_line(const Point2& start, const Point2& end,
+                                      const Point2& direction) {
+  const double half_arrow = 0.5 * arrow_length();
+  const bool have_room = glm::distance(start, end) >= kArrowsInLine * arrow_length();
+  if (have_room) {
     line({start + half_arrow * direction, end - half_arrow * direction});
     arrow(start, -direction);
     arrow(end, direction);
@@ -91,37 +86,66 @@ void AnnotationPencil::dimension_line(const Point2& from, const Point2& to) {
     outer_arrow(start, direction);
     outer_arrow(end, -direction);
   }
-  const Point2 above = kGapOfNumber * height_ * up_from(direction);
-  if (width + kRoomOfNumber * height_ <= length) {
-    return text(kept_->characters, 0.5 * (start + end) + above, TextStyle::Alignment::centre,
-                direction);
+  return have_room;
+}
+
+/// A line from a point in a direction, with the number above its end; `before` it is a length
+/// without.
+void AnnotationPencil::number_on_line(const Point2& start, double before, const Point2& direction) {
+  const double room = width_of(kept_->characters) + kRoomOfNumber * height_;
+  const Point2 read = readable(direction);
+  line({start, start + (before + room) * direction});
+  text(kept_->characters,
+       start + (before + 0.5 * room) * direction + kGapOfNumber * height_ * up_from(read),
+       TextStyle::Alignment::centre, read);
+}
+
+/// A number that has no room stands beyond the end that is read last.
+void AnnotationPencil::dimension_line(const Point2& from, const Point2& to) {
+  const double length = glm::distance(from, to);
+  if (length < line_width(height_)) return;
+  const Point2 direction = readable((to - from) / length);
+  const bool turned = glm::dot(direction, to - from) < 0.0;
+  const Point2 start = turned ? to : from, end = turned ? from : to;
+  const bool arrows_inside = arrows_of_line(start, end, direction);
+  if (width_of(kept_->characters) + kRoomOfNumber * height_ <= length) {
+    return text(kept_->characters,
+                0.5 * (start + end) + kGapOfNumber * height_ * up_from(direction),
+                TextStyle::Alignment::centre, direction);
   }
-  const Point2 beyond = end + (arrows_inside ? 0.0 : 2.0 * arrow_length()) * direction;
-  const double room = width + kRoomOfNumber * height_;
-  line({beyond, beyond + room * direction});
-  text(kept_->characters, beyond + 0.5 * room * direction + above, TextStyle::Alignment::centre,
-       direction);
+  number_on_line(end + (arrows_inside ? 0.0 : 2.0 * arrow_length()) * direction, 0.0, direction);
+}
+
+void AnnotationPencil::diameter(const PageAnnotation& diameter) {
+  const Point2 &from = diameter.points[0], &to = diameter.points[1];
+  const double length = glm::distance(from, to);
+  if (!diameter.number_beyond || length < line_width(height_)) return dimension_line(from, to);
+  const double beyond = *diameter.number_beyond;
+  const Point2 direction = (beyond < 0.0 ? from - to : to - from) / length;
+  const Point2 start = beyond < 0.0 ? to : from, end = beyond < 0.0 ? from : to;
+  arrows_of_line(start, end, direction);
+  number_on_line(end, std::abs(beyond), direction);
 }
 
 /// A line from the centre with an arrowhead at the circle; where the number has no room on it, one
 /// from outside.
-void AnnotationPencil::radius(const Point2& centre, const Point2& at) {
+void AnnotationPencil::radius(const PageAnnotation& radius) {
+  const Point2 &centre = radius.points[0], &at = radius.points[1];
   const double length = glm::distance(centre, at);
   if (length < line_width(height_)) return;
   const Point2 outward = (at - centre) / length, direction = readable(outward);
-  const Point2 above = kGapOfNumber * height_ * up_from(direction);
   const double room = width_of(kept_->characters) + kRoomOfNumber * height_;
-  if (room + arrow_length() <= length) {
+  if (!radius.number_beyond && room + arrow_length() <= length) {
     line({centre, at - 0.5 * arrow_length() * outward});
     arrow(at, outward);
-    return text(kept_->characters, centre + 0.5 * (length - arrow_length()) * outward + above,
+    return text(kept_->characters,
+                centre + 0.5 * (length - arrow_length()) * outward +
+                    kGapOfNumber * height_ * up_from(direction),
                 TextStyle::Alignment::centre, direction);
   }
-  const double before = 1.5 * arrow_length();
-  line({at + 0.5 * arrow_length() * outward, at + (before + room) * outward});
+  const double before = std::max(1.5 * arrow_length(), radius.number_beyond.value_or(0.0));
   arrow(at, -outward);
-  text(kept_->characters, at + (before + 0.5 * room) * outward + above,
-       TextStyle::Alignment::centre, direction);
+  number_on_line(at + 0.5 * arrow_length() * outward, before - 0.5 * arrow_length(), outward);
 }
 
 /// An arc with arrowheads; its number is level, on the outer side of the arc's middle.
@@ -132,7 +156,9 @@ void AnnotationPencil::angle(std::span<const Point2> points) {
   if (length < line_width(height_)) return;
   for (const auto& [at, end] :
        {std::pair(points[1], arc.front()), std::pair(points[2], arc.back())}) {
-    if (glm::dot(end - at, at - vertex) > 0.0) extension_line(at, end);
+    const bool is_opposite = glm::dot(end - vertex, at - vertex) < 0.0;
+    if (is_opposite) extension_line(vertex, end);
+    if (!is_opposite && glm::dot(end - at, at - vertex) > 0.0) extension_line(at, end);
   }
   const std::vector<Point2> back(arc.rbegin(), arc.rend());
   const bool arrows_inside = length >= kArrowsInLine * arrow_length();

@@ -27,6 +27,11 @@ struct PageAnnotation {
   Side side = Side::right;
   std::optional<Point2> line_end = std::nullopt;  ///< of a balloon's line; none: toward the centre
   Point2 corner{0.0};                             ///< of a list: signs, from the page's middle
+  std::optional<Point2> top_left = std::nullopt;  ///< of a list that stands in no corner
+  /// How far beyond the circle the number of a radius or a diameter stands, from the second point,
+  /// or, below 0, from the first point of a diameter. None: where it has room beside the circle.
+  std::optional<double> number_beyond = std::nullopt;
+  bool has_place = true;  ///< false: placed automatically, and there was no room
 
   bool is_automatic() const {
     return kept->style.placement == AnnotationStyle::Placement::automatic;
@@ -56,6 +61,8 @@ class AnnotationPencil {
   static double balloon_radius(const PageAnnotation& balloon);
   /// From the end of a leader's line to the end of its text.
   static double leader_width(const PageAnnotation& leader);
+  /// Between a list and the page's border.
+  static double margin_of_list(double height);
 
  private:
   // leader_marks.cpp
@@ -64,13 +71,16 @@ class AnnotationPencil {
   void leader_end(const Point2& at, const Point2& from);
   // dimension_marks.cpp
   void dimension_line(const Point2& from, const Point2& to);
+  void diameter(const PageAnnotation& diameter);
+  bool arrows_of_line(const Point2& start, const Point2& end, const Point2& direction);
+  void number_on_line(const Point2& start, double before, const Point2& direction);
   void extension_line(const Point2& from, const Point2& to);
-  void radius(const Point2& centre, const Point2& at);
+  void radius(const PageAnnotation& radius);
   void angle(std::span<const Point2> points);
   void outer_arrow(const Point2& tip, const Point2& direction);
   // table_marks.cpp
   void title();
-  void parts_list(const Point2& corner, std::span<const PartsListRow> rows);
+  void parts_list(const PageAnnotation& list, std::span<const PartsListRow> rows);
   // annotation_pencil.cpp
   double arrow_length() const { return 0.9 * height_; }
   double width_of(std::string_view characters) const;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
-#include "clip/rectangle.h"
+#include "interp/annotation/label_cells.h"
+#include "interp/annotation/page_shapes.h"
 
 namespace displayfile {
 
@@ -16,87 +17,32 @@ namespace {
 
 using AnnotationKind = KeptAnnotation::Kind;
 
-// In parts of the capitals' height: clearances, and the picture's margin.
-constexpr double kFromFigure = 1.5, kFromOthers = 0.7, kPageMargin = 0.5;
-constexpr double kStep = 0.5;        // of a dimension line that moves outward
-constexpr double kLeastGain = 1e-9;  // of an exchange, in pixels
-
-Rectangle rectangle_of(std::span<const Point2> points) {
-  Rectangle all = Rectangle::nothing();
-  for (const Point2& p : points) all.include(p);
-  return all;
-}
-
-bool is_within(const Rectangle& inner, const Rectangle& outer) {
-  return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
-         inner.y_max <= outer.y_max;
-}
-
-bool are_apart(const Rectangle& a, const Rectangle& b, double by) {
-  return a.x_min >= b.x_max + by || b.x_min >= a.x_max + by || a.y_min >= b.y_max + by ||
-         b.y_min >= a.y_max + by;
-}
-
-/// True if the points' extents along some axis are apart: then so are their convex hulls.
-bool are_apart(std::span<const Point2> a, std::span<const Point2> b, std::span<const Point2> axes,
-               double by) {
-  return std::ranges::any_of(axes, [&](const Point2& axis) {
-    const auto extent = [&](std::span<const Point2> points) {
-      std::pair<double, double> range{std::numeric_limits<double>::infinity(),
-                                      -std::numeric_limits<double>::infinity()};
-      for (const Point2& p : points) {
-        const double at = glm::dot(p, axis);
-        range = {std::min(range.first, at), std::max(range.second, at)};
-      }
-      return range;
-    };
-    const auto of_a = extent(a), of_b = extent(b);
-    return of_a.first >= of_b.second + by || of_b.first >= of_a.second + by;
-  });
-}
-
-double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
-
-/// The corners of the convex hull, in doubles: Andrew, "Another efficient algorithm for convex
-/// hulls in two dimensions", Information Processing Letters 9 (1979).
-std::vector<Point2> convex_hull(std::vector<Point2> points) {
-  std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x, p.y); });
-  std::vector<Point2> hull;
-  const auto add_chain = [&](const auto& range) {
-    const std::size_t first = hull.size();
-    for (const Point2& p : range) {
-      while (hull.size() >= first + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-  };
-  add_chain(points);
-  std::ranges::reverse(points);
-  add_chain(points);
-  return hull;
-}
-
-/// A place beside the figure for a leader's text or a balloon.
-struct Cell {
-  Point2 port;  ///< the end of the line, on the strip's border
-  PageAnnotation::Side side;
-  Rectangle box;  ///< of the largest text or balloon there
-};
+// In parts of the capitals' height.
+constexpr double kStep = 0.5;          // of a dimension that moves outward
+constexpr double kStepOfList = 1.0;    // between places of a parts list
+constexpr double kFarthestArc = 10.0;  // beyond the points that an angle is measured by
+constexpr Point2 kLevelAxes[] = {{1.0, 0.0}, {0.0, 1.0}};
 
 class Placement {
  public:
-  Placement(std::span<PageAnnotation> all, std::span<const Point2> figure,
+  Placement(std::span<PageAnnotation> all, const PageFigure& figure,
             std::span<const PartsListRow> rows, const AnnotationPage& page)
-      : all_(all), rows_(rows), page_(page), figure_(convex_hull({figure.begin(), figure.end()})) {}
+      : all_(all),
+        rows_(rows),
+        page_(page),
+        figure_(figure.points),
+        boxes_(figure.boxes),
+        around_(figure_.around()) {}
 
   void place() {
     for (const PageAnnotation& one : all_) {
-      if (!is_moved(one)) taken_.push_back(points_of_annotation(one));
+      if (is_moved(one)) continue;
+      for (const AnnotationMark& mark : marks_of(one))
+        taken_.push_back(points_of({&mark, 1}, page_));
     }
     move_dimension_lines_outward();
-    choose_corners_of_lists();
+    move_numbers_outward();
+    place_lists();
     place_around();
   }
 
@@ -106,34 +52,77 @@ class Placement {
            (a.kept->kind == AnnotationKind::leader || a.kept->kind == AnnotationKind::balloon);
   }
   static bool is_moved(const PageAnnotation& a) {
-    return is_around(a) || (a.is_automatic() && (a.kept->kind == AnnotationKind::linear ||
-                                                 a.kept->kind == AnnotationKind::list));
+    return a.is_automatic() && a.kept->kind != AnnotationKind::title;
   }
-  Rectangle paper(double margin) const {
-    return {margin, page_.width - margin, margin, page_.height - margin};
+  Rectangle paper() const {
+    return {0.0, static_cast<double>(page_.width), 0.0, static_cast<double>(page_.height)};
   }
-  std::vector<Point2> points_of_annotation(const PageAnnotation& a) const {
+  std::vector<AnnotationMark> marks_of(const PageAnnotation& a) const {
     std::vector<AnnotationMark> marks;
     AnnotationPencil(page_, marks).draw(a, 0, rows_);
-    return points_of(marks, page_);
+    return marks;
+  }
+  std::vector<Point2> points_of_annotation(const PageAnnotation& a) const {
+    return points_of(marks_of(a), page_);
+  }
+  bool is_clear_of_others(std::span<const Point2> points, std::span<const Point2> axes,
+                          double height) const {
+    return std::ranges::all_of(taken_, [&](const std::vector<Point2>& other) {
+      return are_apart(points, other, axes, kFromOthers * height);
+    });
+  }
+  int steps_outward(double step) const {
+    return static_cast<int>((page_.width + page_.height) / step);
+  }
+  /// Ends the search for a place of a dimension.
+  void take(PageAnnotation& dimension, std::vector<Point2> points) {
+    for (const Point2& p : points) around_.include(p);
+    taken_.push_back(std::move(points));
+    for (const Point2& p : points_of_annotation(dimension)) around_.include(p);
+  }
+  void leave_as_entered(PageAnnotation& dimension) {
+    dimension.has_place = false;
+    take(dimension, points_of_annotation(dimension));
   }
 
   void move_dimension_lines_outward();
   void move_outward(PageAnnotation& dimension);
-  void choose_corners_of_lists();
+  void move_numbers_outward();
+  void move_number_outward(PageAnnotation& dimension);
+  void move_arc_outward(PageAnnotation& dimension);
+  bool try_place(PageAnnotation& dimension, std::vector<Point2> alone,
+                 std::span<const Point2> axes);
+  void place_lists();
+  enum class ClearOf { outline, boxes };
+  bool is_clear_place_of_list(const PageAnnotation& list, ClearOf figure) const;
+  bool find_place_of_list(PageAnnotation& list) const;
   void place_around();
-  std::vector<Cell> cells_for(std::span<PageAnnotation* const> labels) const;
-  void stand_in(const Cell& cell, PageAnnotation& label) const;
+  using PageLine = std::pair<Point2, Point2>;
+  /// Labels in cells, and what is to be avoided, the worst first.
+  struct Labelling {
+    std::vector<LabelCell> cells;
+    std::vector<std::size_t> cell_of;
+    /// No room; labels without a cell; lines that cross other annotation; the lines' length.
+    std::tuple<bool, std::size_t, std::size_t, double> cost;
+  };
+  Labelling labelling_on(LabelSides sides, std::span<PageAnnotation* const> labels,
+                         std::span<const PageLine> others) const;
+  std::vector<PageLine> lines_of_others() const;
+  static void stand_in(const LabelCell& cell, PageAnnotation& label);
 
   std::span<PageAnnotation> all_;
   std::span<const PartsListRow> rows_;
   const AnnotationPage& page_;
-  std::vector<Point2> figure_;              // and dimensions, as soon as they are placed
-  std::vector<std::vector<Point2>> taken_;  // by annotation that has its place
+  FigureOutline figure_;
+  std::span<const Rectangle> boxes_;
+  Rectangle around_;                        // the figure, and dimensions that have their place
+  std::vector<std::vector<Point2>> taken_;  // by annotation that has its place, or its parts
 };
 
-/// Step 1. The shortest first: it is nearest to the figure, and extension lines do not cross
-/// dimension lines.
+// ---- Step 1: dimension lines ----------------------------------------------------------------
+
+/// The shortest first: it is nearest to the figure, and extension lines do not cross dimension
+/// lines.
 void Placement::move_dimension_lines_outward() {
   std::vector<PageAnnotation*> dimensions;
   for (PageAnnotation& a : all_) {
@@ -142,13 +131,7 @@ void Placement::move_dimension_lines_outward() {
   std::ranges::stable_sort(dimensions, {}, [](const PageAnnotation* a) {
     return glm::distance(a->points[2], a->points[3]);
   });
-  const std::size_t of_model = figure_.size();
   for (PageAnnotation* const dimension : dimensions) move_outward(*dimension);
-  figure_.resize(of_model);
-  for (const PageAnnotation* const dimension : dimensions) {
-    const auto points = points_of_annotation(*dimension);
-    figure_.insert(figure_.end(), points.begin(), points.end());
-  }
 }
 
 /// Moves a dimension line in the direction of its extension lines to the first place that is clear
@@ -157,17 +140,16 @@ void Placement::move_outward(PageAnnotation& dimension) {
   const std::vector<Point2> entered = dimension.points;
   const Point2 way = entered[2] - entered[0], along = entered[3] - entered[2];
   const double length = glm::length(along);
-  if (figure_.empty() || length < AnnotationPencil::line_width(dimension.height)) return;
+  if (figure_.is_empty() || length < AnnotationPencil::line_width(dimension.height)) return;
   const Point2 level = along / length, aside(-level.y, level.x);
-  const Rectangle around = rectangle_of(figure_);
+  const Rectangle& around = figure_.around();
   const Point2 middle(0.5 * (around.x_min + around.x_max), 0.5 * (around.y_min + around.y_max));
   const Point2 away = glm::dot(entered[2] - middle, aside) < 0.0 ? -aside : aside;
   const bool is_level = std::abs(glm::dot(way, aside)) < 0.1 * dimension.height;
   const Point2 outward = is_level ? away : way / glm::length(way);
   const Point2 axes[] = {level, aside, {1.0, 0.0}, {0.0, 1.0}};
   const double step = kStep * dimension.height;
-  const auto steps = static_cast<int>((page_.width + page_.height) / step);
-  for (int k = 1; k < steps; ++k) {
+  for (int k = 1; k < steps_outward(step); ++k) {
     for (std::size_t end = 0; end < 2; ++end) {
       dimension.points[2 + end] = entered[2 + end] - way + k * step * outward;
     }
@@ -175,105 +157,204 @@ void Placement::move_outward(PageAnnotation& dimension) {
     line_alone.points[0] = dimension.points[2];
     line_alone.points[1] = dimension.points[3];
     std::vector<Point2> points = points_of_annotation(line_alone);
-    if (!are_apart(points, figure_, axes, kFromFigure * dimension.height)) continue;
-    if (!is_within(rectangle_of(points), paper(0.0))) break;
-    const bool is_clear = std::ranges::all_of(taken_, [&](const std::vector<Point2>& other) {
-      return are_apart(points, other, axes, kFromOthers * dimension.height);
-    });
-    if (!is_clear) continue;
-    return taken_.push_back(std::move(points));
+    if (!are_apart(points, figure_.corners(), axes, kFromFigure * dimension.height)) continue;
+    if (!is_within(rectangle_of(points), paper())) break;
+    if (!is_clear_of_others(points, axes, dimension.height)) continue;
+    return take(dimension, std::move(points));
   }
   dimension.points = entered;
-  taken_.push_back(points_of_annotation(dimension));
+  leave_as_entered(dimension);
 }
 
-/// Step 2. The corner in which it was entered, or else the first in which it is clear.
-void Placement::choose_corners_of_lists() {
-  for (PageAnnotation& list : all_) {
-    if (!list.is_automatic() || list.kept->kind != AnnotationKind::list) continue;
-    const Point2 entered = list.corner;
-    const Point2 corners[] = {entered, {-entered.x, entered.y}, {entered.x, -entered.y}, -entered};
-    const Point2 axes[] = {{1.0, 0.0}, {0.0, 1.0}};
-    const auto chosen = std::ranges::find_if(corners, [&](const Point2& corner) {
+// ---- Step 2: radii, diameters and angles ----------------------------------------------------
+
+void Placement::move_numbers_outward() {
+  for (PageAnnotation& a : all_) {
+    if (!a.is_automatic() || figure_.is_empty()) continue;
+    if (a.kept->kind == AnnotationKind::radius || a.kept->kind == AnnotationKind::diameter) {
+      move_number_outward(a);
+    } else if (a.kept->kind == AnnotationKind::angle) {
+      move_arc_outward(a);
+    }
+  }
+}
+
+/// Takes the place if what is drawn there, `alone`, is clear of the figure and of other annotation,
+/// in the picture.
+bool Placement::try_place(PageAnnotation& dimension, std::vector<Point2> alone,
+                          std::span<const Point2> axes) {
+  const double height = dimension.height;
+  if (!figure_.is_clear_of(alone, kFromFigure * height) &&
+      !are_apart(alone, figure_.corners(), axes, kFromFigure * height)) {
+    return false;
+  }
+  if (!is_within(rectangle_of(alone), paper())) return false;
+  if (!is_clear_of_others(alone, axes, height)) return false;
+  take(dimension, std::move(alone));
+  return true;
+}
+
+/// Makes the line longer, beyond the end that is nearer to the outside, until the number has a
+/// place.
+void Placement::move_number_outward(PageAnnotation& dimension) {
+  const Point2 along = dimension.points[1] - dimension.points[0];
+  const double length = glm::length(along), step = kStep * dimension.height;
+  if (length < AnnotationPencil::line_width(dimension.height)) return;
+  const Point2 level = along / length;
+  const Point2 axes[] = {level, {-level.y, level.x}, {1.0, 0.0}, {0.0, 1.0}};
+  const bool has_two_ends = dimension.kept->kind == AnnotationKind::diameter;
+  for (int k = 1; k < steps_outward(step); ++k) {
+    for (const double way : {1.0, -1.0}) {
+      if (way < 0.0 && !has_two_ends) continue;
+      dimension.number_beyond = way * k * step;
+      std::vector<AnnotationMark> marks = marks_of(dimension);
+      std::erase_if(marks, [](const AnnotationMark& mark) {
+        return mark.kind != AnnotationMark::Kind::text;
+      });
+      if (try_place(dimension, points_of(marks, page_), axes)) return;
+    }
+  }
+  dimension.number_beyond.reset();
+  leave_as_entered(dimension);
+}
+
+/// Makes the arc larger, or draws it between the opposite directions, which is the same angle.
+void Placement::move_arc_outward(PageAnnotation& dimension) {
+  const std::vector<Point2> entered = dimension.points;
+  const Point2 vertex = entered[0], middle = entered[3 + (entered.size() - 3) / 2];
+  const double radius = glm::distance(vertex, middle), step = kStep * dimension.height;
+  if (radius < AnnotationPencil::line_width(dimension.height)) return;
+  const Point2 out = (middle - vertex) / radius;
+  const Point2 axes[] = {out, {-out.y, out.x}, {1.0, 0.0}, {0.0, 1.0}};
+  const double farthest =
+      kFarthestArc * dimension.height +
+      std::max({radius, glm::distance(vertex, entered[1]), glm::distance(vertex, entered[2])});
+  for (int k = 0; radius + k * step <= farthest; ++k) {
+    for (const double way : {1.0, -1.0}) {
+      for (std::size_t i = 3; i < entered.size(); ++i) {
+        dimension.points[i] = vertex + way * (1.0 + k * step / radius) * (entered[i] - vertex);
+      }
+      PageAnnotation arc_alone = dimension;
+      arc_alone.points[1] = dimension.points[3];
+      arc_alone.points[2] = dimension.points.back();
+      if (try_place(dimension, points_of_annotation(arc_alone), axes)) return;
+    }
+  }
+  dimension.points = entered;
+  leave_as_entered(dimension);
+}
+
+// ---- Step 3: parts lists --------------------------------------------------------------------
+
+/// Clear of the figure's convex outline, or, which takes longer, of each of its parts.
+bool Placement::is_clear_place_of_list(const PageAnnotation& list, ClearOf figure) const {
+  const std::vector<Point2> points = points_of_annotation(list);
+  const Rectangle box = rectangle_of(points);
+  if (!is_within(box, paper()) || !is_clear_of_others(points, kLevelAxes, list.height)) {
+    return false;
+  }
+  const double by = kFromOthers * list.height;
+  if (figure == ClearOf::outline) return figure_.is_clear_of(points, by);
+  return std::ranges::all_of(boxes_,
+                             [&](const Rectangle& part) { return are_apart(box, part, by); });
+}
+
+/// The corner in which it was entered, or the first in which it is clear, or the place where it is
+/// that is nearest to the one where it was entered.
+bool Placement::find_place_of_list(PageAnnotation& list) const {
+  const Point2 entered = list.corner;
+  const Point2 corners[] = {entered, {-entered.x, entered.y}, {entered.x, -entered.y}, -entered};
+  for (const ClearOf figure : {ClearOf::outline, ClearOf::boxes}) {
+    for (const Point2& corner : corners) {
       list.corner = corner;
-      const auto points = points_of_annotation(list);
-      return is_within(rectangle_of(points), paper(0.0)) &&
-             are_apart(points, figure_, axes, kFromOthers * list.height) &&
-             std::ranges::all_of(taken_, [&](const auto& other) {
-               return are_apart(points, other, axes, kFromOthers * list.height);
-             });
-    });
-    if (chosen == std::end(corners)) list.corner = entered;
+      if (is_clear_place_of_list(list, figure)) return true;
+    }
+  }
+  list.corner = entered;
+  const Rectangle there = rectangle_of(points_of_annotation(list));
+  const double margin = AnnotationPencil::margin_of_list(list.height);
+  const double step = kStepOfList * list.height;
+  const double right = page_.width - margin - (there.x_max - there.x_min);
+  const double low = margin + (there.y_max - there.y_min);
+  std::vector<Point2> places;
+  for (double x = margin; x <= right; x += step) {
+    for (double y = page_.height - margin; y >= low; y -= step) places.emplace_back(x, y);
+  }
+  std::ranges::stable_sort(places, {}, [&](const Point2& place) {
+    return glm::distance(place, Point2(there.x_min, there.y_max));
+  });
+  for (const Point2& place : places) {
+    list.top_left = place;
+    if (is_clear_place_of_list(list, ClearOf::outline)) return true;
+  }
+  list.top_left.reset();
+  return false;
+}
+
+void Placement::place_lists() {
+  for (PageAnnotation& list : all_) {
+    if (!list.is_automatic() || list.kept->kind != AnnotationKind::list || rows_.empty()) continue;
+    list.has_place = find_place_of_list(list);
     taken_.push_back(points_of_annotation(list));
   }
 }
 
-/// Step 3. Cells on both sides of a strip that holds the figure: all boxes are outside of the
-/// strip, and all leaders inside.
-std::vector<Cell> Placement::cells_for(std::span<PageAnnotation* const> labels) const {
-  double height = 0.0, text = 0.0, radius = 0.0;
-  for (const PageAnnotation* const label : labels) {
-    height = std::max(height, label->height);
-    if (label->kept->kind == AnnotationKind::leader) {
-      text = std::max(text, AnnotationPencil::leader_width(*label));
-    } else {
-      radius = std::max(radius, AnnotationPencil::balloon_radius(*label));
+// ---- Steps 4 and 5: leaders and balloons ----------------------------------------------------
+
+/// The lines, and the sides of areas and texts, of all annotation that does not stand in cells.
+std::vector<Placement::PageLine> Placement::lines_of_others() const {
+  std::vector<PageLine> lines;
+  for (const PageAnnotation& other : all_) {
+    if (is_around(other)) continue;
+    for (const AnnotationMark& mark : marks_of(other)) {
+      std::vector<Point2> points = points_of({&mark, 1}, page_);
+      if (mark.kind == AnnotationMark::Kind::text) std::swap(points[2], points[3]);
+      for (std::size_t i = 1; i < points.size(); ++i) lines.emplace_back(points[i - 1], points[i]);
+      const bool is_open = mark.kind == AnnotationMark::Kind::line && !mark.closed;
+      if (!is_open && !points.empty()) lines.emplace_back(points.back(), points.front());
     }
   }
-  Rectangle strip = rectangle_of(figure_);
-  for (const PageAnnotation* const label : labels) strip.include(label->points[0]);
-  strip = {strip.x_min - kFromFigure * height, strip.x_max + kFromFigure * height,
-           strip.y_min - kFromFigure * height, strip.y_max + kFromFigure * height};
-  const Rectangle paper = this->paper(kPageMargin * height);
-  // Beside the figure a text needs its width, above and below it its height.
-  const Point2 beside(std::max(text, 2.0 * radius), std::max(2.0 * height, 2.0 * radius));
-  const Point2 over(beside.x, std::max(1.8 * height, 2.0 * radius));
-  const double gap = kFromOthers * height;
-  const double room_beside = std::min(strip.x_min - paper.x_min, paper.x_max - strip.x_max);
-  const double room_over = std::min(strip.y_min - paper.y_min, paper.y_max - strip.y_max);
-  const bool in_rows = room_beside < beside.x && room_over >= over.y;
-  const int across = in_rows ? 0 : 1;  // the axis along which cells follow each other
-  const Point2 size = in_rows ? over : beside;
-  const auto cut = [](double low, double high, double depth, double& from, double& to) {
-    from = std::max(from, low + depth);
-    to = std::min(to, high - depth);
-    if (from > to) from = to = 0.5 * (low + high);
-  };
-  if (in_rows) {
-    cut(paper.y_min, paper.y_max, size.y, strip.y_min, strip.y_max);
-  } else {
-    cut(paper.x_min, paper.x_max, size.x, strip.x_min, strip.x_max);
-  }
-  const double pitch = size[across] + gap;
-  const double low = in_rows ? paper.x_min : paper.y_min,
-               high = in_rows ? paper.x_max : paper.y_max;
-  const double middle =
-      in_rows ? 0.5 * (strip.x_min + strip.x_max) : 0.5 * (strip.y_min + strip.y_max);
-  const double first = middle - pitch * std::floor((middle - 0.5 * size[across] - low) / pitch);
-  std::vector<Cell> cells;
-  for (double at = first; at + 0.5 * size[across] <= high; at += pitch) {
-    using enum PageAnnotation::Side;
-    for (const auto side : {in_rows ? below : left, in_rows ? above : right}) {
-      const double toward = side == left || side == below ? -1.0 : 1.0;
-      const Point2 port = in_rows ? Point2(at, side == below ? strip.y_min : strip.y_max)
-                                  : Point2(side == left ? strip.x_min : strip.x_max, at);
-      Rectangle box = Rectangle::nothing();
-      for (const double end : {-0.5, 0.5}) {
-        Point2 corner = port;
-        corner[across] += end * size[across];
-        box.include(corner);
-        corner[1 - across] += toward * size[1 - across];
-        box.include(corner);
-      }
-      const bool is_clear = std::ranges::all_of(
-          taken_, [&](const auto& other) { return are_apart(box, rectangle_of(other), gap); });
-      if (is_clear) cells.push_back({port, side, box});
-    }
-  }
-  return cells;
+  return lines;
 }
 
-void Placement::stand_in(const Cell& cell, PageAnnotation& label) const {
+/// The cells on these sides that other annotation does not cover, and the labels in them.
+Placement::Labelling Placement::labelling_on(LabelSides sides,
+                                             std::span<PageAnnotation* const> labels,
+                                             std::span<const PageLine> others) const {
+  double height = 0.0;
+  std::vector<Point2> anchors;
+  for (const PageAnnotation* const label : labels) {
+    height = std::max(height, label->height);
+    anchors.push_back(label->points[0]);
+  }
+  LabelCells found = label_cells(labels, around_, page_, sides);
+  std::erase_if(found.cells, [&](const LabelCell& cell) {
+    return std::ranges::any_of(taken_, [&](const std::vector<Point2>& other) {
+      return !are_apart(cell.box, rectangle_of(other), kFromOthers * height);
+    });
+  });
+  Labelling labelling{std::move(found.cells), {}, {!found.have_room, 0, 0, 0.0}};
+  const std::vector<LabelCell>& cells = labelling.cells;
+  const auto crosses = [&](std::size_t i, std::size_t c) {
+    return std::ranges::any_of(others, [&](const PageLine& line) {
+      return cross_each_other(anchors[i], cells[c].port, line.first, line.second);
+    });
+  };
+  labelling.cell_of = assigned_cells(anchors, cells, crosses);
+  auto& [has_no_room, without_cell, crossings, length] = labelling.cost;
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    const std::size_t cell = labelling.cell_of[i];
+    if (cell == cells.size()) {
+      ++without_cell;
+      continue;
+    }
+    if (crosses(i, cell)) ++crossings;
+    length += glm::distance(anchors[i], cells[cell].port);
+  }
+  return labelling;
+}
+
+void Placement::stand_in(const LabelCell& cell, PageAnnotation& label) {
   using enum PageAnnotation::Side;
   label.side = cell.side;
   label.at = cell.port;
@@ -286,52 +367,6 @@ void Placement::stand_in(const Cell& cell, PageAnnotation& label) const {
                                              : Point2(0.0, -1.0));
 }
 
-/// Gives each anchor a port of its own: the nearest that is free, in their order; then moves to
-/// free ports and exchanges of two, as long as one makes the lines shorter. Returns the number of
-/// each anchor's port, or the number of ports where none was left.
-std::vector<std::size_t> assigned(std::span<const Point2> anchors, std::span<const Cell> cells) {
-  const auto length = [&](std::size_t anchor, std::size_t cell) {
-    return glm::distance(anchors[anchor], cells[cell].port);
-  };
-  std::vector<std::size_t> cell_of(anchors.size(), cells.size());
-  std::vector<std::uint8_t> is_used(cells.size());
-  const auto nearest_free = [&](std::size_t i) {
-    std::size_t best = cells.size();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (is_used[c] == 0 && (best == cells.size() || length(i, c) < length(i, best))) best = c;
-    }
-    return best;
-  };
-  const auto take = [&](std::size_t i, std::size_t cell) {
-    if (cell_of[i] < cells.size()) is_used[cell_of[i]] = 0;
-    cell_of[i] = cell;
-    is_used[cell] = 1;
-  };
-  for (std::size_t i = 0; i < anchors.size(); ++i) {
-    if (const std::size_t cell = nearest_free(i); cell < cells.size()) take(i, cell);
-  }
-  for (bool is_shorter = true; is_shorter;) {
-    is_shorter = false;
-    for (std::size_t i = 0; i < anchors.size(); ++i) {
-      if (cell_of[i] == cells.size()) continue;
-      const std::size_t free = nearest_free(i);
-      if (free < cells.size() && length(i, free) + kLeastGain < length(i, cell_of[i])) {
-        take(i, free);
-        is_shorter = true;
-      }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (cell_of[j] == cells.size()) continue;
-        const double now = length(i, cell_of[i]) + length(j, cell_of[j]);
-        if (length(i, cell_of[j]) + length(j, cell_of[i]) + kLeastGain >= now) continue;
-        std::swap(cell_of[i], cell_of[j]);
-        is_shorter = true;
-      }
-    }
-  }
-  return cell_of;
-}
-
-/// Steps 3 and 4.
 void Placement::place_around() {
   std::vector<PageAnnotation*> labels;
   for (PageAnnotation& a : all_) {
@@ -339,19 +374,35 @@ void Placement::place_around() {
   }
   if (labels.empty()) return;
   std::ranges::stable_sort(labels, {}, [](const PageAnnotation* a) { return -a->points[0].y; });
-  std::vector<Point2> anchors;
-  anchors.reserve(labels.size());
-  for (const PageAnnotation* const label : labels) anchors.push_back(label->points[0]);
-  const std::vector<Cell> cells = cells_for(labels);
-  const std::vector<std::size_t> cell_of = assigned(anchors, cells);
+  const std::vector<PageLine> others = lines_of_others();
+  Labelling best = labelling_on(LabelSides::beside, labels, others);
+  for (const LabelSides sides : {LabelSides::above_and_below, LabelSides::around}) {
+    Labelling other = labelling_on(sides, labels, others);
+    if (other.cost < best.cost) best = std::move(other);
+  }
+  const std::vector<LabelCell>& cells = best.cells;
+  const std::vector<std::size_t>& cell_of = best.cell_of;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (cell_of[i] < cells.size()) stand_in(cells[cell_of[i]], *labels[i]);
+    labels[i]->has_place = cell_of[i] < cells.size();
+    if (!labels[i]->has_place) continue;
+    const LabelCell& cell = cells[cell_of[i]];
+    stand_in(cell, *labels[i]);
+    const Point2 corners[] = {{cell.box.x_min, cell.box.y_min},
+                              {cell.box.x_min, cell.box.y_max},
+                              {cell.box.x_max, cell.box.y_min},
+                              {cell.box.x_max, cell.box.y_max}};
+    labels[i]->has_place = figure_.is_clear_of(corners, 0.0);
   }
 }
 
 }  // namespace
 
-void place_annotation(std::span<PageAnnotation> all, std::span<const Point2> figure,
+void PageFigure::add(std::span<const Point2> item) {
+  points.insert(points.end(), item.begin(), item.end());
+  boxes.push_back(rectangle_of(item));
+}
+
+void place_annotation(std::span<PageAnnotation> all, const PageFigure& figure,
                       std::span<const PartsListRow> rows, const AnnotationPage& page) {
   Placement(all, figure, rows, page).place();
 }

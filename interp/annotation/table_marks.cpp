@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interp/annotation/page_annotation.h"
@@ -19,6 +20,8 @@ constexpr double kTableMargin = 1.2, kTableRow = 2.0, kPadding = 0.7;
 
 }  // namespace
 
+double AnnotationPencil::margin_of_list(double height) { return kTableMargin * height; }
+
 void AnnotationPencil::title() {
   height_ *= kTitle;
   text(kept_->characters, {0.5 * page_.width, page_.height - kTableMargin * height_ - height_},
@@ -26,7 +29,7 @@ void AnnotationPencil::title() {
 }
 
 /// A head, then the rows by number, between lines (ISO 7573). It hides the figure.
-void AnnotationPencil::parts_list(const Point2& corner, std::span<const PartsListRow> rows) {
+void AnnotationPencil::parts_list(const PageAnnotation& list, std::span<const PartsListRow> rows) {
   if (rows.empty()) return;
   std::vector<std::array<std::string, 3>> cells{{"No.", "Name", "Qty"}};
   for (const PartsListRow& row : rows) {
@@ -38,10 +41,12 @@ void AnnotationPencil::parts_list(const Point2& corner, std::span<const PartsLis
     for (const auto& row : cells) width = std::max(width, width_of(row[c]));
     columns[c + 1] = columns[c] + width + 2.0 * kPadding * height_;
   }
-  const double width = columns[3], margin = kTableMargin * height_;
+  const double width = columns[3], margin = margin_of_list(height_);
   const double height = kTableRow * height_ * static_cast<double>(cells.size());
-  const double left = corner.x > 0.0 ? page_.width - margin - width : margin;
-  const double top = corner.y > 0.0 ? page_.height - margin : margin + height;
+  const Point2 in_corner(list.corner.x > 0.0 ? page_.width - margin - width : margin,
+                         list.corner.y > 0.0 ? page_.height - margin : margin + height);
+  const auto [left, top] =
+      std::pair(list.top_left.value_or(in_corner).x, list.top_left.value_or(in_corner).y);
   const std::vector<Point2> frame{
       {left, top}, {left + width, top}, {left + width, top - height}, {left, top - height}};
   add(AnnotationMark::Kind::blank).points = frame;

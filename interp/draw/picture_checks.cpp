@@ -17,6 +17,7 @@
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/segments/sorted_scene.h"
 #include "displayfile/text/output.h"
+#include "interp/annotation/annotation_marks.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/text/letter_paths.h"
@@ -305,6 +306,21 @@ std::vector<std::string> line_settings_without_effect(const PicturePlan& plan) {
   return {};
 }
 
+/// The page that the devices lay annotation out on.
+AnnotationPage annotation_page(const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  AnnotationPage page{options.width, options.height, kPixelsOfMillimetre};
+  if (plan.kind() == PictureKind::raster) {
+    if (options.dpi) page.millimetre = *options.dpi / kMillimetresOfInch;
+  } else if (options.pens || options.vectors.paper) {
+    const Paper paper = options.vectors.paper.value_or(Paper{});
+    page.millimetre = 1.0 / fit_on_paper(paper, options.width, options.height).pixel;
+  } else if (plan.format->choice.name != ".svg") {
+    page.millimetre = kPointsOfMillimetre;
+  }
+  return page;
+}
+
 }  // namespace
 
 void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn) {
@@ -322,6 +338,12 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
        lettering_warnings(plan.options.lettering, drawn, plan.options.pens.has_value())) {
     plan.options.warn({DrawWarning::Kind::no_effect, text});
   }
+}
+
+void warn_of_annotation_without_room(const PicturePlan& plan, const DisplayFile& drawn) {
+  if (!plan.options.warn) return;
+  const std::string text = annotation_without_room(drawn, annotation_page(plan));
+  if (!text.empty()) plan.options.warn({DrawWarning::Kind::no_effect, text});
 }
 
 namespace {

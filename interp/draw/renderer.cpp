@@ -258,6 +258,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
                                                  unsorted_if_automatic(plan.method));
   look_for_hidden_lines_left(sorted, plan);
   warn_of_options_without_effect(plan, sorted);
+  warn_of_annotation_without_room(plan, sorted);
   if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
     const PicturePlan cast = by_rays(*world, plan);
     return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);

@@ -350,11 +350,14 @@ int SheetCommand::run() {
   }
   if (parts_list) words.parts = listed(part.parts);
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
-  DrawingSheet sheet = arrange(views, words, chosen);
+  DrawingSheet sheet = arrange(views, {part.dimensions, part.axes}, words, chosen);
   sheet.font = font;
   write_sheet(sheet, output);
   for (const std::string& field : sheet.shortened) {
     warnings() << fmt::format("{}: too long for the title block, shortened: {}\n", output, field);
+  }
+  for (const std::string& sentence : sheet.not_as_wanted) {
+    warnings() << fmt::format("{}: {}\n", output, sentence);
   }
   return 0;
 }

@@ -121,8 +121,8 @@ DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const Sheet
                           asked->text(), found.text()));
 }
 
-DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
-                     const DrawingScale& scale) {
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensions& dimensions,
+                     const SheetWords& words, const DrawingScale& scale) {
   DrawingSheet sheet;
   sheet.width = words.width;
   sheet.height = words.height;
@@ -143,6 +143,7 @@ DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& 
   }
   add_section_marks(placed, taken, words, mm, sheet);
   remove_covered_centre_lines(sheet);
+  sheet.not_as_wanted = add_dimensions(dimensions, views, places, words.margin, sheet);
   add_title_block(words, scale, sheet);
   return sheet;
 }

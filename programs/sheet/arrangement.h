@@ -10,6 +10,7 @@
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"
+#include "programs/sheet/sheet_dimensions.h"
 
 namespace displayfile {
 
@@ -50,9 +51,10 @@ std::array<ViewKind, 4> views_of_sheet(SheetProjection projection);
 DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked);
 
-/// The sheet of four views: the same point of the part stands above, below or beside itself.
-DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const SheetWords& words,
-                     const DrawingScale& scale);
+/// The sheet of four views, with the part's dimensions: the same point of the part stands above,
+/// below or beside itself.
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensions& dimensions,
+                     const SheetWords& words, const DrawingScale& scale);
 
 /// Frame, title block and the symbol of the projection; above the title block the parts list.
 void add_title_block(const SheetWords& words, const DrawingScale& scale, DrawingSheet& sheet);

@@ -19,7 +19,8 @@ enum class SheetLayer {
   cutting_ends,
   detail,
   frame,
-  text
+  text,
+  dimension
 };
 struct SheetPen {
   std::string_view name;
@@ -29,23 +30,24 @@ struct SheetPen {
   /// pen's.
   std::string_view dxf_line_type = "CONTINUOUS";
 };
-inline const std::array<SheetPen, 9>& sheet_pens() {
-  static const std::array<SheetPen, 9> pens{{{"VISIBLE", 0.5},
-                                             {"HIDDEN", 0.25, {3.0, 1.0}, "DASHEDTINY"},
-                                             {"HATCH", 0.13},
-                                             {"CENTRE", 0.25, {8.0, 1.0, 1.0, 1.0}, "CENTER2"},
-                                             {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}, "DASHDOT2"},
-                                             {"CUTTING_ENDS", 0.5},
-                                             {"DETAIL", 0.25},
-                                             {"FRAME", 0.5},
-                                             {"TEXT", 0.25}}};
+inline const std::array<SheetPen, 10>& sheet_pens() {
+  static const std::array<SheetPen, 10> pens{{{"VISIBLE", 0.5},
+                                              {"HIDDEN", 0.25, {3.0, 1.0}, "DASHEDTINY"},
+                                              {"HATCH", 0.13},
+                                              {"CENTRE", 0.25, {8.0, 1.0, 1.0, 1.0}, "CENTER2"},
+                                              {"CUTTING", 0.25, {8.0, 1.5, 1.0, 1.5}, "DASHDOT2"},
+                                              {"CUTTING_ENDS", 0.5},
+                                              {"DETAIL", 0.25},
+                                              {"FRAME", 0.5},
+                                              {"TEXT", 0.25},
+                                              {"DIMENSION", 0.25}}};
   return pens;
 }
 /// In the order of drawing.
 inline constexpr std::array kLayersFromBelow{
-    SheetLayer::hatch,   SheetLayer::hidden, SheetLayer::centre,
-    SheetLayer::cutting, SheetLayer::detail, SheetLayer::cutting_ends,
-    SheetLayer::visible, SheetLayer::frame,  SheetLayer::text};
+    SheetLayer::hatch,  SheetLayer::hidden,       SheetLayer::centre,  SheetLayer::cutting,
+    SheetLayer::detail, SheetLayer::cutting_ends, SheetLayer::visible, SheetLayer::dimension,
+    SheetLayer::frame,  SheetLayer::text};
 inline const SheetPen& pen_of(SheetLayer layer) {
   return sheet_pens()[static_cast<std::size_t>(layer)];
 }
@@ -62,6 +64,8 @@ struct DrawingSheet {
     double height;  ///< of capital letters
     std::string characters;
     bool centred = false;
+    double turn = 0.0;  ///< counterclockwise about `at`, degrees
+    SheetLayer layer = SheetLayer::text;
   };
   double width = 0.0, height = 0.0;
   std::string title;
@@ -70,6 +74,7 @@ struct DrawingSheet {
   std::string font = "sans-serif";  ///< of texts, or hershey, as in Lettering
   std::vector<std::string>
       shortened;  ///< what the title block has of fields that it has no room for
+  std::vector<std::string> not_as_wanted;  ///< sentences on dimensions that it does not show
 };
 /// The height of capital letters, in parts of the font's size.
 inline constexpr double kCapitalsOfFont = 0.72;

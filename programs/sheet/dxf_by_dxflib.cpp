@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -176,11 +177,11 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
     }
   }
   for (const auto& text : sheet.texts) {
-    dxf.writeText(
-        out,
-        DL_TextData(text.at.x, text.at.y, 0.0, text.at.x, text.at.y, 0.0, text.height, 1.0, 0,
-                    text.centred ? 1 : 0, 0, in_ascii(text.characters), "Standard", 0.0),
-        on(SheetLayer::text));
+    dxf.writeText(out,
+                  DL_TextData(text.at.x, text.at.y, 0.0, text.at.x, text.at.y, 0.0, text.height,
+                              1.0, 0, text.centred ? 1 : 0, 0, in_ascii(text.characters),
+                              "Standard", text.turn * std::numbers::pi / 180.0),
+                  on(text.layer));
   }
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -26,8 +28,11 @@ DrawingSheet with_strokes(DrawingSheet sheet, const HersheyFont& font) {
     const double across =
         width > 0.0 ? size * std::min(1.0, text_width(text.characters, text.height) / width) : size;
     const double left = text.centred ? font.width(text.characters) * across / 2.0 : 0.0;
-    for (auto& stroke : font.strokes(text.characters, text.at - Point2(left, 0.0), across, -size)) {
-      sheet.lines.push_back({SheetLayer::text, std::move(stroke)});
+    const double turn = text.turn * std::numbers::pi / 180.0;
+    const Point2 along(std::cos(turn), std::sin(turn)), up(-along.y, along.x);
+    for (auto& stroke : font.strokes(text.characters, {-left, 0.0}, across, -size)) {
+      for (Point2& p : stroke) p = text.at + p.x * along + p.y * up;
+      sheet.lines.push_back({text.layer, std::move(stroke)});
     }
   }
   sheet.texts.clear();

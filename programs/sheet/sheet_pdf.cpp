@@ -1,4 +1,5 @@
 #include <memory>
+#include <numbers>
 #include <ostream>
 
 #include "displayfile/text/output_file.h"
@@ -31,9 +32,12 @@ void draw_texts(const DrawingSheet& sheet, cairo_t* context) {
     cairo().set_font_size(context, text.height / kCapitalsOfFont);
     cairo_text_extents_t extents;
     cairo().text_extents(context, text.characters.c_str(), &extents);
-    cairo().move_to(context, text.at.x - (text.centred ? extents.x_advance / 2.0 : 0.0),
-                    sheet.height - text.at.y);
+    cairo().save(context);
+    cairo().translate(context, text.at.x, sheet.height - text.at.y);
+    cairo().rotate(context, -text.turn * std::numbers::pi / 180.0);
+    cairo().move_to(context, text.centred ? -extents.x_advance / 2.0 : 0.0, 0.0);
     cairo().show_text(context, text.characters.c_str());
+    cairo().restore(context);
   }
 }
 

@@ -61,9 +61,13 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
   }
   fmt::print(out, "</g>\n<g font-family=\"{}\">\n", css_font(sheet.font));
   for (const auto& text : sheet.texts) {
-    fmt::print(out, "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\"{}>{}</text>\n", text.at.x,
-               sheet.height - text.at.y, text.height / kCapitalsOfFont,
-               text.centred ? " text-anchor=\"middle\"" : "", escaped_text(text.characters));
+    const double x = text.at.x, y = sheet.height - text.at.y;
+    fmt::print(out, "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\"{}{}>{}</text>\n", x, y,
+               text.height / kCapitalsOfFont, text.centred ? " text-anchor=\"middle\"" : "",
+               text.turn == 0.0
+                   ? ""
+                   : fmt::format(" transform=\"rotate({:.6g} {:.6g} {:.6g})\"", -text.turn, x, y),
+               escaped_text(text.characters));
   }
   out << "</g>\n</svg>\n";
   const std::string document = std::move(out).str();

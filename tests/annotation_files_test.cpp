@@ -210,6 +210,22 @@ TEST(AnnotationFiles, PensWriteWithThePenOfTheLines) {
   EXPECT_EQ(usual.layers[0].paths.size(), set.layers[0].paths.size());
 }
 
+/// An arrowhead ends where it points to, with the round end of the pen.
+TEST(AnnotationFiles, ArrowheadsOfPensEndAtTheirTips) {
+  const std::vector<PenPath> paths = paths_of_red(
+      "set-line-style solid 1 0 0\nopen-segment 1\nleader-3 0 0 0 \"\" -30 0\nclose-segment\n", {});
+  std::int32_t last = 0, high = 0;
+  for (const PenPath& path : paths) {
+    for (const SheetPoint& p : path.points) {
+      last = std::max(last, p.x);
+      high = std::max(high, std::abs(p.y - 148'500));
+    }
+  }
+  EXPECT_NEAR(last, 105'000 - 125, 2);
+  EXPECT_LT(high, 555);
+  EXPECT_GT(high, 430);
+}
+
 /// The height of a picture's letters is that of the paper: 600 dots per inch have more pixels.
 TEST(AnnotationFiles, MillimetresAreThoseOfTheDensity) {
   const GraphicsSystem g = replayed(

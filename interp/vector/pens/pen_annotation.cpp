@@ -43,9 +43,16 @@ class AnnotationStrokes {
     for (std::size_t i = 1; i < points.size(); ++i) stroke(points[i - 1], points[i]);
     if (closed) stroke(points.back(), points.front());
   }
-  /// Its outline, and lines from its first point to its sides, a pen's width apart there.
+  /// Its outline, and lines from its first point to its sides, a pen's width apart there. The
+  /// outline is half a pen's width further inside, so that the area is no larger than elsewhere.
   void filled() {
-    const std::span<const Point2> points = mark_.points;
+    std::vector<Point2> points = mark_.points;
+    Point2 middle(0.0);
+    for (const Point2& p : points) middle += p / static_cast<double>(points.size());
+    for (Point2& p : points) {
+      const double distance = glm::distance(p, middle);
+      if (distance > mark_.width) p += 0.5 * mark_.width / distance * (middle - p);
+    }
     path(points, true);
     double next = mark_.width;  // from the last corner
     for (std::size_t i = 2; i < points.size(); ++i) {

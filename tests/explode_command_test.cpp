@@ -199,6 +199,30 @@ TEST_F(ExplodeCommand, WhatIsMovedOutOfAViewIsNamed) {
   EXPECT_EQ(err_, "");
 }
 
+/// Annotation moves with its segment; what has no part to move with is named.
+TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
+  const std::string balloon = "balloon-3 30 5 0 7 \"\" 0 0\n";
+  write("with.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 20, 0, 10) +
+                         "open-segment 2\n" + rectangle(20, 40, 0, 10) + balloon +
+                         "close-segment\n");
+  const auto place = [&](const std::string& options) {
+    EXPECT_EQ(run("draw with.draw -o a.svg --size 100x100 " + options), 0) << err_;
+    const std::string svg = read(folder_ / "a.svg");
+    const std::size_t at = svg.rfind(" x=\"", svg.find(">7<")) + 4;
+    return std::stod(svg.substr(at));
+  };
+  const double before = place("");
+  EXPECT_EQ(err_, "");
+  EXPECT_NEAR(place("--explode x=1") - before, 15.0, 1e-3);
+  EXPECT_EQ(err_, "");
+  write("apart.draw", "open-segment 9\n" + balloon + "close-segment\n");
+  ASSERT_EQ(run("draw three.draw apart.draw -o a.svg --size 100x100 --explode x"), 0) << err_;
+  EXPECT_EQ(
+      err_,
+      "apart.draw: --explode x: annotation of segment 9 stays where it is: expected it in the "
+      "segment of its part, with which it moves\n");
+}
+
 /// Flat parts in one plane each have no length along the axis: their size stands for it.
 TEST_F(ExplodeCommand, FlatPartsAreMovedTooByTheirSize) {
   write("flat.draw", "set-window 0 100 0 100\nset-line-style none\nset-parallel 0 1 -1\n" +

@@ -188,7 +188,7 @@ std::vector<std::uint8_t> CellGrid::cells_near_uneven(const LineTable& scene,
 }
 
 /// Raises `behind`, and finds the cells of a single sheet. Of covers only in cells near polygons
-/// that are not even.
+/// that are not even, and in which no single sheet is first without them.
 void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
                            ContourEdges::Of of, std::span<const std::uint8_t> near_uneven,
                            std::vector<std::uint8_t>& single, int threads) {
@@ -201,7 +201,7 @@ void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
     for (std::uint32_t j = first; j < std::min(first + kRowsOfAPart, finest.rows); ++j) {
       for (std::uint32_t i = 0; i < finest.columns; ++i) {
         const std::size_t cell = std::size_t{j} * finest.columns + i;
-        if (of_covers && near_uneven[cell] == 0) continue;
+        if (of_covers && (near_uneven[cell] == 0 || single[cell] != 0)) continue;
         sheets.go_to(i, j);
         if (of_covers && !sheets.is_any_uneven()) continue;
         const Sheets::Known known = sheets.look();

@@ -168,6 +168,24 @@ std::vector<int> cut_off_by_moves(const AssembledInputs& assembly,
   return names;
 }
 
+/// Annotation of a segment without polygons and lines does not move, and would point at nothing.
+void warn_of_annotation_without_part(const AssembledInputs& assembly,
+                                     std::span<const std::string> inputs,
+                                     std::span<const std::size_t> part_of_opening,
+                                     const std::string& word) {
+  for (const RetainedScene::Segment& segment : assembly.scene.segments()) {
+    if (part_of_opening[segment.opened] != kNoPart || !assembly.is_visible(segment)) continue;
+    const bool has_anchors = std::ranges::any_of(
+        segment.annotations,
+        [](const KeptAnnotation& annotation) { return annotation.anchors() > 0; });
+    if (!has_anchors) continue;
+    warnings() << fmt::format(
+        "{}: --explode {}: annotation of segment {} stays where it is: expected it in the segment "
+        "of its part, with which it moves\n",
+        inputs[assembly.opening(segment).input], word, segment.name);
+  }
+}
+
 }  // namespace
 
 ExplodedParts exploded_parts(std::span<const std::string> inputs, const Explosion& explosion,
@@ -194,6 +212,7 @@ ExplodedParts exploded_parts(std::span<const std::string> inputs, const Explosio
                                         : "is one part"));
   }
   move_apart(parts, explosion);
+  warn_of_annotation_without_part(assembly, inputs, part_of_opening, explosion.word);
   ExplodedParts exploded;
   for (const std::size_t part : part_of_opening) {
     exploded.places.push_back(part == kNoPart ? Point3(0.0) : parts[part].move);

@@ -498,6 +498,29 @@ TEST_F(SheetDrafting, DimensionsAreInTheViewsThatShowThem) {
   EXPECT_EQ(upright(40.0 - 0.9 * 3.5), 1);
 }
 
+/// Letters of sections keep clear of numbers.
+TEST_F(SheetDrafting, DimensionsAndSectionsKeepApart) {
+  write("turned.draw",
+        "open-segment 1\nturn-3 72  9 -14  42 -14  42 14  9 14\n"
+        "set-annotation-placement auto\nlinear-dimension-3 x -42 0 0  42 0 0  0 -1 0\n"
+        "radius-dimension-3 0 0 0  0 42 0\nclose-segment\n");
+  draw("turned.draw --scale 1:1 --section side=0");
+  const std::vector<Text> all = texts("s.svg");
+  std::size_t letters = 0;
+  for (const Text& letter : all) {
+    if (letter.characters != "A") continue;
+    ++letters;
+    for (const Text& number : all) {
+      if (number.characters != "84") continue;
+      const bool beside = number.left() > letter.left() + letter.width() ||
+                          letter.left() > number.left() + number.width();
+      EXPECT_TRUE(beside || number.top() > letter.y || letter.top() > number.y)
+          << letter.x << ' ' << letter.y << ' ' << number.x << ' ' << number.y;
+    }
+  }
+  EXPECT_EQ(letters, 2u);
+}
+
 TEST_F(SheetDrafting, DimensionsThatNoViewShowsAreNamed) {
   write("skew.draw",
         "open-segment 1\nbox-3 0 60 0 40 0 30\naligned-dimension-3 0 0 0 60 40 30 0 -9 0\n"

@@ -141,9 +141,9 @@ DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensio
     const auto letters = add_details(views, places, boxes, words, hatching, sheet);
     taken.insert(taken.end(), letters.begin(), letters.end());
   }
+  sheet.not_as_wanted = add_dimensions(dimensions, views, places, words.margin, sheet, taken);
   add_section_marks(placed, taken, words, mm, sheet);
   remove_covered_centre_lines(sheet);
-  sheet.not_as_wanted = add_dimensions(dimensions, views, places, words.margin, sheet);
   add_title_block(words, scale, sheet);
   return sheet;
 }

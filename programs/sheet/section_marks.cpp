@@ -209,10 +209,11 @@ void add_caption(std::size_t k, const std::array<PlacedDrawing, 4>& views,
 
 }  // namespace
 
-void add_section_marks(const std::array<PlacedDrawing, 4>& views, std::span<const PaperBox> details,
-                       const SheetWords& words, double mm_of_unit, DrawingSheet& sheet) {
+void add_section_marks(const std::array<PlacedDrawing, 4>& views,
+                       std::span<const PaperBox> occupied, const SheetWords& words,
+                       double mm_of_unit, DrawingSheet& sheet) {
   Taken taken(views, words);
-  for (const PaperBox& box : details) taken.add(box);
+  for (const PaperBox& box : occupied) taken.add(box);
   std::array<std::string, 4> letters;
   std::vector<ShownCut> cuts;
   for (std::size_t k = 0; k < views.size(); ++k) {

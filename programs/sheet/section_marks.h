@@ -14,9 +14,10 @@ struct PlacedDrawing {
 };
 
 /// For each view that is cut: in another view a line where, with arrows and letters, and the
-/// letters at the view itself. They keep clear of the views, of the rectangles of details, of the
-/// title block and of each other.
-void add_section_marks(const std::array<PlacedDrawing, 4>& views, std::span<const PaperBox> details,
-                       const SheetWords& words, double mm_of_unit, DrawingSheet& sheet);
+/// letters at the view itself. They keep clear of the views, of the rectangles that are taken
+/// (details, numbers of dimensions), of the title block and of each other.
+void add_section_marks(const std::array<PlacedDrawing, 4>& views,
+                       std::span<const PaperBox> occupied, const SheetWords& words,
+                       double mm_of_unit, DrawingSheet& sheet);
 
 }  // namespace displayfile

@@ -121,7 +121,7 @@ std::string_view fault_of(std::span<const AnnotationMark> marks, const Annotatio
 std::vector<std::string> add_dimensions(const PartDimensions& dimensions,
                                         const std::array<PartDrawing, 4>& views,
                                         std::span<const ViewPlace> places, double margin,
-                                        DrawingSheet& sheet) {
+                                        DrawingSheet& sheet, std::vector<PaperBox>& taken) {
   std::vector<std::string> left_out;
   std::array<DimensionsOfView, kViewsWithDimensions> of_views;
   for (const KeptAnnotation& dimension : dimensions.all) {
@@ -161,7 +161,12 @@ std::vector<std::string> add_dimensions(const PartDimensions& dimensions,
     for (std::size_t i = 0; i < of_view.all.size(); ++i) {
       std::vector<AnnotationMark> marks;
       AnnotationPencil(page, marks).draw(of_view.all[i], i, {});
-      for (const AnnotationMark& mark : marks) add_mark(mark, page, sheet);
+      for (const AnnotationMark& mark : marks) {
+        add_mark(mark, page, sheet);
+        if (mark.kind != AnnotationMark::Kind::text) continue;
+        const Rectangle box = rectangle_of(points_of({&mark, 1}, page));
+        taken.push_back({{box.x_min, box.y_min}, {box.x_max, box.y_max}});
+      }
       if (const std::string_view why = fault_of(marks, page, frame, k, views, places);
           !why.empty()) {
         left_out.push_back(fmt::format("dimension {} {}", of_view.all[i].kept->characters, why));

@@ -206,7 +206,7 @@ typedef struct {
   double line_halo;       /**< with "depth": the gap beside the farther one, in pixels */
   const char* font;       /**< of texts: the name of a font of the system, or "hershey", or
                                "hershey:NAME" for letters of strokes; default "sans-serif" */
-  const char* text;       /**< letters in vectors: "text", or "outlines", the same in every viewer */
+  const char* text; /**< letters in vectors: "text", or "outlines", the same in every viewer */
 } df_options;
 /** Values of df_options.background. */
 enum df_background {

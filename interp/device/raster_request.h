@@ -29,7 +29,7 @@ struct RasterRequest {
   bool texts = true;    ///< drawn over the pixels, which must be kept
   Lettering lettering = {};
   std::optional<double> dpi = std::nullopt;  ///< pixels per inch on paper; none: 96
-  double line_scale = 1.0;  ///< of the widths and dashes of lines
+  double line_scale = 1.0;                   ///< of the widths and dashes of lines
   /// Depths closer than this count as equal; none: exact.
   std::optional<double> roundoff() const {
     if (surfaces.precision.exact) return std::nullopt;

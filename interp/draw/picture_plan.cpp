@@ -28,8 +28,7 @@ void require_numbers(const DrawOptions& options) {
   if (options.surfaces.line_halo) require_line_halo(*options.surfaces.line_halo);
   require_vector_options(options.vectors);
   require_lettering(options.lettering);
-  if (options.pens && !options.lettering.font.empty() &&
-      !options.lettering.is_of_paths()) {
+  if (options.pens && !options.lettering.font.empty() && !options.lettering.is_of_paths()) {
     throw Error(fmt::format("font {} for pens: expected hershey, or texts as outlines",
                             options.lettering.font));
   }

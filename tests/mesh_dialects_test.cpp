@@ -103,7 +103,7 @@ TEST_F(MeshDialects, LinesMayEndInOneCr) {
       ASSERT_EQ(mesh.faces(), 1u) << name;
       EXPECT_EQ(mesh.vertices, (std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
       EXPECT_EQ(mesh.skipped.warnings, Sentences{}) << name;
-      EXPECT_EQ(mesh.objects[0].name, name == "a.stl" ? "a" : "");
+      EXPECT_EQ(mesh.objects[0].name, name == "a.stl" ? "a b" : "");
       const bool coloured = name == "a.obj" || name == "a.off";
       EXPECT_EQ(colours_of(mesh), coloured ? "255,0,0 " : "- ") << name;
     }
@@ -175,7 +175,123 @@ TEST_F(MeshDialects, AnStlTextStaysOne) {
   expect_error([&] { read("c.stl", binary_stl("solid", 2).substr(0, 150)); }, "c.stl");
 }
 
+constexpr const char* kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\n";
+
+TEST_F(MeshDialects, SolidsOfStlHaveTheirWholeNames) {
+  const Mesh mesh = read("a.stl", fmt::format("solid  Left half, 2 mm \n{0}endsolid\nSOLID b\n{0}"
+                                              "endsolid b\nsolid\n{0}endsolid\n",
+                                              kFacet));
+  ASSERT_EQ(mesh.objects.size(), 3u);
+  EXPECT_EQ(mesh.objects[0].name, "Left half, 2 mm");
+  EXPECT_EQ(mesh.objects[1].name, "b");
+  EXPECT_EQ(mesh.objects[2].name, "");
+}
+
+TEST_F(MeshDialects, WordsOfStlThatAreNotReadAreNamed) {
+  const auto warnings = [&](const std::string& words) {
+    return read("a.stl", "solid a\n" + words + kFacet + "endsolid a\n").skipped.warnings;
+  };
+  EXPECT_EQ(warnings(""), Sentences{});
+  EXPECT_EQ(warnings("color 1 0 0\n"), Sentences{"2:1: 'color': not read: the word is left out"});
+  EXPECT_EQ(warnings("\ncolor 1 0 0\nmaterial 3\n"),
+            Sentences{"3:1: 'color': not read: 2 such words are left out"});
+  std::string odd = kFacet;
+  odd.replace(odd.find("0 0 1"), 5, "-nan(ind) NaN inf");
+  EXPECT_EQ(warnings(odd), Sentences{}) << "a normal is not read";
+}
+
+TEST_F(MeshDialects, ColoursOfBinaryStlAreNamed) {
+  std::string stl = binary_stl("made here", 3);
+  EXPECT_EQ(read("a.stl", stl).skipped.warnings, Sentences{});
+  stl[84 + 2 * 50 - 1] = '\x80';
+  EXPECT_EQ(read("a.stl", stl).skipped.warnings,
+            Sentences{"left out: the two bytes behind 1 facet, perhaps its colour"});
+  stl[84 + 50 - 2] = '\1';
+  EXPECT_EQ(read("a.stl", stl).skipped.warnings,
+            Sentences{"left out: the two bytes behind 2 facets, perhaps their colours"});
+  EXPECT_EQ(read("a.stl", binary_stl("COLOR=\1\2\3\4", 1)).skipped.warnings,
+            Sentences{"left out: the colour in the header"});
+}
+
+// ---- PLY -------------------------------------------------------------------------------
+
+TEST_F(MeshDialects, WhatPlyHasThatIsNotReadIsNamed) {
+  const auto warnings = [&](const std::string& of_vertex, const std::string& of_face,
+                            const std::string& elements, const std::string& data,
+                            const std::string& comment = "made here") {
+    return read("a.ply", fmt::format("ply\nformat ascii 1.0\ncomment {}\nelement vertex 3\n"
+                                     "property float x\nproperty float y\nproperty float z\n{}"
+                                     "element face 1\nproperty list uchar int vertex_index\n{}{}"
+                                     "end_header\n{}",
+                                     comment, of_vertex, of_face, elements, data))
+        .skipped.warnings;
+  };
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n", face = "3 0 1 2\n";
+  EXPECT_EQ(warnings("", "", "", corners + face), Sentences{});
+  EXPECT_EQ(warnings("property float quality\nproperty float nx\nproperty int odd name\n", "", "",
+                     "0 0 0 7 0 7\n1 0 0 7 0 7\n0 1 0 7 0 7\n" + face),
+            Sentences{"left out: of each vertex: 'quality', 'odd'"});
+  EXPECT_EQ(warnings("property float s\nproperty float t\n", "", "",
+                     "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n" + face),
+            Sentences{})
+      << "without a texture, these are of none";
+  EXPECT_EQ(warnings("", "property int material_index\nproperty float nx\n", "",
+                     corners + "3 0 1 2 5 0\n"),
+            Sentences{"left out: of each face: 'material_index'"});
+  EXPECT_EQ(warnings("", "", "element edge 2\nproperty int vertex1\nproperty int vertex2\n",
+                     corners + face + "0 1\n1 2\n"),
+            Sentences{"left out: the element 'edge', of which there are 2"});
+  EXPECT_EQ(warnings("", "", "element edge 0\nproperty int vertex1\n", corners + face),
+            Sentences{});
+  EXPECT_EQ(warnings("", "", "", corners + face, "TextureFile wood.png"),
+            Sentences{"left out: 1 texture"});
+  EXPECT_EQ(warnings("property uchar red\nproperty uchar green\n", "", "",
+                     "0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n" + face),
+            Sentences{"left out: of each vertex: 'red', 'green'"})
+      << "two parts are no colour";
+}
+
+// ---- Points, and colours that differ ---------------------------------------------------
+
+TEST_F(MeshDialects, PointsWithoutFacesAreRefusedByName) {
+  const std::string words = ": 3 points and no faces: points are not drawn";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n";
+  expect_error([&] { read("a.ply", ply + kTriangle); }, "a.ply" + words);
+  expect_error([&] { read("a.off", "OFF\n3 0 0\n" + std::string(kTriangle)); }, "a.off" + words);
+  expect_error([&] { read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"); }, "a.obj" + words);
+  expect_error([&] { read("b.obj", "v 0 0 0\nv 1 0 0\nl 1 2\np 1\n"); },
+               "no faces: expected polygons (found 2 points and lines, ");
+}
+
+TEST_F(MeshDialects, ColoursThatDifferBetweenCornersAreTold) {
+  const auto warnings = [&](const std::string& second) {
+    return read("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 " + second +
+                             "\nv 0 1 0 1 0 0\nv 1 1 0\nf 1 2 3\nf 3 2 1\nf 1 3 4\n")
+        .skipped.warnings;
+  };
+  EXPECT_EQ(warnings("1 0 0"), Sentences{});
+  EXPECT_EQ(warnings(""), Sentences{}) << "a colour that is not known";
+  EXPECT_EQ(warnings("1 0 0.5"),
+            Sentences{"left out: the different colours of the corners of 2 faces: their mean is "
+                      "drawn"});
+}
+
 // ---- OBJ -------------------------------------------------------------------------------
+
+TEST_F(MeshDialects, BlackUnderATextureIsNoColour) {
+  file("a.mtl",
+       "newmtl wood\nKd 0 0 0\nmap_Kd wood.png\nnewmtl ink\nKd 0 0 0\n"
+       "newmtl oak\nmap_Kd oak.png\nKd 0 0 0\nnewmtl red\nKd 1 0 0\nmap_Kd r.png\n");
+  const Mesh mesh = read("a.obj",
+                         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\n"
+                         "usemtl ink\nf 1 2 3\nusemtl oak\nf 1 2 3\nusemtl red\nf 1 2 3\n");
+  EXPECT_EQ(colours_of(mesh), "- 0,0,0 - 255,0,0 ");
+  EXPECT_EQ(mesh.skipped.textured_faces, 3u);
+}
 
 TEST_F(MeshDialects, NamesOfObjMayStandInQuotationMarks) {
   file("my materials.mtl", "newmtl Warm Red\nKd 1 0 0\nnewmtl \"cold blue\"\nKd 0 0 1\n");

@@ -246,7 +246,7 @@ TEST_F(MeshTest, StlOfTextAndBytes) {
       "endfacet\n";
   const std::string text = "solid a b\n" + facet + facet + "endsolid a b\nsolid none\nendsolid\n" +
                            "solid c\r\n" + facet + "endsolid";
-  EXPECT_EQ(faces_of(read_mesh(file("a.stl", text))), "a: 0 1 2; 3 4 5;c: 6 7 8;");
+  EXPECT_EQ(faces_of(read_mesh(file("a.stl", text))), "a b: 0 1 2; 3 4 5;c: 6 7 8;");
 
   std::string binary = "solid as some name it though it is none";
   binary.resize(80);
@@ -283,7 +283,7 @@ std::string binary_stl(std::uint32_t announced, int facets) {
     for (const float c : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.1f}) {
       binary += bytes(c);
     }
-    binary += "xx";
+    binary += std::string(2, '\0');
   }
   return binary;
 }

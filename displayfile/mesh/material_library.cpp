@@ -19,6 +19,7 @@ class MaterialReader {
     do {
       read_statement(text_.field());
     } while (text_.next_line());
+    for (auto& [name, material] : library_) forget_black_under_texture(material);
     return std::move(library_);
   }
 
@@ -43,6 +44,11 @@ class MaterialReader {
     } else if (keyword == "map_d") {
       material_->transparent = true;
     }
+  }
+
+  /// Programs that write black beside a texture mean the texture alone, which is not drawn.
+  static void forget_black_under_texture(Mesh::Material& material) {
+    if (material.textured && material.colour == Colour(0.0)) material.colour.reset();
   }
 
   /// r g b, or r for all three; what is given by a spectrum or as CIE XYZ is not known.

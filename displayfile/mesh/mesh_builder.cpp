@@ -135,14 +135,23 @@ Mesh MeshBuilder::finish() && {
   name_objects();
   find_rounding();
   give_faces_materials();
-  if (mesh_.faces() == 0) {
-    throw Error(
-        fmt::format("{}: no faces: expected polygons (found {} points and lines, and {} faces of "
-                    "fewer than 3 "
-                    "different vertices)",
-                    path_, mesh_.skipped.points_and_lines, mesh_.skipped.degenerate_faces));
-  }
+  if (mesh_.faces() == 0) fail_without_faces();
   return std::move(mesh_);
+}
+
+void MeshBuilder::fail_without_faces() const {
+  const Mesh::Skipped& skipped = mesh_.skipped;
+  const bool only_points =
+      skipped.points_and_lines == 0 && skipped.degenerate_faces == 0 && !mesh_.vertices.empty();
+  std::string found =
+      only_points ? fmt::format("{} points and no faces: points are not drawn: expected polygons",
+                                mesh_.vertices.size())
+                  : fmt::format(
+                        "no faces: expected polygons (found {} points and lines, and {} faces of "
+                        "fewer than 3 different vertices)",
+                        skipped.points_and_lines, skipped.degenerate_faces);
+  for (const std::string& warning : skipped.warnings) found += "; " + warning;
+  throw Error(fmt::format("{}: {}", path_, found));
 }
 
 void MeshBuilder::find_rounding() {
@@ -220,18 +229,33 @@ void MeshBuilder::mix_in_colours_of_vertices() {
   mesh_.face_materials.resize(mesh_.faces(), Mesh::kNoMaterial);
   const bool faces_have_colours = !face_colours_.values().empty();
   Palette<Mesh::Material> mixed;
+  std::size_t varied = 0;
   for (std::size_t i = 0; i < mesh_.faces(); ++i) {
     std::uint32_t& index = mesh_.face_materials[i];
     const bool has_material = index != Mesh::kNoMaterial;
     Mesh::Material material = has_material ? mesh_.materials[index] : Mesh::Material{};
     const auto mean = has_material && faces_have_colours ? std::nullopt : mean_colour(i);
     if (mean) {
+      varied += corners_differ_in_colour(i) ? 1 : 0;
       material.colour = material.colour.value_or(Colour(1.0)) * Colour(*mean);
       material.transparent |= mean->a < 1.0;
     }
     if (has_material || mean) index = mixed.number(material, hash_of(material));
   }
   mesh_.materials = std::move(mixed).take();
+  warn_left_out(varied, "the different colours of {} face's corners: their mean is drawn",
+                "the different colours of the corners of {} faces: their mean is drawn");
+}
+
+bool MeshBuilder::corners_differ_in_colour(std::size_t face) const {
+  const Rgba* first = nullptr;
+  for (const std::uint32_t corner : mesh_.face(face)) {
+    const Rgba& colour = vertex_colours_[corner];
+    if (colour == kNoColour) continue;
+    if (first == nullptr) first = &colour;
+    if (Colour(colour) != Colour(*first)) return true;
+  }
+  return false;
 }
 
 std::optional<Rgba> MeshBuilder::mean_colour(std::size_t face) const {

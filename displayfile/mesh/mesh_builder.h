@@ -84,6 +84,7 @@ class MeshBuilder {
     std::size_t object, first_face, end_face = 0;
   };
 
+  [[noreturn]] void fail_without_faces() const;
   void find_rounding();
   bool is_degenerate(std::size_t face) const;
   bool has_degenerate_faces() const;
@@ -92,6 +93,8 @@ class MeshBuilder {
   void name_objects();
   /// The mean of the corners' known colours.
   std::optional<Rgba> mean_colour(std::size_t face) const;
+  /// True if corners whose colours are known have different ones.
+  bool corners_differ_in_colour(std::size_t face) const;
   void mix_in_colours_of_vertices();
   void give_faces_materials();
 

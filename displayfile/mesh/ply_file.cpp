@@ -53,6 +53,7 @@ struct PlyElement {
 struct PlyHeader {
   std::string_view format;
   std::vector<PlyElement> elements;
+  std::size_t textures = 0;  ///< that comments name
 };
 
 PlyType ply_type(std::string_view name, const TextCursor& text) {
@@ -120,7 +121,9 @@ PlyHeader ply_header(TextCursor& text) {
     } else if (keyword == "property") {
       if (header.elements.empty()) text.fail(keyword, "property before any element");
       header.elements.back().properties.push_back(ply_property(text));
-    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment") {
+      header.textures += text.field() == "TextureFile" ? 1 : 0;
+    } else if (!keyword.empty() && keyword != "obj_info") {
       text.fail(keyword,
                 fmt::format("{}: expected format, element, property, comment or end_header",
                             TextCursor::quoted(keyword)));
@@ -292,8 +295,10 @@ class PlyReader {
         read_strips(element);
       } else {
         skip(element);
+        warn_of_element(element);
       }
     }
+    mesh_.warn_left_out(header_.textures, "{} texture", "{} textures");
     mesh_.warn_of_lines_left(values_.lines_left());
     mesh_.share_normals_as_vertices();
     mesh_.note_rounding(values_.rounding_of_coordinates());
@@ -302,6 +307,27 @@ class PlyReader {
   }
 
  private:
+  void warn_of_element(const PlyElement& element) {
+    if (element.count == 0) return;
+    mesh_.warn(fmt::format("left out: the element {}, of which there {}",
+                           TextCursor::quoted(element.name),
+                           element.count == 1 ? "is 1" : fmt::format("are {}", element.count)));
+  }
+
+  /// Texture coordinates are not among them: a texture that a file does not name cannot be drawn.
+  void warn_of_properties(const PlyElement& element, const std::vector<std::string_view>& others) {
+    constexpr std::array<std::string_view, 9> kOfTextures = {
+        "s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber", "flags"};
+    std::vector<std::string> names;
+    for (const std::string_view name : others) {
+      if (std::ranges::find(kOfTextures, name) == kOfTextures.end()) {
+        names.push_back(TextCursor::quoted(name));
+      }
+    }
+    if (names.empty() || element.count == 0) return;
+    mesh_.warn(fmt::format("left out: of each {}: {}", element.name, fmt::join(names, ", ")));
+  }
+
   void skip(const PlyElement& element) {
     if (element.properties.empty()) return;  // however many are announced
     for (PlyPlace place{element}; place.number < element.count; ++place.number) {
@@ -323,6 +349,11 @@ class PlyReader {
     const bool has_normals =
         std::ranges::any_of(parts, [](std::size_t k) { return k >= 3 && k < 6; });
     PlyColour colour(element);
+    std::vector<std::string_view> others;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i] == kNames.size() && !colour.has(i)) others.push_back(element.properties[i].name);
+    }
+    warn_of_properties(element, others);
     std::array<double, 6> value{};
     for (PlyPlace place{element}; place.number < element.count; ++place.number) {
       for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -352,12 +383,25 @@ class PlyReader {
     colour.set(property, part / whole_part(p.type));
   }
 
+  /// That of a face follows from its corners.
+  static bool is_part_of_normal(std::string_view name) {
+    return name == "nx" || name == "ny" || name == "nz";
+  }
+
   static bool is_index_list(const PlyProperty& p) {
     return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
   }
 
   void read_faces(const PlyElement& element) {
     PlyColour colour(element);
+    std::vector<std::string_view> others;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
+      if (!is_index_list(property) && !colour.has(i) && !is_part_of_normal(property.name)) {
+        others.push_back(property.name);
+      }
+    }
+    warn_of_properties(element, others);
     std::vector<std::uint32_t> corners;
     const auto add = [&] {
       if (colour.is_there()) mesh_.use_colour(colour.value());

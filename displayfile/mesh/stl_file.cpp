@@ -18,7 +18,8 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormalBytes = 12;  // bytes
+// Bytes.
+constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormalBytes = 12, kAttribute = 2;
 
 /// What a binary file says; 0 if it is too short for that.
 std::uint64_t announced_facets(std::string_view data) {
@@ -47,6 +48,21 @@ bool is_text(std::string_view data) {
 void add_facet(MeshBuilder& mesh) {
   const auto end = static_cast<std::uint32_t>(mesh.vertices());
   mesh.add_face(std::array{end - 3, end - 2, end - 1});
+}
+
+/// Programs write colours into the two bytes behind each facet, and one for all into the header.
+/// They disagree about the order of its parts.
+void warn_of_colours(std::string_view data, std::size_t facets, MeshBuilder& mesh) {
+  std::size_t coloured = 0;
+  for (std::size_t i = 0; i < facets; ++i) {
+    const std::string_view attribute =
+        data.substr(kHeader + kCount + kFacet * (i + 1) - kAttribute, kAttribute);
+    coloured += attribute != std::string_view("\0\0", kAttribute) ? 1 : 0;
+  }
+  mesh.warn_left_out(coloured, "the two bytes behind {} facet, perhaps its colour",
+                     "the two bytes behind {} facets, perhaps their colours");
+  if (data.substr(0, kHeader).find("COLOR=") == std::string_view::npos) return;
+  mesh.warn("left out: the colour in the header");
 }
 
 Mesh read_binary(const MeshFile& file) {
@@ -85,11 +101,12 @@ Mesh read_binary(const MeshFile& file) {
         "{} those that it announces: left out",
         left == kFacet ? "1 facet follows" : fmt::format("{} facets follow", left / kFacet)));
   }
+  warn_of_colours(data, facets, mesh);
   mesh.set_single_precision();
   return std::move(mesh).finish();
 }
 
-/// Words that are not known are passed over, facets and solids must be whole.
+/// Words that are not known are left out, facets and solids must be whole.
 class StlText {
  public:
   explicit StlText(const MeshFile& file) : text_(text_of(file.path, file.data)), mesh_(file.path) {}
@@ -99,6 +116,7 @@ class StlText {
       read_part(word);
     }
     if (in_solid_) text_.fail(text_.at(), "end of file: expected endsolid");
+    warn_of_other_words();
     mesh_.note_rounding(text_.rounding_of_coordinates());
     return std::move(mesh_).finish();
   }
@@ -121,14 +139,35 @@ class StlText {
       in_facet_ = false;
     } else if (is_word(word, "solid")) {
       require_whole_facet(word);
-      mesh_.begin_object(text_.field());
-      text_.rest_of_line();
+      mesh_.begin_object(text_.rest_of_line());
       in_solid_ = true;
     } else if (is_word(word, "endsolid")) {
       require_whole_facet(word);
       text_.rest_of_line();
       in_solid_ = false;
+    } else if (!is_number(word) && !is_of_every_facet(word)) {
+      if (other_words_++ == 0) first_other_ = word;
     }
+  }
+
+  static bool is_of_every_facet(std::string_view word) {
+    return is_word(word, "normal") || is_word(word, "outer") || is_word(word, "loop") ||
+           is_word(word, "endloop");
+  }
+
+  /// A part of a normal, which need not be finite: some programs write -nan(ind).
+  static bool is_number(std::string_view word) {
+    return number<double>(word) || is_word(word.substr(0, 3), "nan") ||
+           is_word(word.substr(0, 4), "-nan");
+  }
+
+  void warn_of_other_words() {
+    if (other_words_ == 0) return;
+    mesh_.warn(fmt::format("{}: {}: not read: {}", text_.place(text_.offset(first_other_)),
+                           TextCursor::quoted(first_other_),
+                           other_words_ == 1
+                               ? "the word is left out"
+                               : fmt::format("{} such words are left out", other_words_)));
   }
 
   void require_whole_facet(std::string_view word) const {
@@ -140,6 +179,8 @@ class StlText {
   MeshBuilder mesh_;
   int vertices_ = 0;  // of the facet that is read
   bool in_solid_ = false, in_facet_ = false;
+  std::size_t other_words_ = 0;
+  std::string_view first_other_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "clip/base/input_file.h"
+#include "displayfile/mesh/compressed_data.h"
 #include "displayfile/mesh/text_cursor.h"
 
 namespace displayfile {
@@ -109,7 +110,7 @@ void ObjMaterials::read_file(const std::filesystem::path& path) {
 }
 
 void ObjMaterials::tell(MeshBuilder& mesh) {
-  const std::filesystem::path of_same_name = std::filesystem::path(path_).replace_extension(".mtl");
+  const std::filesystem::path of_same_name = name_uncompressed(path_).replace_extension(".mtl");
   if (!missing_.empty() && is_neighbour(of_same_name)) {
     read_file(of_same_name);
     missing_.clear();

@@ -16,6 +16,7 @@
 #include "clip/base/memory.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
+#include "displayfile/mesh/compressed_data.h"
 #include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_process.h"
 #include "displayfile/mesh/mesh.h"
@@ -99,11 +100,18 @@ Mesh read_utf16(const std::string& path, bool with_normals, const ImportLimits& 
   throw Error(fmt::format("{}: not a mesh that can be read: UTF-16, expected UTF-8 text", path));
 }
 
-void require_format_that_is_read(const std::string& path) {
-  if (const auto format = format_not_read(path)) {
+/// `name` is the path without the extension of a compressed file.
+void require_format_that_is_read(const std::string& path, const std::string& name) {
+  if (const auto format = format_not_read(name)) {
     throw Error(fmt::format("{}: {}, which is not read: export it as STL, OBJ, PLY or glTF", path,
                             *format));
   }
+}
+
+/// The import library reads files, not memory.
+[[noreturn]] void fail_compressed(const std::string& path) {
+  throw Error(fmt::format(
+      "{}: compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first", path));
 }
 
 Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& limits) {
@@ -111,12 +119,23 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   InputFile in(path);
   MeshFile file{path, {}, with_normals};
   in.read_to(file.data, std::min(in.size(), kBeginning));
-  const Format* format = format_of(path, file.data);
+  const bool is_compressed = begins_compressed(file.data);
+  if (is_compressed) {
+    in.read_to(file.data, in.size());
+    file.data = uncompressed(path, file.data);
+  }
+  const std::string name = name_uncompressed(path).string();
+  const Format* format = format_of(name, file.data);
+  if (format == nullptr) {
+    require_format_that_is_read(path, name);
+    if (is_compressed) fail_compressed(path);
+  }
   if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, limits, format);
-  if (format == nullptr) require_format_that_is_read(path);
   const std::string extension =
       format != nullptr ? std::string(format->extension) : extension_of(path);
-  if (format != nullptr || text_says_upright(extension)) in.read_to(file.data, in.size());
+  if (!is_compressed && (format != nullptr || text_says_upright(extension))) {
+    in.read_to(file.data, in.size());
+  }
   Mesh mesh =
       format != nullptr ? format->read(file) : read_by_import_process(path, with_normals, limits);
   set_upright_of_format(mesh, extension, file.data);

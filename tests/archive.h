@@ -40,17 +40,20 @@ inline std::string archive(const ArchiveFiles& files) {
   return all + directory + "PK\5\6" + end;
 }
 
-/// A 3MF file with this model.
-inline std::string file_of_3mf(const std::string& model) {
-  return archive(
-      {{"[Content_Types].xml",
-        "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"/>"},
-       {"_rels/.rels",
-        "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-        "<Relationship Target=\"/3D/a.png\" Id=\"r\" Type=\"http://thumbnail\"/>"
-        "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-        "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
-       {"3D/3dmodel.model", model}});
+/// The parts of a 3MF file with this model.
+inline ArchiveFiles parts_of_3mf(const std::string& model) {
+  return {
+      {"[Content_Types].xml",
+       "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\"/>"},
+      {"_rels/.rels",
+       "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+       "<Relationship Target=\"/3D/a.png\" Id=\"r\" Type=\"http://thumbnail\"/>"
+       "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+       "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>"},
+      {"3D/3dmodel.model", model}};
 }
+
+/// A 3MF file with this model.
+inline std::string file_of_3mf(const std::string& model) { return archive(parts_of_3mf(model)); }
 
 }  // namespace displayfile::test

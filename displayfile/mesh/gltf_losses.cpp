@@ -4,23 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/binary_values.h"
+#include "displayfile/mesh/gltf_json.h"
 #include "displayfile/mesh/import_losses.h"
-#include "displayfile/mesh/percent_encoding.h"
 
 namespace displayfile {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// That Assimp 5.2 reads, or that change nothing of faces and their base colours.
 constexpr std::array<std::string_view, 11> kReadExtensions{"KHR_draco_mesh_compression",
@@ -35,74 +27,8 @@ constexpr std::array<std::string_view, 11> kReadExtensions{"KHR_draco_mesh_compr
                                                            "KHR_materials_volume",
                                                            "KHR_texture_transform"};
 
-// ---- The JSON --------------------------------------------------------------------------
-
-/// A member of an object; null if there is none. Iterating over null gives nothing.
-const Json& member(const Json& object, const char* name) {
-  static const Json none;
-  if (!object.is_object()) return none;
-  const auto found = object.find(name);
-  return found == object.end() ? none : *found;
-}
-
-/// What a number refers to in an array, or in glTF 1.0 a name in an object; null if nothing.
-const Json& referred(const Json& among, const Json& reference) {
-  if (reference.is_string()) return member(among, reference.get_ref<const std::string&>().c_str());
-  if (!among.is_array() || !reference.is_number_unsigned()) return member({}, "");
-  const auto index = reference.get<std::uint64_t>();
-  return index < among.size() ? among[static_cast<std::size_t>(index)] : member({}, "");
-}
-
-/// The JSON of a file: all of it, or the first chunk of a binary file, which glTF 1.0 has at the
-/// same place.
-std::string json_text(const std::string& path) {
-  constexpr std::size_t kHeader = 20, kLength = 12;  // bytes; where the chunk's length stands
-  std::ifstream in(path, std::ios::binary);
-  std::string text(kHeader, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() < kHeader || !text.starts_with("glTF")) {
-    text.append(std::istreambuf_iterator<char>(in), {});
-    return text;
-  }
-  const auto length =
-      binary_value<std::uint32_t>(std::string_view(text).substr(kLength), std::endian::little);
-  text.clear();
-  constexpr std::size_t kPart = 1 << 16;  // the length is not believed
-  while (text.size() < length && in) {
-    const std::size_t had = text.size();
-    text.resize(had + std::min<std::size_t>(kPart, length - had));
-    in.read(text.data() + had, static_cast<std::streamsize>(text.size() - had));
-    text.resize(had + static_cast<std::size_t>(in.gcount()));
-  }
-  while (text.ends_with('\0')) text.pop_back();  // some programs fill up chunks by zeros
-  return text;
-}
-
-Json json_of(const std::string& path) {
-  try {
-    return Json::parse(json_text(path));
-  } catch (const Json::parse_error& e) {
-    throw Error(
-        fmt::format("{}: not a mesh that can be read: glTF: bad JSON at byte {}", path, e.byte));
-  }
-}
-
-// ---- What is not read ------------------------------------------------------------------
-
-void require_read_extensions(const std::string& path, const Json& file) {
-  std::vector<std::string> others;
-  for (const Json& name : member(file, "extensionsRequired")) {
-    if (!name.is_string()) continue;
-    const auto& extension = name.get_ref<const std::string&>();
-    if (std::ranges::find(kReadExtensions, extension) == kReadExtensions.end()) {
-      others.push_back(extension);
-    }
-  }
-  if (others.empty()) return;
-  throw Error(fmt::format("{}: requires the glTF extension{} {}, which {} not read", path,
-                          others.size() > 1 ? "s" : "", fmt::join(others, ", "),
-                          others.size() > 1 ? "are" : "is"));
+bool is_read_by_library(std::string_view extension) {
+  return std::ranges::find(kReadExtensions, extension) != kReadExtensions.end();
 }
 
 /// The library takes the bytes of integers for those of single precision.
@@ -136,30 +62,11 @@ bool is_morphed(const Json& node, const Json& mesh) {
   });
 }
 
-/// Names of buffers' files; no others are opened.
-std::map<std::string, std::string> meant_names(const std::string& path, const Json& file) {
-  std::map<std::string, std::string> names;
-  for (const Json& buffer : member(file, "buffers")) {
-    const Json& uri = member(buffer, "uri");
-    if (!uri.is_string()) continue;
-    const auto& written = uri.get_ref<const std::string&>();
-    if (written.starts_with("data:") || written.find('%') == written.npos) continue;
-    const auto meant = percent_decoded(written);
-    if (!meant) {
-      throw Error(
-          fmt::format("{}: buffer '{}': expected two hexadecimal digits, not 00, behind each %",
-                      path, written));
-    }
-    names.emplace(written, *meant);
-  }
-  return names;
-}
-
 }  // namespace
 
 ImportLosses losses_of_gltf(const std::string& path) {
-  const Json file = json_of(path);
-  require_read_extensions(path, file);
+  const Json file = gltf_file(path).json;
+  require_extensions(path, file, is_read_by_library);
   require_floats(path, file);
   ImportLosses losses;
   losses.meant_names = meant_names(path, file);

@@ -22,12 +22,14 @@
 #include "clip/base/shared_library.h"
 #include "clip/corners.h"
 #include "clip/surfaces.h"
+#include "displayfile/mesh/gltf_file.h"
 #include "displayfile/mesh/import_library_files.h"
 #include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/neighbour_files.h"
 #include "displayfile/mesh/skins.h"
+#include "displayfile/mesh/three_mf_file.h"
 #include "displayfile/mesh/up_axis.h"
 #include "hidden/exact/largest_coordinate.h"
 
@@ -148,13 +150,14 @@ class MaterialReader {
   Mesh::Material read() const {
     Mesh::Material read;
     if (text(AI_MATKEY_NAME) == AI_DEFAULT_MATERIAL_NAME) return read;
-    auto seen = colour(AI_MATKEY_BASE_COLOR);
-    if (!seen) seen = colour(AI_MATKEY_COLOR_DIFFUSE);
-    if (seen) read.colour = in_unit_range(*seen);
+    const auto base = colour(AI_MATKEY_BASE_COLOR), diffuse = colour(AI_MATKEY_COLOR_DIFFUSE);
+    if (const auto seen = base ? base : diffuse) read.colour = in_unit_range(*seen);
     const bool opaque = text(AI_MATKEY_GLTF_ALPHAMODE) == "OPAQUE";  // whatever the numbers are
     read.transparent = !opaque && (number(AI_MATKEY_OPACITY).value_or(1.0f) < 1.0f ||
                                    textures(aiTextureType_OPACITY) > 0);
     read.textured = textures(aiTextureType_DIFFUSE) + textures(aiTextureType_BASE_COLOR) > 0;
+    // Programs that write a black diffuse colour beside a texture mean the texture alone.
+    if (read.textured && !base && read.colour == Colour(0.0)) read.colour.reset();
     return read;
   }
 
@@ -230,12 +233,7 @@ class AssimpReader {
   Mesh take(std::vector<std::string> warnings) && {
     if (auto lost = lost_detail_.sentence()) warnings.push_back(std::move(*lost));
     for (const std::string& warning : warnings) mesh_.warn(warning);
-    try {
-      return std::move(mesh_).finish();
-    } catch (const Error& e) {
-      if (warnings.empty()) throw;
-      throw Error(fmt::format("{}; {}", e.what(), fmt::join(warnings, "; ")));
-    }
+    return std::move(mesh_).finish();
   }
 
  private:
@@ -347,7 +345,13 @@ class AssimpReader {
 /// `by_extension`: that of the file's name is one that the library knows.
 Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_normals,
              bool by_extension) {
-  ImportLosses losses = losses_of(path, by_extension, library.library);
+  const ForeignFormat format = foreign_format(path, by_extension);
+  std::optional<Mesh> read_here;
+  if (format == ForeignFormat::gltf) read_here = read_gltf(path, with_normals);
+  if (format == ForeignFormat::three_mf) read_here = read_three_mf(path, library.library);
+  if (read_here) return std::move(*read_here);
+  ImportLosses losses;
+  if (format == ForeignFormat::gltf) losses = losses_of_gltf(path);
   const Scene scene = import_scene(library, path, losses);
   AssimpReader reader(path, with_normals);
   reader.add_materials(library, *scene);

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "clip/base/shared_library.h"
-
 namespace displayfile {
 
 /// Findings about a file before the import library reads it, since the library silently skips what
@@ -21,19 +19,16 @@ struct ImportLosses {
   void add(std::size_t count, const std::string& one, const std::string& many);
 };
 
-/// A glTF file, JSON or binary (.glb): Khronos Group, "glTF 2.0 Specification", 2021. Throws Error
-/// if it requires an extension that the library does not read, as the specification demands; has
-/// integer positions or normals; or has an invalid percent-encoded name or JSON.
+/// A glTF file that the import library reads: of version 1.0, or with meshes compressed by Draco.
+/// Throws Error if it requires an extension that the library does not read, as the specification
+/// demands; has integer positions or normals; or has an invalid percent-encoded name or JSON.
 ImportLosses losses_of_gltf(const std::string& path);
 
-/// A 3MF file: 3MF Consortium, "3D Manufacturing Format, Core Specification & Reference Guide",
-/// 1.3. Throws Error if its model is missing or requires an extension that the library does not
-/// read, as the specification demands. `library` is the import library, which contains the archive
-/// reader. Other archives have no findings.
-ImportLosses losses_of_3mf(const std::string& path, const SharedLibrary& library);
+/// Formats that are read in the import process, as far as they can be, not by the library.
+enum class ForeignFormat { gltf, three_mf, other };
 
-/// Examines a file of any format, determined by its extension, or otherwise by its beginning,
-/// unless the library supports the extension (`by_extension`).
-ImportLosses losses_of(const std::string& path, bool by_extension, const SharedLibrary& library);
+/// A file's format, determined by its extension, or otherwise by its beginning, unless the library
+/// supports the extension (`by_extension`).
+ForeignFormat foreign_format(const std::string& path, bool by_extension);
 
 }  // namespace displayfile

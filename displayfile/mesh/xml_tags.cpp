@@ -34,6 +34,7 @@ const XmlTag* XmlTags::next() {
     if (tag_.name.empty()) continue;
     while (read_attribute()) {
     }
+    if (!rest_.starts_with("/>")) ++open_;
     return &tag_;
   }
 }
@@ -44,6 +45,7 @@ bool XmlTags::pass_over_what_is_no_tag() {
   for (const auto& [begin, end] : kOthers) {
     if (!rest_.starts_with(begin)) continue;
     rest_.remove_prefix(begin.size());
+    if (begin == "</") --open_;
     pass_over_past(end);
     return true;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ class XmlTags {
 
   /// The next tag, valid until the next call; null at the end.
   const XmlTag* next();
+  /// True if as many elements were ended so far as were begun.
+  bool all_closed() const { return open_ == 0; }
 
  private:
   bool pass_over_what_is_no_tag();
@@ -40,6 +43,7 @@ class XmlTags {
 
   std::string_view rest_;
   XmlTag tag_;
+  std::ptrdiff_t open_ = 0;  // elements
 };
 
 }  // namespace displayfile

@@ -1,0 +1,104 @@
+#include "displayfile/mesh/gltf_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "clip/base/error.h"
+#include "displayfile/mesh/binary_values.h"
+#include "displayfile/mesh/percent_encoding.h"
+
+namespace displayfile {
+
+namespace {
+
+/// The bytes that follow a length and a type of chunk, as many as the length announces and the
+/// file has.
+std::string_view chunk_at(std::string_view file, std::size_t at) {
+  constexpr std::size_t kHead = 8;
+  if (file.size() < at + kHead) return {};
+  const auto length = binary_value<std::uint32_t>(file.substr(at), std::endian::little);
+  return file.substr(at + kHead, length);
+}
+
+}  // namespace
+
+GltfFile gltf_file(const std::string& path) {
+  constexpr std::size_t kHeader = 12, kChunkHead = 8;  // bytes
+  std::ifstream in(path, std::ios::binary);
+  const std::string content(std::istreambuf_iterator<char>(in), {});
+  std::string_view text = content, binary;
+  if (text.starts_with("glTF")) {
+    text = chunk_at(content, kHeader);
+    binary = chunk_at(content, kHeader + kChunkHead + text.size());
+    while (text.ends_with('\0')) text.remove_suffix(1);  // some programs fill up chunks by zeros
+  }
+  try {
+    return {Json::parse(text), std::string(binary)};
+  } catch (const Json::parse_error& e) {
+    throw Error(
+        fmt::format("{}: not a mesh that can be read: glTF: bad JSON at byte {}", path, e.byte));
+  }
+}
+
+const Json& member(const Json& object, const char* name) {
+  static const Json none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(name);
+  return found == object.end() ? none : *found;
+}
+
+const Json& referred(const Json& among, const Json& reference) {
+  if (reference.is_string()) return member(among, reference.get_ref<const std::string&>().c_str());
+  const auto index = whole_number(reference);
+  return among.is_array() && index && *index < among.size() ? among[*index] : member({}, "");
+}
+
+std::optional<std::size_t> whole_number(const Json& value) {
+  if (!value.is_number_unsigned()) return std::nullopt;
+  return static_cast<std::size_t>(value.get<std::uint64_t>());
+}
+
+double number_or(const Json& value, double other) {
+  return value.is_number() ? value.get<double>() : other;
+}
+
+std::string_view text_of(const Json& value) {
+  return value.is_string() ? std::string_view(value.get_ref<const std::string&>())
+                           : std::string_view();
+}
+
+std::map<std::string, std::string> meant_names(const std::string& path, const Json& file) {
+  std::map<std::string, std::string> names;
+  for (const Json& buffer : member(file, "buffers")) {
+    const std::string written(text_of(member(buffer, "uri")));
+    if (written.starts_with("data:") || written.find('%') == written.npos) continue;
+    const auto meant = percent_decoded(written);
+    if (!meant) {
+      throw Error(
+          fmt::format("{}: buffer '{}': expected two hexadecimal digits, not 00, behind each %",
+                      path, written));
+    }
+    names.emplace(written, *meant);
+  }
+  return names;
+}
+
+void require_extensions(const std::string& path, const Json& file,
+                        bool (*is_read)(std::string_view name)) {
+  std::vector<std::string_view> others;
+  for (const Json& name : member(file, "extensionsRequired")) {
+    if (name.is_string() && !is_read(text_of(name))) others.push_back(text_of(name));
+  }
+  if (others.empty()) return;
+  throw Error(fmt::format("{}: requires the glTF extension{} {}, which {} not read", path,
+                          others.size() > 1 ? "s" : "", fmt::join(others, ", "),
+                          others.size() > 1 ? "are" : "is"));
+}
+
+}  // namespace displayfile

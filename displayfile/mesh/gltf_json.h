@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace displayfile {
+
+// glTF: Khronos Group, "glTF 2.0 Specification", 2021.
+
+using Json = nlohmann::json;
+
+/// A glTF file: its JSON, and the binary chunk of a .glb file, if it has one.
+struct GltfFile {
+  Json json;
+  std::string binary;
+};
+
+/// Reads a file, JSON or binary. Version 1.0 has its JSON at the same place. Throws Error: invalid
+/// JSON, with its place.
+GltfFile gltf_file(const std::string& path);
+
+/// A member of an object; null if there is none. Iterating over null gives nothing.
+const Json& member(const Json& object, const char* name);
+/// What a number refers to in an array, or in glTF 1.0 a name in an object; null if nothing.
+const Json& referred(const Json& among, const Json& reference);
+/// A non-negative whole number; nothing if it is none.
+std::optional<std::size_t> whole_number(const Json& value);
+/// A number, or the other value if it is none.
+double number_or(const Json& value, double other);
+/// A string; empty if it is none. Valid as long as the JSON is.
+std::string_view text_of(const Json& value);
+
+/// The numbers of an array of this size; nothing if it is none.
+template <std::size_t N>
+std::optional<std::array<double, N>> numbers(const Json& value) {
+  if (!value.is_array() || value.size() != N) return std::nullopt;
+  std::array<double, N> all{};
+  for (std::size_t i = 0; i < N; ++i) {
+    if (!value[i].is_number()) return std::nullopt;
+    all[i] = value[i].get<double>();
+  }
+  return all;
+}
+
+/// Names of buffers' files, as written and as meant, where these differ. Throws Error for one that
+/// is not percent-encoded as it should be.
+std::map<std::string, std::string> meant_names(const std::string& path, const Json& file);
+
+/// Throws Error if the file requires an extension for which `is_read` is false, as the
+/// specification demands.
+void require_extensions(const std::string& path, const Json& file,
+                        bool (*is_read)(std::string_view name));
+
+}  // namespace displayfile

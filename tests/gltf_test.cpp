@@ -211,6 +211,9 @@ TEST_F(GltfTest, DataThatAreNotThereAreRefused) {
   refused([](Gltf& g) { g.primitive()["attributes"]["POSITION"] = 7; },
           "accessor 7: there is none");
   refused([](Gltf& g) { g.primitive()["material"] = 0; }, "material 0: there is none");
+  refused([](Gltf& g) { g.file["nodes"][0]["mesh"] = 1; }, "mesh 1: there is none");
+  refused([](Gltf& g) { g.file["nodes"][0]["skin"] = 0; }, "skin 0: there is none");
+  refused([](Gltf& g) { g.file["scene"] = 1; }, "scene 1: there is none");
   refused([](Gltf& g) { g.primitive()["mode"] = 7; }, "mode 7: expected 0 to 6");
   refused([](Gltf& g) { g.buffer[36] = 3; }, "vertex index 3 out of range");
   refused([](Gltf& g) { g.buffer.replace(0, 4, bytes(std::nanf(""))); },
@@ -220,6 +223,41 @@ TEST_F(GltfTest, DataThatAreNotThereAreRefused) {
        {"gone.bin", "../b.bin", "/etc/passwd", "data:text/plain,abc", "data:;base64,@@@@"}) {
     expect_error([&] { read_mesh(file("a.gltf", elsewhere.text(uri))); }, "glTF: accessor 0: ");
   }
+}
+
+/// What is of another type than it should be is not taken for missing.
+TEST_F(GltfTest, MembersOfOtherTypesAreRefused) {
+  const auto refused = [&](const std::function<void(Json&)>& change, const std::string& words) {
+    Gltf gltf;
+    gltf.file["materials"] = Json::parse("[{}]");
+    gltf.primitive()["material"] = 0;
+    change(gltf.file);
+    expect_refused(gltf, "not a mesh that can be read: glTF: " + words);
+  };
+  refused(
+      [](Json& f) {
+        f["nodes"][0]["translation"] = {1, 2};
+      },
+      "translation: expected 3 numbers");
+  refused([](Json& f) { f["nodes"][0]["rotation"] = {1, 2, 3, "4"}; }, "rotation: expected 4 num");
+  refused([](Json& f) { f["nodes"][0]["scale"] = 2; }, "scale: expected an array");
+  refused([](Json& f) { f["nodes"][0]["matrix"] = {1, 2, 3}; }, "matrix: expected 16 numbers");
+  refused([](Json& f) { f["nodes"][0]["children"] = 0; }, "children: expected an array");
+  refused([](Json& f) { f["scene"] = "0"; }, "scene: expected a whole number");
+  refused([](Json& f) { f["accessors"][0]["byteOffset"] = -1; }, "byteOffset: expected a whole nu");
+  refused([](Json& f) { f["bufferViews"][0]["byteLength"] = "36"; },
+          "byteLength: expected a whole");
+  refused([](Json& f) { f["meshes"][0]["primitives"] = 1; }, "primitives: expected an array");
+  refused([](Json& f) { f["materials"][0]["pbrMetallicRoughness"] = 1; },
+          "pbrMetallicRoughness: expected an object");
+  refused(
+      [](Json& f) {
+        f["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 0};
+      },
+      "baseColorFactor: expected 4 numbers");
+  refused([](Json& f) { f["materials"][0]["alphaCutoff"] = "1"; },
+          "alphaCutoff: expected a number");
+  refused([](Json& f) { f["meshes"][0]["primitives"][0]["mode"] = 4.5; }, "mode: expected a whole");
 }
 
 // ---- Primitives ------------------------------------------------------------------------
@@ -244,6 +282,13 @@ TEST_F(GltfTest, PointsAndLinesAreCounted) {
     gltf.file["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
     EXPECT_EQ(read(gltf).skipped.points_and_lines, count) << mode;
   }
+}
+
+TEST_F(GltfTest, PrimitivesWithoutPositionsAreTold) {
+  Gltf gltf;
+  gltf.file["meshes"][0]["primitives"].push_back(
+      {{"extensions", {{"ACME_shape", Json::object()}}}});
+  EXPECT_EQ(read(gltf).skipped.warnings, Sentences{"left out: 1 primitive without positions"});
 }
 
 TEST_F(GltfTest, NormalsAreReadAndTurned) {
@@ -392,6 +437,8 @@ TEST_F(GltfTest, SkinsAtRest) {
   Gltf bad = skinned({1, 1, 0.5});
   bad.file["skins"][0]["joints"] = {1};
   expect_refused(bad, "not a mesh that can be read: glTF: joint 1 out of range: expected less");
+  bad.file["skins"][0]["joints"] = {1, 2, 2};
+  expect_refused(bad, "not a mesh that can be read: glTF: 2 inverse bind matrices for 3 joints");
   bad.file["skins"][0]["joints"] = {1, 3};
   expect_refused(bad, "not a mesh that can be read: glTF: joint 3: expected a node");
 }

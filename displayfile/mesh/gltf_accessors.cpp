@@ -66,7 +66,7 @@ GltfAccessors::GltfAccessors(const std::string& path, const GltfFile& file)
       file_(file),
       neighbours_(path),
       meant_names_(meant_names(path, file.json)),
-      buffers_(member(file.json, "buffers").size()) {}
+      buffers_(array_in(file.json, "buffers").size()) {}
 
 GltfValues GltfAccessors::values(const Json& reference, std::size_t fewest, std::size_t most) {
   static constexpr Type kTypes[] = {
@@ -74,7 +74,7 @@ GltfValues GltfAccessors::values(const Json& reference, std::size_t fewest, std:
       {5122, 2, 32767, component<std::int16_t>},       {5123, 2, 65535, component<std::uint16_t>},
       {5125, 4, 4294967295, component<std::uint32_t>}, {kFloat, 4, 1, component<float>}};
   accessor_ = reference.dump();
-  const Json& accessor = referred(member(file_.json, "accessors"), reference);
+  const Json& accessor = referred(array_in(file_.json, "accessors"), reference);
   if (accessor.is_null()) fail("there is none");
   const auto code = whole_number(member(accessor, "componentType"));
   const auto* type = std::ranges::find(kTypes, code.value_or(0), &Type::code);
@@ -95,10 +95,10 @@ GltfValues GltfAccessors::values(const Json& reference, std::size_t fewest, std:
   if (view.is_null()) {
     all.values.assign(*count * all.components, 0.0);
   } else {
-    const std::size_t from = whole_number(member(accessor, "byteOffset")).value_or(0);
+    const std::size_t from = whole_number_in(accessor, "byteOffset", 0);
     read(view, {from, type->bytes * all.components, *count}, *type, all.components, all.values);
   }
-  const Json& sparse = member(accessor, "sparse");
+  const Json& sparse = object_in(accessor, "sparse");
   if (!sparse.is_null()) read_sparse(sparse, *type, all);
   if (!std::ranges::all_of(all.values, [](double v) { return std::isfinite(v); })) {
     fail("expected finite numbers");
@@ -124,16 +124,16 @@ std::vector<std::uint32_t> GltfAccessors::indices(const Json& reference) {
 
 void GltfAccessors::read(const Json& reference, const Place& place, const Type& type,
                          std::size_t components, std::vector<double>& to) {
-  const Json& view = referred(member(file_.json, "bufferViews"), reference);
+  const Json& view = referred(array_in(file_.json, "bufferViews"), reference);
   if (view.is_null()) fail("its buffer view is not there");
   const std::string_view bytes = buffer(member(view, "buffer"));
-  const std::size_t begin = whole_number(member(view, "byteOffset")).value_or(0);
-  const std::size_t length = whole_number(member(view, "byteLength")).value_or(0);
+  const std::size_t begin = whole_number_in(view, "byteOffset", 0);
+  const std::size_t length = whole_number_in(view, "byteLength", 0);
   if (begin > bytes.size() || length > bytes.size() - begin) {
     fail(fmt::format("its buffer view ends behind its buffer, which has {} bytes", bytes.size()));
   }
   constexpr std::size_t kMostStride = 0xFFFF;
-  std::size_t stride = whole_number(member(view, "byteStride")).value_or(0);
+  std::size_t stride = whole_number_in(view, "byteStride", 0);
   if (stride > kMostStride) fail(fmt::format("stride {}: expected at most 252", stride));
   if (stride == 0) stride = place.bytes;
   const std::string_view data = bytes.substr(begin, length);
@@ -154,7 +154,7 @@ void GltfAccessors::read(const Json& reference, const Place& place, const Type& 
 
 /// Elements that are given in the place of others.
 void GltfAccessors::read_sparse(const Json& sparse, const Type& type, GltfValues& to) {
-  const std::size_t count = whole_number(member(sparse, "count")).value_or(0);
+  const std::size_t count = whole_number_in(sparse, "count", 0);
   const Json& indices = member(sparse, "indices");
   const Json& values = member(sparse, "values");
   const Type kIndices[] = {{5121, 1, 1, component<std::uint8_t>},
@@ -164,9 +164,7 @@ void GltfAccessors::read_sparse(const Json& sparse, const Type& type, GltfValues
   const auto* index_type = std::ranges::find(kIndices, code.value_or(0), &Type::code);
   if (count > to.count || index_type == std::end(kIndices)) fail("its sparse values are invalid");
   std::vector<double> at, replaced;
-  const auto offset = [](const Json& of) {
-    return whole_number(member(of, "byteOffset")).value_or(0);
-  };
+  const auto offset = [](const Json& of) { return whole_number_in(of, "byteOffset", 0); };
   read(member(indices, "bufferView"), {offset(indices), index_type->bytes, count}, *index_type, 1,
        at);
   read(member(values, "bufferView"), {offset(values), type.bytes * to.components, count}, type,
@@ -180,9 +178,9 @@ void GltfAccessors::read_sparse(const Json& sparse, const Type& type, GltfValues
 }
 
 std::string_view GltfAccessors::buffer(const Json& reference) {
-  const Json& buffers = member(file_.json, "buffers");
+  const Json& buffers = array_in(file_.json, "buffers");
   const auto number = whole_number(reference);
-  if (!number || !buffers.is_array() || *number >= buffers.size()) fail("its buffer is not there");
+  if (!number || *number >= buffers.size()) fail("its buffer is not there");
   auto& content = buffers_[*number];
   if (!content) content = content_of(buffers[*number], *number);
   return *content;

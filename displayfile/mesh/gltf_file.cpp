@@ -59,7 +59,7 @@ bool is_read(std::string_view extension) {
 }
 
 const Json& extension(const Json& object, const char* name) {
-  return member(member(object, "extensions"), name);
+  return object_in(object_in(object, "extensions"), name);
 }
 
 bool is_read_by_import_library(const Json& file) {
@@ -78,18 +78,18 @@ struct GltfMaterial {
 };
 
 GltfMaterial material_of(const Json& material) {
-  const Json& metallic = member(material, "pbrMetallicRoughness");
+  const Json& metallic = object_in(material, "pbrMetallicRoughness");
   const Json& glossy = extension(material, kSpecularGlossiness);
-  const Json& factor =
-      glossy.is_null() ? member(metallic, "baseColorFactor") : member(glossy, "diffuseFactor");
-  const auto c = numbers<4>(factor).value_or(std::array{1.0, 1.0, 1.0, 1.0});
+  constexpr std::array kWhite{1.0, 1.0, 1.0, 1.0};
+  const auto c = glossy.is_null() ? numbers_in(metallic, "baseColorFactor", kWhite)
+                                  : numbers_in(glossy, "diffuseFactor", kWhite);
   const std::string_view mode = text_of(member(material, "alphaMode"));
   GltfMaterial read;
   read.material.colour = brought_into_range(Colour(c[0], c[1], c[2]));
-  read.material.textured = !member(metallic, "baseColorTexture").is_null() ||
-                           !member(glossy, "diffuseTexture").is_null();
+  read.material.textured = !object_in(metallic, "baseColorTexture").is_null() ||
+                           !object_in(glossy, "diffuseTexture").is_null();
   read.is_blended = mode == "BLEND";
-  const double cutoff = number_or(member(material, "alphaCutoff"), 0.5);
+  const double cutoff = number_in(material, "alphaCutoff", 0.5);
   read.material.transparent = (read.is_blended && c[3] < 1.0) || (mode == "MASK" && c[3] < cutoff);
   return read;
 }
@@ -106,7 +106,7 @@ class GltfReader {
   }
 
   Mesh read() && {
-    for (const Json& material : member(json_, "materials")) {
+    for (const Json& material : array_in(json_, "materials")) {
       materials_.push_back(material_of(material));
     }
     materials_.emplace_back();  // that of parts without any
@@ -114,8 +114,10 @@ class GltfReader {
     for (const std::size_t node : scene_.nodes()) add_node(node);
     mesh_.warn_left_out(scene_.meshes_elsewhere(), "{} object that is not in the scene",
                         "{} objects that are not in the scene");
-    mesh_.warn_left_out(member(json_, "animations").size(), "{} animation", "{} animations");
-    mesh_.warn_left_out(member(extension(json_, kVariants), "variants").size(),
+    mesh_.warn_left_out(without_positions_, "{} primitive without positions",
+                        "{} primitives without positions");
+    mesh_.warn_left_out(array_in(json_, "animations").size(), "{} animation", "{} animations");
+    mesh_.warn_left_out(array_in(extension(json_, kVariants), "variants").size(),
                         "{} variant of materials", "{} variants of materials");
     return std::move(mesh_).finish();
   }
@@ -123,15 +125,20 @@ class GltfReader {
  private:
   void add_node(std::size_t number) {
     const Json& node = member(json_, "nodes")[number];
-    const Json& mesh = referred(member(json_, "meshes"), member(node, "mesh"));
-    if (mesh.is_null()) return;
+    const Json& mesh = referred(array_in(json_, "meshes"), member(node, "mesh"));
+    if (member(node, "mesh").is_null()) return;
+    if (mesh.is_null()) {
+      throw std::runtime_error(
+          fmt::format("glTF: mesh {}: there is none", member(node, "mesh").dump()));
+    }
     const std::string_view name = text_of(member(node, "name"));
     mesh_.begin_object(name.empty() ? text_of(member(mesh, "name")) : name);
     const std::vector<double> weights = weights_of(node, mesh);
     const std::vector<glm::dmat4> joints = joints_of(node), places = places_of(node, number);
-    for (const Json& primitive : member(mesh, "primitives")) {
+    for (const Json& primitive : array_in(mesh, "primitives")) {
       const GltfPart part = read_gltf_part(primitive, weights, with_normals_, accessors_);
       use_material(primitive);
+      without_positions_ += part.positions.empty() ? 1 : 0;
       GltfPart skinned = part;
       if (!joints.empty() && move_by_skin(primitive, joints, accessors_, skinned)) {
         add(skinned);
@@ -147,20 +154,23 @@ class GltfReader {
 
   /// Of a mesh's morph targets, in a node.
   static std::vector<double> weights_of(const Json& node, const Json& mesh) {
-    const Json& own = member(node, "weights");
+    const Json& own = array_in(node, "weights");
+    const Json& in_force = own.is_null() ? array_in(mesh, "weights") : own;
     std::vector<double> weights;
-    for (const Json& weight : own.is_null() ? member(mesh, "weights") : own) {
-      weights.push_back(number_or(weight, 0.0));
-    }
+    for (const Json& weight : in_force) weights.push_back(weight.get<double>());
     return weights;
   }
 
   /// From a node's mesh to the world, by the joints of its skin.
   std::vector<glm::dmat4> joints_of(const Json& node) {
     std::vector<glm::dmat4> joints;
-    const Json& skin = referred(member(json_, "skins"), member(node, "skin"));
-    if (skin.is_null()) return joints;
-    for (const Json& joint : member(skin, "joints")) {
+    const Json& skin = referred(array_in(json_, "skins"), member(node, "skin"));
+    if (member(node, "skin").is_null()) return joints;
+    if (skin.is_null()) {
+      throw std::runtime_error(
+          fmt::format("glTF: skin {}: there is none", member(node, "skin").dump()));
+    }
+    for (const Json& joint : array_in(skin, "joints")) {
       const auto number = whole_number(joint);
       if (!number || *number >= member(json_, "nodes").size()) {
         throw std::runtime_error(fmt::format("glTF: joint {}: expected a node", joint.dump()));
@@ -170,7 +180,11 @@ class GltfReader {
     const Json& inverse = member(skin, "inverseBindMatrices");
     if (inverse.is_null()) return joints;
     const GltfValues matrices = accessors_.values(inverse, 16);
-    for (std::size_t i = 0; i < std::min(joints.size(), matrices.count); ++i) {
+    if (matrices.count < joints.size()) {
+      throw std::runtime_error(fmt::format("glTF: {} inverse bind matrices for {} joints",
+                                           matrices.count, joints.size()));
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
       glm::dmat4 bound(1.0);
       for (int k = 0; k < 16; ++k) bound[k / 4][k % 4] = matrices[i][k];
       joints[i] = joints[i] * bound;
@@ -181,7 +195,7 @@ class GltfReader {
   /// Where a node's mesh stands in the world, once or as often as it has instances.
   std::vector<glm::dmat4> places_of(const Json& node, std::size_t number) {
     const glm::dmat4& to_world = scene_.to_world(number);
-    const Json& attributes = member(extension(node, kInstances), "attributes");
+    const Json& attributes = object_in(extension(node, kInstances), "attributes");
     if (attributes.empty()) return {to_world};
     const auto values = [&](const char* name, std::size_t components) {
       const Json& reference = member(attributes, name);
@@ -256,6 +270,7 @@ class GltfReader {
   MeshBuilder mesh_;
   std::vector<GltfMaterial> materials_;  // the last for what has none
   std::size_t material_ = 0;             // of the part that is added
+  std::size_t without_positions_ = 0;    // primitives
 };
 
 }  // namespace

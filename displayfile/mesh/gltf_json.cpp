@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -24,6 +25,10 @@ std::string_view chunk_at(std::string_view file, std::size_t at) {
   if (file.size() < at + kHead) return {};
   const auto length = binary_value<std::uint32_t>(file.substr(at), std::endian::little);
   return file.substr(at + kHead, length);
+}
+
+[[noreturn]] void fail_type(const char* name, const std::string& expected) {
+  throw std::runtime_error(fmt::format("glTF: {}: expected {}", name, expected));
 }
 
 }  // namespace
@@ -64,13 +69,48 @@ std::optional<std::size_t> whole_number(const Json& value) {
   return static_cast<std::size_t>(value.get<std::uint64_t>());
 }
 
-double number_or(const Json& value, double other) {
-  return value.is_number() ? value.get<double>() : other;
-}
-
 std::string_view text_of(const Json& value) {
   return value.is_string() ? std::string_view(value.get_ref<const std::string&>())
                            : std::string_view();
+}
+
+const Json& object_in(const Json& object, const char* name) {
+  const Json& value = member(object, name);
+  if (!value.is_null() && !value.is_object()) fail_type(name, "an object");
+  return value;
+}
+
+const Json& array_in(const Json& object, const char* name) {
+  const Json& value = member(object, name);
+  if (!value.is_null() && !value.is_array()) fail_type(name, "an array");
+  return value;
+}
+
+std::size_t whole_number_in(const Json& object, const char* name, std::size_t if_missing) {
+  const Json& value = member(object, name);
+  if (value.is_null()) return if_missing;
+  const auto number = whole_number(value);
+  if (!number) fail_type(name, "a whole number");
+  return *number;
+}
+
+double number_in(const Json& object, const char* name, double if_missing) {
+  const Json& value = member(object, name);
+  if (value.is_null()) return if_missing;
+  if (!value.is_number()) fail_type(name, "a number");
+  return value.get<double>();
+}
+
+std::vector<double> numbers_in(const Json& object, const char* name, std::size_t expected) {
+  std::vector<double> numbers;
+  const Json& values = array_in(object, name);
+  for (const Json& value : values) {
+    if (value.is_number()) numbers.push_back(value.get<double>());
+  }
+  if (!values.is_null() && (numbers.size() != expected || values.size() != expected)) {
+    fail_type(name, fmt::format("{} numbers", expected));
+  }
+  return numbers;
 }
 
 std::map<std::string, std::string> meant_names(const std::string& path, const Json& file) {

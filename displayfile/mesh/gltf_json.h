@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace displayfile {
 
@@ -30,20 +32,26 @@ const Json& member(const Json& object, const char* name);
 const Json& referred(const Json& among, const Json& reference);
 /// A non-negative whole number; nothing if it is none.
 std::optional<std::size_t> whole_number(const Json& value);
-/// A number, or the other value if it is none.
-double number_or(const Json& value, double other);
 /// A string; empty if it is none. Valid as long as the JSON is.
 std::string_view text_of(const Json& value);
 
-/// The numbers of an array of this size; nothing if it is none.
+// Members that may be missing, and are not of another type. Each throws std::runtime_error for one
+// that is.
+
+/// An object, or null.
+const Json& object_in(const Json& object, const char* name);
+/// An array, or null.
+const Json& array_in(const Json& object, const char* name);
+std::size_t whole_number_in(const Json& object, const char* name, std::size_t if_missing);
+double number_in(const Json& object, const char* name, double if_missing);
+/// The numbers of an array, which has as many; none if it is missing.
+std::vector<double> numbers_in(const Json& object, const char* name, std::size_t expected);
 template <std::size_t N>
-std::optional<std::array<double, N>> numbers(const Json& value) {
-  if (!value.is_array() || value.size() != N) return std::nullopt;
-  std::array<double, N> all{};
-  for (std::size_t i = 0; i < N; ++i) {
-    if (!value[i].is_number()) return std::nullopt;
-    all[i] = value[i].get<double>();
-  }
+std::array<double, N> numbers_in(const Json& object, const char* name,
+                                 const std::array<double, N>& if_missing) {
+  std::array<double, N> all = if_missing;
+  const std::vector<double> values = numbers_in(object, name, N);
+  std::copy(values.begin(), values.end(), all.begin());
   return all;
 }
 

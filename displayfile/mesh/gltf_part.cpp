@@ -120,7 +120,7 @@ void turn_round(GltfPart& part) {
 GltfPart read_gltf_part(const Json& primitive, std::span<const double> weights, bool with_normals,
                         GltfAccessors& accessors) {
   GltfPart part;
-  const Json& attributes = member(primitive, "attributes");
+  const Json& attributes = object_in(primitive, "attributes");
   const Json& position = member(attributes, "POSITION");
   if (position.is_null()) return part;  // a primitive that only an extension would fill
   const GltfValues values = accessors.values(position, 3);
@@ -131,7 +131,7 @@ GltfPart read_gltf_part(const Json& primitive, std::span<const double> weights, 
     part.normals = points(accessors.values(attributes["NORMAL"], 3));
     require_count(part.normals.size(), part.positions.size(), "normals");
   }
-  const Json& targets = member(primitive, "targets");
+  const Json& targets = array_in(primitive, "targets");
   for (std::size_t i = 0; i < std::min(targets.size(), weights.size()); ++i) {
     if (weights[i] == 0.0) continue;
     add_target(member(targets[i], "POSITION"), weights[i], "morphed positions", accessors,
@@ -143,7 +143,7 @@ GltfPart read_gltf_part(const Json& primitive, std::span<const double> weights, 
   if (!part.colours.empty()) require_count(part.colours.size(), part.positions.size(), "colours");
 
   auto order = order_of(primitive, part.positions.size(), accessors);
-  const std::size_t mode = whole_number(member(primitive, "mode")).value_or(kTriangles);
+  const std::size_t mode = whole_number_in(primitive, "mode", kTriangles);
   if (mode > kFan) throw std::runtime_error(fmt::format("glTF: mode {}: expected 0 to 6", mode));
   if (mode < kTriangles) {
     part.points_and_lines = points_and_lines(mode, order.size());
@@ -155,7 +155,7 @@ GltfPart read_gltf_part(const Json& primitive, std::span<const double> weights, 
 
 bool move_by_skin(const Json& primitive, std::span<const glm::dmat4> joints,
                   GltfAccessors& accessors, GltfPart& part) {
-  const Json& attributes = member(primitive, "attributes");
+  const Json& attributes = object_in(primitive, "attributes");
   std::vector<glm::dmat4> blended(part.positions.size(), glm::dmat4(0.0));
   std::vector<double> sums(part.positions.size(), 0.0);
   for (std::size_t set = 0;; ++set) {

@@ -11,19 +11,19 @@ namespace displayfile {
 
 namespace {
 
-const Json& nodes_of(const Json& file) { return member(file, "nodes"); }
+const Json& nodes_of(const Json& file) { return array_in(file, "nodes"); }
 
 /// A node's transformation in its parent.
 glm::dmat4 local(const Json& node) {
-  if (const auto m = numbers<16>(member(node, "matrix"))) {
+  if (!member(node, "matrix").is_null()) {
+    const std::vector<double> m = numbers_in(node, "matrix", 16);
     glm::dmat4 matrix(1.0);
-    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = (*m)[static_cast<std::size_t>(i)];
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m[static_cast<std::size_t>(i)];
     return matrix;
   }
-  return gltf_placement(
-      numbers<3>(member(node, "translation")).value_or(std::array{0.0, 0.0, 0.0}),
-      numbers<4>(member(node, "rotation")).value_or(std::array{0.0, 0.0, 0.0, 1.0}),
-      numbers<3>(member(node, "scale")).value_or(std::array{1.0, 1.0, 1.0}));
+  return gltf_placement(numbers_in<3>(node, "translation", {0.0, 0.0, 0.0}),
+                        numbers_in<4>(node, "rotation", {0.0, 0.0, 0.0, 1.0}),
+                        numbers_in<3>(node, "scale", {1.0, 1.0, 1.0}));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ GltfScene::GltfScene(const std::string& path, const Json& file)
 
 void GltfScene::find_parents() {
   for (std::size_t i = 0; i < parents_.size(); ++i) {
-    for (const Json& child : member(nodes_of(file_)[i], "children")) {
+    for (const Json& child : array_in(nodes_of(file_)[i], "children")) {
       const auto c = whole_number(child);
       if (!c || *c >= parents_.size()) fail(i, fmt::format("its child {} is none", child.dump()));
       if (parents_[*c] != kNone) fail(*c, "it is the child of two nodes");
@@ -67,15 +67,19 @@ void GltfScene::find_parents() {
 }
 
 void GltfScene::collect() {
-  const Json& scenes = member(file_, "scenes");
-  const Json& scene = referred(scenes, member(file_, "scene"));
+  const Json& scenes = array_in(file_, "scenes");
+  const std::size_t scene = whole_number_in(file_, "scene", 0);
   std::vector<std::size_t> waiting;
   if (scenes.empty()) {
     for (std::size_t i = parents_.size(); i-- > 0;) {
       if (parents_[i] == kNone) waiting.push_back(i);
     }
   } else {
-    for (const Json& root : member(scene.is_null() ? *scenes.begin() : scene, "nodes")) {
+    if (scene >= scenes.size()) {
+      throw Error(fmt::format("{}: not a mesh that can be read: glTF: scene {}: there is none",
+                              path_, scene));
+    }
+    for (const Json& root : array_in(scenes[scene], "nodes")) {
       waiting.push_back(whole_number(root).value_or(kNone));
     }
     std::ranges::reverse(waiting);

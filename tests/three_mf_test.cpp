@@ -102,8 +102,8 @@ TEST_F(ThreeMfTest, ColourGroups) {
             "(1 0 0)(1 0 0)(1 0 0)(1 0 0)");
   const std::string same = "pid=\"2\" p1=\"0\" p2=\"0\" p3=\"0\"";
   const std::string varied = "pid=\"2\" p1=\"0\" p2=\"1\" p3=\"1\"";
-  const Mesh mesh = read_3mf(model_of(object(tetrahedron({same, varied, varied, same}))));
-  const std::string mean = text_of({Colour(2.0 / 3, 1.0 / 3, 0)});
+  const std::string last_varies = "pid=\"2\" p1=\"1\" p3=\"0\"";
+  const Mesh mesh = read_3mf(model_of(object(tetrahedron({same, varied, last_varies, same}))));
   const auto green = Colour(0, 1, 0);
   ASSERT_EQ(mesh.colour(0), green);
   EXPECT_EQ(mesh.colour(3), green);
@@ -136,6 +136,22 @@ TEST_F(ThreeMfTest, TexturesAreCounted) {
       read_3mf(model_of(group + object(tetrahedron({of_texture, kRed, of_texture, of_texture}))));
   EXPECT_EQ(text_of(colours_of(mesh)), "(none)(1 0 0)(none)(none)");
   EXPECT_EQ(mesh.skipped.textured_faces, 3u);
+}
+
+TEST_F(ThreeMfTest, EveryGroupHasAsManyPropertiesAsItsFileGivesIt) {
+  const std::string groups =
+      "<m:texture2dgroup id=\"5\" texid=\"4\"><m:tex2coord u=\"0\" v=\"0\"/></m:texture2dgroup>"
+      "<m:compositematerials id=\"6\" matid=\"1\" matindices=\"0 1\"><m:composite values=\"1 1\"/>"
+      "</m:compositematerials><m:multiproperties id=\"7\" pids=\"1\"><m:multi pindices=\"0\"/>"
+      "</m:multiproperties><m:colorgroup id=\"8\"><m:color color=\"#000000\"/></m:colorgroup>";
+  for (int group = 5; group <= 8; ++group) {
+    const auto with = [&](int index) {
+      return model_of(groups +
+                      object(tetrahedron(), fmt::format("pid='{}' pindex='{}'", group, index)));
+    };
+    EXPECT_EQ(read_3mf(with(0)).faces(), 4u) << group;
+    expect_refused(with(1), "not a mesh that can be read: 3MF: property index '1' out of range");
+  }
 }
 
 TEST_F(ThreeMfTest, MixedMaterials) {
@@ -250,6 +266,8 @@ TEST_F(ThreeMfTest, Units) {
   EXPECT_DOUBLE_EQ(high("centimeter", "meter"), 5 + 100.0);
   EXPECT_DOUBLE_EQ(high("foot", "inch"), 5 + 1 / 12.0);
   EXPECT_DOUBLE_EQ(high("millimeter", "micron"), 5 + 0.001);
+  EXPECT_EQ(read_3mf(in_unit(model_of(object(tetrahedron())), "inch")).skipped.warnings,
+            Sentences{"left out: its unit, inch: --unit sets that of a sheet or scale"});
   expect_refused(in_unit(model_of(object(tetrahedron())), "ell"),
                  "not a mesh that can be read: 3MF: unit 'ell': unknown");
 }

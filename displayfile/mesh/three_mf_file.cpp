@@ -47,6 +47,10 @@ class ThreeMfReader {
     if (model.build.empty()) fail("its build has no items");
     for (const ThreeMfPlacement& item : model.build) place(root, model, item);
     const WrittenDigits& digits = findings_.digits;
+    if (model.millimetres != 1.0) {
+      mesh_.warn(
+          fmt::format("left out: its unit, {}: --unit sets that of a sheet or scale", model.unit));
+    }
     mesh_.note_rounding(digits.rounding() * largest_scale_);
     warn();
     return std::move(mesh_).finish();

@@ -153,6 +153,7 @@ class ModelReader {
     if (found == std::end(kMillimetres))
       fail(fmt::format("unit {}: unknown", TextCursor::quoted(unit)));
     model_.millimetres = found->second;
+    model_.unit = unit;
     for (const std::string_view prefix : words_of(root.value("requiredextensions").value_or(""))) {
       std::string_view extension = prefix;
       for (const auto& [name, value] : root.attributes) {
@@ -201,8 +202,11 @@ class ModelReader {
     } else if (name == "color") {
       add_to_group(coloured(required(tag, "color")));
     } else if (name == "tex2coord") {
-      if (group_->empty()) add_to_group({std::nullopt, true, false});
-      group_->push_back(group_->front());
+      if (group_->empty()) {
+        add_to_group({std::nullopt, true, false});
+      } else {
+        group_->push_back(group_->front());
+      }
     } else if (name == "composite") {
       add_to_group(mixed_material(words_of(required(tag, "values"))));
     } else if (name == "multi") {

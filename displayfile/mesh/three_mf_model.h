@@ -38,7 +38,8 @@ struct ThreeMfObject {
 
 /// A model, the content of a part of the file.
 struct ThreeMfModel {
-  double millimetres = 1.0;                                   ///< of its unit
+  double millimetres = 1.0;  ///< of its unit
+  std::string unit;
   std::map<std::string, ThreeMfObject, std::less<>> objects;  // by their identifiers
   std::vector<ThreeMfPlacement> build;
 };

@@ -173,6 +173,20 @@ TEST_F(GltfLosses, MorphTargetsThatMoveVerticesAreTold) {
   expect_losses(two, {"left out: the morph targets of 2 objects"});
 }
 
+TEST_F(GltfLosses, AnimationsThatMoveSomethingAreTold) {
+  Gltf gltf;
+  const std::size_t times = gltf.add(bytes(0.f) + bytes(1.f), 5126, 2, "SCALAR");
+  gltf.file["accessors"][times]["min"] = {0};
+  gltf.file["accessors"][times]["max"] = {1};
+  const std::size_t places =
+      gltf.add(std::string(12, '\0') + bytes(1.f) + bytes(2.f) + bytes(3.f), 5126, 2, "VEC3");
+  gltf.file["animations"] = Json::parse(fmt::format(
+      R"([{{"samplers":[{{"input":{},"output":{}}}],
+          "channels":[{{"sampler":0,"target":{{"node":0,"path":"translation"}}}}]}}])",
+      times, places));
+  expect_losses(gltf, {"left out: 1 animation"});
+}
+
 TEST_F(GltfLosses, InstancesAreTold) {
   Gltf gltf;
   gltf.file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =

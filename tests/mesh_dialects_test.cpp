@@ -253,6 +253,39 @@ TEST_F(MeshDialects, WhatPlyHasThatIsNotReadIsNamed) {
       << "two parts are no colour";
 }
 
+TEST_F(MeshDialects, PlyColoursAreFloatsOrBytesWithOpacity) {
+  const auto mesh = [&](const std::string& type, const std::string& colour) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\n";
+    for (const char* part : {"red", "green", "blue", "alpha"}) {
+      text += fmt::format("property {} {}\n", type, part);
+    }
+    text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const char* p : {"0 0 0", "1 0 0", "0 1 0"}) text += fmt::format("{} {}\n", p, colour);
+    return read("a.ply", text + "3 0 1 2\n");
+  };
+  struct Case {
+    const char *type, *colour, *expected;
+    std::size_t transparent;
+  };
+  for (const auto& [type, colour, expected, transparent] :
+       {Case{"float", "1 0 0.2 1", "255,0,51 ", 0},
+        {"float", "1 0 0.2 0.5", "255,0,51 ", 1},
+        {"float", "255 0 51 255", "255,0,51 ", 0},
+        {"float", "255 0 51 128", "255,0,51 ", 1},
+        {"double", "1 0 0.2 0", "255,0,51 ", 1},
+        {"uchar", "255 0 51 255", "255,0,51 ", 0},
+        {"uchar", "255 0 51 254", "255,0,51 ", 1},
+        {"ushort", "65535 0 13107 65535", "255,0,51 ", 0},
+        {"int", "255 0 51 255", "255,0,51 ", 0}}) {
+    const Mesh read = mesh(type, colour);
+    EXPECT_EQ(colours_of(read), expected) << type << colour;
+    EXPECT_EQ(read.skipped.transparent_faces, transparent) << type << colour;
+    EXPECT_EQ(read.skipped.warnings, Sentences{}) << type << colour;
+  }
+}
+
 // ---- Points, and colours that differ ---------------------------------------------------
 
 TEST_F(MeshDialects, PointsWithoutFacesAreRefusedByName) {

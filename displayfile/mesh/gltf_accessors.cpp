@@ -29,7 +29,7 @@ double component(std::string_view bytes) {
   return static_cast<double>(binary_value<Number>(bytes, std::endian::little));
 }
 
-constexpr std::size_t kFloat = 5126;
+constexpr std::size_t kFloatType = 5126;
 
 struct ElementType {
   std::string_view name;
@@ -72,7 +72,7 @@ GltfValues GltfAccessors::values(const Json& reference, std::size_t fewest, std:
   static constexpr Type kTypes[] = {
       {5120, 1, 127, component<std::int8_t>},          {5121, 1, 255, component<std::uint8_t>},
       {5122, 2, 32767, component<std::int16_t>},       {5123, 2, 65535, component<std::uint16_t>},
-      {5125, 4, 4294967295, component<std::uint32_t>}, {kFloat, 4, 1, component<float>}};
+      {5125, 4, 4294967295, component<std::uint32_t>}, {kFloatType, 4, 1, component<float>}};
   accessor_ = reference.dump();
   const Json& accessor = referred(array_in(file_.json, "accessors"), reference);
   if (accessor.is_null()) fail("there is none");
@@ -90,7 +90,7 @@ GltfValues GltfAccessors::values(const Json& reference, std::size_t fewest, std:
   constexpr std::size_t kMost = 0xFFFFFFFF;
   if (!count || *count > kMost) fail("expected a count");
 
-  GltfValues all{*count, element->components, {}, type->code == kFloat, 1.0};
+  GltfValues all{*count, element->components, {}, type->code == kFloatType, 1.0};
   const Json& view = member(accessor, "bufferView");
   if (view.is_null()) {
     all.values.assign(*count * all.components, 0.0);

@@ -357,6 +357,7 @@ Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_no
   reader.add_materials(library, *scene);
   const std::vector<MeshNode> nodes = nodes_in_order(*scene);
   for (const MeshNode& node : nodes) reader.add(*scene, node);
+  losses.add(animations_that_move(*scene), "{} animation", "{} animations");
   losses.add(skins_that_move(*scene, nodes), "the skin of {} object", "the skins of {} objects");
   Mesh mesh = std::move(reader).take(std::move(losses.left_out));
   mesh.upright = upright_of_file(*scene);

@@ -66,7 +66,8 @@ struct Camera {
 };
 
 /// Limits of the import library for one mesh. The library runs in a process of its own
-/// (import_process.md); OBJ, OFF, PLY and STL are read in this process without these limits.
+/// (import_process.md), as glTF and 3MF do; OBJ, OFF, PLY and STL are read in this process without
+/// these limits.
 struct ImportLimits {
   std::size_t memory = std::size_t{2} << 30;  ///< bytes, beyond what the library itself uses
   double seconds = 60.0;                      ///< of elapsed time
@@ -154,13 +155,14 @@ struct Mesh {
 /// Descriptions of the skipped contents, such as "3 points and lines", one per kind that occurred.
 std::vector<std::string> left_out(const Mesh::Skipped& skipped);
 
-/// Reads a mesh: OBJ, OFF, PLY and STL in the precision of the file, any other format through the
-/// import library in a separate process (import_process.h); README.md lists the supported contents
-/// of each format. An object is an OBJ object or group, a solid of an STL text, a node of the
-/// library's scene, or otherwise the whole file. Throws Error with the file and, where known, line
-/// and column: unreadable; unknown format; truncated; an index out of range; a coordinate that is
-/// not finite or exceeds single precision; more elements announced than the file can hold; no
-/// faces; the import library crashed or exceeded its limits of time or memory.
+/// Reads a mesh: OBJ, OFF, PLY and STL, also compressed, in the precision of the file; glTF 2.0 and
+/// 3MF in that of the file and any other format through the import library, in a separate process
+/// (import_process.h); formats.md lists the supported contents of each format. An object is an OBJ
+/// object or group, a solid of an STL text, a node of the library's scene, or otherwise the whole
+/// file. Throws Error with the file and, where known, line and column: unreadable; unknown format;
+/// truncated; an index out of range; a coordinate that is not finite or exceeds single precision;
+/// more elements announced than the file can hold; no faces; the import library crashed or exceeded
+/// its limits of time or memory.
 ///
 /// Vertex normals are read only if with_normals is true, and never from STL files, whose normals
 /// are per facet.

@@ -77,4 +77,17 @@ std::size_t skins_that_move(const aiScene& scene, std::span<const MeshNode> node
   }));
 }
 
+std::size_t animations_that_move(const aiScene& scene) {
+  const auto moves_a_node = [](const aiNodeAnim* channel) {
+    return channel->mNumPositionKeys > 1 || channel->mNumRotationKeys > 1 ||
+           channel->mNumScalingKeys > 1;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(
+      std::span(scene.mAnimations, scene.mNumAnimations), [&](const aiAnimation* animation) {
+        return animation->mNumMeshChannels > 0 || animation->mNumMorphMeshChannels > 0 ||
+               std::ranges::any_of(std::span(animation->mChannels, animation->mNumChannels),
+                                   moves_a_node);
+      }));
+}
+
 }  // namespace displayfile

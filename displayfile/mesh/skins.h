@@ -22,4 +22,8 @@ glm::dmat4 matrix(const aiMatrix4x4& m);
 /// not read.
 std::size_t skins_that_move(const aiScene& scene, std::span<const MeshNode> nodes);
 
+/// The number of animations with more than one place of a node, or with meshes that change. Some of
+/// the library's readers make one of a single place where a file has none.
+std::size_t animations_that_move(const aiScene& scene);
+
 }  // namespace displayfile

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 /// Extensions whose elements are read.
-constexpr std::string_view kReadExtensions[] = {
+constexpr std::string_view kNamespacesRead[] = {
     "http://schemas.microsoft.com/3dmanufacturing/core/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"};
@@ -159,7 +159,7 @@ class ModelReader {
       for (const auto& [name, value] : root.attributes) {
         if (name.starts_with("xmlns:") && name.substr(6) == prefix) extension = value;
       }
-      if (std::ranges::find(kReadExtensions, extension) != std::end(kReadExtensions)) continue;
+      if (std::ranges::find(kNamespacesRead, extension) != std::end(kNamespacesRead)) continue;
       throw std::runtime_error(
           fmt::format("requires the 3MF extension {}, which is not read", extension));
     }

@@ -253,6 +253,23 @@ TEST_F(MeshDialects, WhatPlyHasThatIsNotReadIsNamed) {
       << "two parts are no colour";
 }
 
+TEST_F(MeshDialects, APlyHeaderMayBeginWithWordsOfItsProgram) {
+  const auto ply = [&](const std::string& before, const std::string& among) {
+    return read("a.ply", "ply\nformat ascii 1.0\n" + before +
+                             "element vertex 3\nproperty float x\n" + among +
+                             "property float y\nproperty float z\nelement face 1\n"
+                             "property list uchar int vertex_index\nend_header\n" +
+                             kTriangle + "3 0 1 2\n");
+  };
+  EXPECT_EQ(ply("Created by a program\n", "").skipped.warnings,
+            Sentences{"3:1: 'Created': not read: the line is left out"});
+  EXPECT_EQ(ply("\nCreated by\na program\n", "").skipped.warnings,
+            Sentences{"4:1: 'Created': not read: 2 such lines are left out"});
+  expect_error([&] { ply("", "propery float w\n"); },
+               "a.ply:5:1: 'propery': expected format, element, property, comment or end_header");
+  expect_error([&] { ply("property float w\n", ""); }, "a.ply:3:1: property before any element");
+}
+
 TEST_F(MeshDialects, PlyColoursAreFloatsOrBytesWithOpacity) {
   const auto mesh = [&](const std::string& type, const std::string& colour) {
     std::string text =

@@ -54,6 +54,10 @@ struct PlyHeader {
   std::string_view format;
   std::vector<PlyElement> elements;
   std::size_t textures = 0;  ///< that comments name
+  /// Lines before the first element that are none of the format's, and the place of the first: some
+  /// programs tell there who they are.
+  std::size_t other_lines = 0;
+  std::string first_other;
 };
 
 PlyType ply_type(std::string_view name, const TextCursor& text) {
@@ -123,7 +127,13 @@ PlyHeader ply_header(TextCursor& text) {
       header.elements.back().properties.push_back(ply_property(text));
     } else if (keyword == "comment") {
       header.textures += text.field() == "TextureFile" ? 1 : 0;
-    } else if (!keyword.empty() && keyword != "obj_info") {
+    } else if (keyword.empty() || keyword == "obj_info") {
+      continue;
+    } else if (header.elements.empty()) {
+      if (header.other_lines++ > 0) continue;
+      header.first_other =
+          fmt::format("{}: {}", text.place(text.offset(keyword)), TextCursor::quoted(keyword));
+    } else {
       text.fail(keyword,
                 fmt::format("{}: expected format, element, property, comment or end_header",
                             TextCursor::quoted(keyword)));
@@ -299,6 +309,12 @@ class PlyReader {
       }
     }
     mesh_.warn_left_out(header_.textures, "{} texture", "{} textures");
+    if (header_.other_lines > 0) {
+      mesh_.warn(fmt::format("{}: not read: {}", header_.first_other,
+                             header_.other_lines == 1
+                                 ? "the line is left out"
+                                 : fmt::format("{} such lines are left out", header_.other_lines)));
+    }
     mesh_.warn_of_lines_left(values_.lines_left());
     mesh_.share_normals_as_vertices();
     mesh_.note_rounding(values_.rounding_of_coordinates());

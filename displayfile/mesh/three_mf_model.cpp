@@ -40,6 +40,12 @@ constexpr std::pair<std::string_view, double> kMillimetres[] = {
   throw std::runtime_error("not a mesh that can be read: 3MF: " + what);
 }
 
+/// A value as messages show it.
+std::string in_quotes(std::string_view value) {
+  constexpr std::size_t kMost = 20;
+  return fmt::format("'{}{}'", value.substr(0, kMost), value.size() > kMost ? "..." : "");
+}
+
 std::string_view without_blanks(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(kXmlBlanks), text.size()));
   return text.substr(0, text.find_last_not_of(kXmlBlanks) + 1);
@@ -58,7 +64,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
 double real(std::string_view text, std::string_view what) {
   const auto value = number<double>(without_blanks(text));
   if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
-    fail(fmt::format("{} {}: expected a finite number", what, TextCursor::quoted(text)));
+    fail(fmt::format("{} {}: expected a finite number", what, in_quotes(text)));
   }
   return *value;
 }
@@ -72,8 +78,7 @@ std::string_view required(const XmlTag& tag, std::string_view name) {
 std::size_t index(std::string_view text, std::size_t end, std::string_view what) {
   const auto value = number<std::uint64_t>(without_blanks(text));
   if (!value || *value >= end) {
-    fail(fmt::format("{} {} out of range: expected less than {}", what, TextCursor::quoted(text),
-                     end));
+    fail(fmt::format("{} {} out of range: expected less than {}", what, in_quotes(text), end));
   }
   return static_cast<std::size_t>(*value);
 }
@@ -101,7 +106,7 @@ Mesh::Material coloured(std::string_view colour) {
   const char* const end = colour.data() + colour.size();
   const auto parsed = std::from_chars(is_whole ? colour.data() + 1 : end, end, bits, 16);
   if (!is_whole || parsed.ec != std::errc() || parsed.ptr != end) {
-    fail(fmt::format("colour {}: expected #RRGGBB or #RRGGBBAA", TextCursor::quoted(colour)));
+    fail(fmt::format("colour {}: expected #RRGGBB or #RRGGBBAA", in_quotes(colour)));
   }
   const bool has_opacity = colour.size() == 9;
   const std::uint32_t rgb = has_opacity ? bits >> 8 : bits;
@@ -115,8 +120,7 @@ glm::dmat4 transformation_of(const XmlTag& tag) {
   const auto text = tag.value("transform");
   if (!text) return m;
   const auto words = words_of(*text);
-  if (words.size() != 12)
-    fail(fmt::format("transform {}: expected 12 numbers", TextCursor::quoted(*text)));
+  if (words.size() != 12) fail(fmt::format("transform {}: expected 12 numbers", in_quotes(*text)));
   for (int i = 0; i < 12; ++i) {
     m[i / 3][i % 3] = real(words[static_cast<std::size_t>(i)], "transform");
   }
@@ -132,7 +136,7 @@ class ModelReader {
     const XmlTag* root = tags_.next();
     if (root == nullptr || root->local_name() != "model") {
       fail(fmt::format("its model begins with {}: expected 'model', in UTF-8",
-                       TextCursor::quoted(root == nullptr ? "" : root->name)));
+                       in_quotes(root == nullptr ? "" : root->name)));
     }
     begin(*root);
     while (const XmlTag* tag = tags_.next()) read(*tag);
@@ -150,8 +154,7 @@ class ModelReader {
     const std::string_view unit = root.value("unit").value_or("millimeter");
     const auto* found =
         std::ranges::find(kMillimetres, unit, [](const auto& u) { return u.first; });
-    if (found == std::end(kMillimetres))
-      fail(fmt::format("unit {}: unknown", TextCursor::quoted(unit)));
+    if (found == std::end(kMillimetres)) fail(fmt::format("unit {}: unknown", in_quotes(unit)));
     model_.millimetres = found->second;
     model_.unit = unit;
     for (const std::string_view prefix : words_of(root.value("requiredextensions").value_or(""))) {
@@ -253,7 +256,7 @@ class ModelReader {
     group_ = nullptr;
     const std::string id(required(tag, "id"));
     const auto [object, is_new] = model_.objects.try_emplace(id);
-    if (!is_new) fail(fmt::format("object {} is defined twice", TextCursor::quoted(id)));
+    if (!is_new) fail(fmt::format("object {} is defined twice", in_quotes(id)));
     object_ = &object->second;
     object_->name = without_entities(tag.value("name").value_or(""));
     own_group_ = tag.value("pid").value_or("");

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
+    from ._matplotlib_crop import Crop
+
     Floats = npt.NDArray[np.float64]
     Indices = npt.NDArray[np.int64]
 
@@ -199,21 +201,48 @@ class Polygons:
         self._sides: list[Indices] = []
         self._attributes: list[Attributes] = []
 
-    def add(self, points: Floats, sides: Indices, attributes: Attributes) -> None:
-        """Leaves out polygons of fewer than 3 corners, or with one that is not finite."""
+    def add(
+        self,
+        points: Floats,
+        sides: Indices,
+        attributes: Attributes,
+        is_cut: npt.NDArray[np.bool_] | None = None,
+    ) -> None:
+        """Leaves out polygons of fewer than 3 corners, or with one that is not finite. Sides that
+        end at a point of which is_cut is True are not drawn."""
         first = np.concatenate([[0], np.cumsum(sides)])
         bad = np.concatenate([[0], np.cumsum(~np.isfinite(points).all(axis=1))])
         good = (sides >= 3) & (bad[first[1:]] == bad[first[:-1]])
         if not good.all():
-            points = points[np.repeat(good, sides)]
+            kept = np.repeat(good, sides)
+            points = points[kept]
+            is_cut = None if is_cut is None else is_cut[kept]
             attributes = attributes.of(good)
             sides = sides[good]
+        if is_cut is not None and is_cut.any():
+            self._hide_sides(points, sides, is_cut)
         self._points.append(points)
         self._sides.append(sides)
         self._attributes.append(attributes)
 
-    def add_rings(self, rings: list[tuple[Floats, bool]], attributes: Attributes) -> None:
-        """One polygon of several rings, of which the others are holes; closed or not each."""
+    def _hide_sides(
+        self, points: Floats, sides: Indices, is_cut: npt.NDArray[np.bool_]
+    ) -> None:
+        count = sum(len(of) for of in self._sides)
+        first = np.concatenate([[0], np.cumsum(sides)])
+        for k in np.unique(np.repeat(np.arange(len(sides)), sides)[is_cut]).tolist():
+            own = points[first[k] : first[k + 1], :2]
+            ends = np.stack([np.roll(own, 1, axis=0), own], axis=1)
+            self.bridges[count + k] = ends[is_cut[first[k] : first[k + 1]]]
+
+    def add_rings(
+        self,
+        rings: list[tuple[Floats, bool]],
+        attributes: Attributes,
+        cuts: list[Floats] | None = None,
+    ) -> None:
+        """One polygon of several rings, of which the others are holes; closed or not each. `cuts`,
+        (n, 2, 2) each, are sides that are not drawn."""
         rings = [(ring, closed) for ring, closed in rings if len(ring) >= 3]
         if not rings or not all(np.isfinite(ring).all() for ring, _ in rings):
             return
@@ -224,6 +253,7 @@ class Polygons:
             loops = [np.concatenate([ring, ring[:1], anchor]) for ring, _ in rings[1:]]
             outline = np.concatenate([outline, anchor, *loops])[:-1]
             bridges += [[anchor[0, :2], ring[0, :2]] for ring, _ in rings[1:]]
+        bridges += [side for of_ring in cuts or [] for side in of_ring]
         if bridges:
             self.bridges[sum(len(sides) for sides in self._sides)] = np.array(bridges)
         self.add(outline, np.array([len(outline)]), attributes)
@@ -256,10 +286,23 @@ class Lines:
         self._attributes: list[Attributes] = []
         self._count = 0
 
-    def add(self, points: Floats, lengths: Indices, attributes: Attributes) -> None:
+    def add(
+        self,
+        points: Floats,
+        lengths: Indices,
+        attributes: Attributes,
+        matrix: Floats,
+        crop: Crop | None,
+    ) -> None:
+        """Polylines in data coordinates."""
         line = np.repeat(np.arange(len(lengths)), lengths)
         segments = np.stack([points[:-1], points[1:]], axis=1)
-        good = (line[1:] == line[:-1]) & np.isfinite(segments).all(axis=(1, 2))
+        good = line[1:] == line[:-1]
+        if crop is not None:
+            segments, is_outside = crop.segments(segments)
+            good &= ~is_outside
+        segments = projected(segments.reshape(-1, 3), matrix).reshape(-1, 2, 3)
+        good &= np.isfinite(segments).all(axis=(1, 2))
         self._segments.append(segments[good])
         self._line.append(line[1:][good] + self._count)
         self._attributes.append(attributes)
@@ -273,7 +316,9 @@ class Lines:
         self.attributes = joined(self._attributes)
 
 
-def add_polygons(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -> None:
+def add_polygons(
+    artist: Any, matrix: Floats, polygons: Polygons, styles: Styles, crop: Crop | None
+) -> None:
     corners, sides = private.polygons(artist)
     face, edge = private.colours(artist)
     n = len(sides)
@@ -289,14 +334,41 @@ def add_polygons(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles
         artist.get_linestyle(),
         style,
     )
-    points = projected(corners, matrix)
     codes = private.codes(artist)
     if codes is None and private.is_closed(artist):
-        polygons.add(points, sides, attributes)
+        if crop is None:
+            polygons.add(projected(corners, matrix), sides, attributes)
+            return
+        left = crop.polygons(corners, sides)
+        points = projected(left.points, matrix)
+        polygons.add(points, left.sides, attributes.of(left.of), left.is_cut)
         return
-    for k, own in enumerate(np.split(points, np.cumsum(sides)[:-1]) if n else []):
-        rings = _rings(own, None if codes is None else codes[k])
-        polygons.add_rings(rings, attributes.of([k]))
+    for k, own in enumerate(np.split(corners, np.cumsum(sides)[:-1]) if n else []):
+        of_own = None if codes is None else codes[k]
+        _add_rings(own, of_own, matrix, polygons, attributes.of([k]), crop)
+
+
+def _add_rings(
+    points: Floats,
+    codes: Any,
+    matrix: Floats,
+    polygons: Polygons,
+    attributes: Attributes,
+    crop: Crop | None,
+) -> None:
+    """The rings of a path in data coordinates."""
+    if crop is None:
+        polygons.add_rings(_rings(projected(points, matrix), codes), attributes)
+        return
+    rings: list[tuple[Floats, bool]] = []
+    cuts: list[Floats] = []
+    for ring, closed in _rings(points, codes):
+        left = crop.polygons(ring, np.array([len(ring)]))
+        if len(left.sides):
+            own = projected(left.points, matrix)
+            rings.append((own, closed))
+            cuts.append(np.stack([np.roll(own, 1, axis=0), own], axis=1)[left.is_cut, :, :2])
+    polygons.add_rings(rings, attributes, cuts)
 
 
 def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
@@ -342,7 +414,9 @@ def _curve(controls: Floats) -> Floats:
     return np.asarray(points[0])
 
 
-def add_patch(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -> None:
+def add_patch(
+    artist: Any, matrix: Floats, polygons: Polygons, styles: Styles, crop: Crop | None
+) -> None:
     corners, codes = private.patch_points(artist)
     attributes = _attributes(
         styles,
@@ -354,10 +428,12 @@ def add_patch(artist: Any, matrix: Floats, polygons: Polygons, styles: Styles) -
         [private.dashes(artist)],
         style_of(artist, artist.get_capstyle(), artist.get_joinstyle()),
     )
-    polygons.add_rings(_rings(projected(corners, matrix), codes), attributes)
+    _add_rings(corners, codes, matrix, polygons, attributes, crop)
 
 
-def add_lines(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None:
+def add_lines(
+    artist: Any, matrix: Floats, lines: Lines, styles: Styles, crop: Crop | None
+) -> None:
     if artist.get_array() is not None:
         artist.update_scalarmappable()
     polylines = private.polylines(artist)
@@ -374,10 +450,12 @@ def add_lines(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None
         style_of(artist, *private.cap_and_join(artist)),
     )
     lengths = np.array([len(p) for p in polylines])
-    lines.add(projected(np.concatenate(polylines), matrix), lengths, attributes)
+    lines.add(np.concatenate(polylines), lengths, attributes, matrix, crop)
 
 
-def add_line(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None:
+def add_line(
+    artist: Any, matrix: Floats, lines: Lines, styles: Styles, crop: Crop | None
+) -> None:
     if artist.get_linestyle() in ("None", "none", " ", ""):
         return
     points = private.line_points(artist)
@@ -397,4 +475,4 @@ def add_line(artist: Any, matrix: Floats, lines: Lines, styles: Styles) -> None:
             getattr(artist, f"get_{kind}_joinstyle")(),
         ),
     )
-    lines.add(projected(points, matrix), np.array([len(points)]), attributes)
+    lines.add(points, np.array([len(points)]), attributes, matrix, crop)

@@ -27,6 +27,7 @@ from ._matplotlib_artists import (
     rounding_of_projected,
     style_of,
 )
+from ._matplotlib_crop import Crop
 from ._matplotlib_ends import with_cut_corners
 from ._matplotlib_paths import Paths, add_pieces, add_polylines
 from ._polygons import sort, visible_lines
@@ -75,6 +76,7 @@ class Scene(Collection):  # type: ignore[misc]
         lift: float,
         line_order: str,
         halo: float,
+        clip: bool,
     ) -> None:
         super().__init__()
         self.axes = ax
@@ -85,29 +87,32 @@ class Scene(Collection):  # type: ignore[misc]
         """What covers each marker: a colour, and how much of the marker's is left."""
         self._artists, self._method, self._lift = artists, method, lift
         self._by_depth, self._halo = line_order == "depth", halo
+        self._clip = clip
         self._runs: list[PathCollection] = []
 
     def do_3d_projection(self) -> float:
         matrix = self.axes.M
+        limits = np.reshape(self.axes.get_w_lims(), (3, 2))
+        crop = Crop(limits) if self._clip else None
         polygons, lines, styles = Polygons(), Lines(), Styles()
         markers: list[Floats] = [np.zeros((0, 3))]
         marked: list[Any] = []
         for artist in self._artists:
             if isinstance(artist, art3d.Poly3DCollection):
-                add_polygons(artist, matrix, polygons, styles)
+                add_polygons(artist, matrix, polygons, styles, crop)
             elif isinstance(artist, art3d.Patch3D):
                 private.project_patch(artist)
-                add_patch(artist, matrix, polygons, styles)
+                add_patch(artist, matrix, polygons, styles, crop)
             elif isinstance(artist, art3d.Line3DCollection):
-                add_lines(artist, matrix, lines, styles)
+                add_lines(artist, matrix, lines, styles, crop)
             elif isinstance(artist, art3d.Line3D):
-                add_line(artist, matrix, lines, styles)
+                add_line(artist, matrix, lines, styles, crop)
                 if _has_markers(artist):
                     marked.append(artist)
-                    markers.append(projected(private.line_points(artist), matrix))
+                    markers.append(_places(private.line_points(artist), matrix, crop))
             else:
                 marked.append(artist)
-                markers.append(projected(private.marker_points(artist), matrix))
+                markers.append(_places(private.marker_points(artist), matrix, crop))
         polygons.finish()
         lines.finish()
         paths = Paths()
@@ -291,6 +296,10 @@ class Scene(Collection):  # type: ignore[misc]
         line.set_markevery(artist.get_markevery())
         line.set_data(xy.T)
         line.draw(renderer)
+
+
+def _places(points: Floats, matrix: Floats, crop: Crop | None) -> Floats:
+    return projected(points if crop is None else crop.markers(points), matrix)
 
 
 def _has_markers(artist: Any) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from mpl_toolkits.mplot3d import Axes3D
 
 from . import _matplotlib_private as private
@@ -27,6 +28,7 @@ def exact(
     lift: float = 0.0,
     line_order: str = "entry",
     halo: float = 0.0,
+    clip: bool = False,
     off: bool = False,
 ) -> Exact:
     """Make the axes draw with exact visibility from now on.
@@ -44,23 +46,27 @@ def exact(
             method.
         halo: With "depth", the gap beside a line where another one crosses in front of it, in
             points; 0 for none.
+        clip: Crop polygons and lines where they pass the axes' limits, and leave out markers outside
+            of them.
         off: Restore the axes.
 
     Returns:
         The Exact that draws them; its remove method restores the axes, too.
 
     Raises:
-        Error: Axes that are not three-dimensional, an unknown method, a lift out of range, or a
+        Error: Axes that are not three-dimensional, an option of another type or out of range, or a
             version of matplotlib without a required attribute.
     """
     if not isinstance(ax, Axes3D):
         raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
-    if method not in _METHODS:
-        raise Error(f"method '{method}': expected depth-sort or bsp")
+    if not isinstance(method, str) or method not in _METHODS:
+        raise Error(f"method {method!r}: expected depth-sort or bsp")
+    lift, halo = _number(lift, "lift"), _number(halo, "halo")
+    clip, off = _switch(clip, "clip"), _switch(off, "off")
     if not 0.0 <= lift < 1.0:
         raise Error(f"lift: {lift}: expected 0 or more, and less than 1")
-    if line_order not in _LINE_ORDERS:
-        raise Error(f"line_order '{line_order}': expected entry or depth")
+    if not isinstance(line_order, str) or line_order not in _LINE_ORDERS:
+        raise Error(f"line_order {line_order!r}: expected entry or depth")
     if not 0.0 <= halo <= 1e4:
         raise Error(f"halo: {halo}: expected 0 to 10000 points")
     if halo > 0.0 and line_order == "entry":
@@ -73,12 +79,28 @@ def exact(
     handle.lift = lift
     handle.line_order = line_order
     handle.halo = halo
+    handle.clip = clip
     ax.stale = True
     if off:
         handle.remove()
     else:
         ax.draw = handle._draw
     return handle
+
+
+def _number(value: Any, what: str) -> float:
+    if isinstance(value, (str, bytes, bool)) or not hasattr(value, "__float__"):
+        raise Error(f"{what}: expected a number, not {type(value).__name__}")
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise Error(f"{what}: expected a number, not {type(value).__name__}") from None
+
+
+def _switch(value: Any, what: str) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise Error(f"{what}: expected True or False, not {type(value).__name__}")
+    return bool(value)
 
 
 class Exact:
@@ -91,6 +113,8 @@ class Exact:
     line_order: str
     """As in exact; it may be set."""
     halo: float
+    """As in exact; it may be set."""
+    clip: bool
     """As in exact; it may be set."""
 
     def __init__(self, ax: Axes3D) -> None:
@@ -119,7 +143,8 @@ class Exact:
         for entry in drawn:
             if isinstance(entry, list):
                 scene = Scene(
-                    ax, entry, self.method, self.lift, self.line_order, self.halo
+                    *(ax, entry, self.method, self.lift),
+                    *(self.line_order, self.halo, self.clip),
                 )
                 shown.append(scene)
                 shown += [Markers(scene, artist) for artist in entry if is_scatter(artist)]

@@ -23,7 +23,7 @@
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "programs/surface/contours.h"
-#include "programs/surface/height_colours.h"
+#include "displayfile/looks/height_colours.h"
 
 namespace displayfile {
 namespace {

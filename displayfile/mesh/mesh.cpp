@@ -225,12 +225,14 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
 
 namespace {
 
-/// Over the viewer's left shoulder, with so much from all around that no face that is seen is
-/// nearly black, and the three of a cube that are seen differ.
-void set_mesh_light(GraphicsSystem& system) {
+/// With so much from all around that no face that is seen is nearly black, and the three of a cube
+/// that are seen differ.
+constexpr double kAmbient = 0.45;
+
+Point3 over_left_shoulder(const GraphicsSystem& system) {
   // The rows of the view-plane transformation are the viewer's right, up and back.
   const glm::dmat4 axes = glm::transpose(ViewVolume(system.view()).view_plane());
-  system.set_light(Point3(axes[2]) + 0.55 * Point3(axes[1]) - 0.45 * Point3(axes[0]), 0.45);
+  return Point3(axes[2]) + 0.55 * Point3(axes[1]) - 0.45 * Point3(axes[0]);
 }
 
 /// Removed faces would hide no light, and have no sides that are drawn where they are hidden.
@@ -239,9 +241,12 @@ bool needs_back_faces(const GraphicsSystem& system, const MeshOptions& options) 
          system.hidden_surfaces().hidden_lines != HiddenLines::none;
 }
 
-/// Sets what the application did not say.
-void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
-  SystemInside::by_default(system, Setting::light, [&] { set_mesh_light(system); });
+void bring_light(GraphicsSystem& system) {
+  SystemInside::by_default(system, Setting::light,
+                           [&] { system.set_light(over_left_shoulder(system), kAmbient); });
+}
+
+void bring_styles(GraphicsSystem& system, const MeshOptions& options) {
   SystemInside::by_default(system, Setting::fill_style,
                            [&] { system.set_fill_style(solid(kNeutral)); });
   const bool shows_lines =
@@ -251,6 +256,19 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   SystemInside::by_default(system, Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
   });
+}
+
+void restore_styles(GraphicsSystem& system, const Attributes& before) {
+  SystemInside::by_default(system, Setting::fill_style,
+                           [&] { system.set_fill_style(before.fill); });
+  SystemInside::by_default(system, Setting::line_style,
+                           [&] { system.set_line_style(before.line); });
+}
+
+/// Sets what the application did not say.
+void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
+  bring_light(system);
+  bring_styles(system, options);
   SystemInside::by_default(system, Setting::hidden_line_removal, [&] {
     const bool back_face_removal = system.attributes().back_face_removal;
     const bool was_set = system.explicit_settings().contains(Setting::back_face_removal);
@@ -260,6 +278,26 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
 }
 
 }  // namespace
+
+Point3 mesh_light(const GraphicsSystem& system) {
+  const RoundToNearest nearest;
+  return over_left_shoulder(system);
+}
+
+void with_mesh_looks(GraphicsSystem& system, const MeshOptions& options,
+                     const std::function<void()>& enter) {
+  const RoundToNearest nearest;
+  const Attributes before = system.attributes();
+  bring_light(system);
+  bring_styles(system, options);
+  try {
+    enter();
+  } catch (...) {
+    restore_styles(system, before);
+    throw;
+  }
+  restore_styles(system, before);
+}
 
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options) {
@@ -276,10 +314,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
     });
     enter_mesh(mesh, system, first_segment_name(mesh, system), entering);
   }
-  SystemInside::by_default(system, Setting::fill_style,
-                           [&] { system.set_fill_style(before.fill); });
-  SystemInside::by_default(system, Setting::line_style,
-                           [&] { system.set_line_style(before.line); });
+  restore_styles(system, before);
 }
 
 void enter_empty_segments(const Mesh& mesh, GraphicsSystem& system) {

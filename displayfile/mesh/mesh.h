@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -207,6 +208,15 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
 /// set; styles are restored. Throws Error if a segment is open.
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
+
+/// The direction of the default light for meshes in the view in force, over the viewer's left
+/// shoulder, as it is passed to set_light: of any length.
+Point3 mesh_light(const GraphicsSystem& system);
+
+/// Calls enter() with the light, fill style and line style that meshes have by default, where the
+/// application has set none. Styles are restored; the light stays set.
+void with_mesh_looks(GraphicsSystem& system, const MeshOptions& options,
+                     const std::function<void()>& enter);
 
 /// Opens and closes the segments that enter_meshes would use for the mesh, empty, for programs that
 /// refer to them by name. Throws Error as open_segment does.

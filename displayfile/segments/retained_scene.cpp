@@ -289,6 +289,7 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
 
 /// A segment of another scene, with all its primitives; what they shared they share here.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
+  opened_ = segment.opened;  // a segment keeps its number
   open_segment(segment.name, segment.view, segment.touching);
   const auto moved_by = static_cast<std::uint32_t>(points_.size()) - segment.first_point;
   append_points(other, segment);
@@ -373,14 +374,34 @@ std::vector<LineKinds> RetainedScene::sides_in_any_view() const {
 }
 
 void RetainedScene::remove(int name) {
+  const std::uint32_t opened = opened_;
   *this = selected([&](const Segment& segment) { return segment.name != name; });
+  opened_ = opened;
 }
 
-void RetainedScene::remove_all() { *this = RetainedScene(); }
+void RetainedScene::remove_all() {
+  const std::uint32_t opened = opened_;
+  *this = RetainedScene();
+  opened_ = opened;
+}
 
 void RetainedScene::rename(int from, int to) {
   const auto segment = std::ranges::find(segments_, from, &Segment::name);
   if (segment != segments_.end()) segment->name = to;
+  edited();
+}
+
+void RetainedScene::set_view(std::uint32_t opened, const View& view) {
+  for (Segment& segment : segments_) {
+    if (segment.opened == opened) segment.view = view;
+  }
+  edited();
+}
+
+void RetainedScene::replace_light(const Light& light, const Light& other) {
+  for (Attributes& attributes : attributes_) {
+    if (attributes.light == light) attributes.light = other;
+  }
   edited();
 }
 

@@ -44,7 +44,8 @@ class RetainedScene : public Watched<RetainedScene> {
     std::uint32_t first, end;              ///< of its primitives
     std::uint32_t first_point, end_point;  ///< of their points, all of them used
     std::uint32_t first_text = 0, end_text = 0;
-    std::uint32_t opened = 0;  ///< how many segments the scene had opened before it
+    /// How many segments the scene had opened before it, removed ones too.
+    std::uint32_t opened = 0;
     /// Which sides are lines; null: all that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
     bool intersections = false;  ///< also draws lines where polygons intersect
@@ -196,6 +197,10 @@ class RetainedScene : public Watched<RetainedScene> {
   void remove(int name);
   void remove_all();
   void rename(int from, int to);
+  /// Sets the view of the segment that was opened as the scene's number `opened`.
+  void set_view(std::uint32_t opened, const View& view);
+  /// Lights what `light` lights by another one.
+  void replace_light(const Light& light, const Light& other);
   /// Enters into the segment opened last. Throws Error, before entering, for more than 2^32 - 2
   /// points in total.
   void enter_polygon(const WorldPolygon& polygon, const Attributes& attributes);

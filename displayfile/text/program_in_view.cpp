@@ -1,6 +1,10 @@
 #include "displayfile/text/program_in_view.h"
 
 #include <algorithm>
+#include <charconv>
+#include <functional>
+#include <optional>
+#include <system_error>
 
 #include "clip/base/collected_text.h"
 #include "clip/base/round_to_nearest.h"
@@ -12,10 +16,18 @@ namespace displayfile {
 
 namespace {
 
-bool sets_view(std::string_view line) {
-  constexpr std::string_view kSpaces = " \t\r";
+constexpr std::string_view kSpaces = " \t\r";
+
+/// The first word, which is then removed.
+std::string_view take_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
-  const std::string_view name = line.substr(0, line.find_first_of(kSpaces));
+  const std::string_view word = line.substr(0, line.find_first_of(kSpaces));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+bool sets_view(std::string_view line) {
+  const std::string_view name = take_word(line);
   const auto all = user_routines();
   const auto routine = std::ranges::find(all, name, &UserRoutine::name);
   return routine != all.end() && routine->section == "View";
@@ -34,6 +46,15 @@ std::string lines_of(const View& view) {
   return lines.str();
 }
 
+/// The name of the segment that it opens.
+std::optional<int> segment_opened(std::string_view line) {
+  if (take_word(line) != "open-segment") return std::nullopt;
+  const std::string_view word = take_word(line);
+  int name = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), name);
+  return read.ec == std::errc() ? std::optional(name) : std::nullopt;
+}
+
 }  // namespace
 
 std::string program_in_view(std::string_view program, const View& view) {
@@ -45,6 +66,24 @@ std::string program_in_view(std::string_view program, const View& view) {
     if (const std::string_view line = program.substr(0, end); !sets_view(line)) {
       result.append(line).append("\n");
     }
+    program.remove_prefix(std::min(end + 1, program.size()));
+  }
+  return result;
+}
+
+std::string program_in_views(std::string_view program,
+                             const std::function<const View&(int segment)>& view_of) {
+  const RoundToNearest nearest;
+  std::string result;
+  std::optional<View> in_force;
+  while (!program.empty()) {
+    const std::size_t end = std::min(program.find('\n'), program.size());
+    const std::string_view line = program.substr(0, end);
+    if (const auto segment = segment_opened(line); segment && in_force != view_of(*segment)) {
+      in_force = view_of(*segment);
+      result.append(lines_of(*in_force));
+    }
+    if (!sets_view(line)) result.append(line).append("\n");
     program.remove_prefix(std::min(end + 1, program.size()));
   }
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,8 @@ namespace displayfile {
 /// stretched to the picture. Lines that are not understood are kept, for the caller that replays
 /// it.
 std::string program_in_view(std::string_view program, const View& view);
+/// The same with the view of each segment that it opens, by its name.
+std::string program_in_views(std::string_view program,
+                             const std::function<const View&(int segment)>& view_of);
 
 }  // namespace displayfile

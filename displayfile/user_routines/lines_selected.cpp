@@ -38,7 +38,8 @@ std::optional<Segment> GraphicsSystem::State::with_lines_selected(int name) {
   RetainedScene* const scene = retaining();
   const auto select = [&]() -> std::optional<Segment> {
     scene->close_segment(surfaces_.lines);
-    if (retains_alone_ || (surfaces_.lines.is_all_alone() && !views_at_close_)) return std::nullopt;
+    if (retains_alone_ || views_on_demand_) return std::nullopt;
+    if (surfaces_.lines.is_all_alone() && !views_at_close_) return std::nullopt;
     const RetainedScene::Segment& part = scene->segments().back();
     PolygonStage stage(view_stage_->pipeline().volume());
     Segment again(name);

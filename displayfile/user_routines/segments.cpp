@@ -41,7 +41,7 @@ void GraphicsSystem::open_segment(int name) {
   const ViewVolume volume(view);
   Segment& segment = state_->display_file_.create(name);
   state_->views_at_close_ = state_->retaining() != nullptr && !state_->retains_alone_ &&
-                            !state_->surfaces_.lines.is_all_alone();
+                            !state_->views_on_demand_ && !state_->surfaces_.lines.is_all_alone();
   if (!state_->is_viewed_later()) segment.keep_entered(state_->surfaces_.touching, volume);
   state_->view_stage_.emplace(volume);
   state_->open_ = name;
@@ -78,8 +78,18 @@ void GraphicsSystem::State::close(Segment& segment) {
   Segment& whole = selected ? *selected : segment;
   keep_entered_once(whole);
   whole.free_room();
-  std::shared_ptr<const SortedScene> sorted;
-  std::optional<SurfacePlan> put_off;
+  sort(whole);
+  std::shared_ptr<const SortedScene> sorted = whole.sorted();
+  const std::optional<SurfacePlan> put_off = whole.put_off;
+  if (selected) segment.take_instructions(std::move(*selected));
+  if (sorted) segment.set_sorted(std::move(sorted));
+  segment.put_off = put_off;
+  segment.close();
+}
+
+/// The hidden surfaces of a segment that is complete, by the settings in force; or notes that they
+/// are to be sorted with those of all others.
+void GraphicsSystem::State::sort(Segment& whole) const {
   const bool each_on_its_own =
       surfaces_.scope.value_or(HiddenScope::segment) == HiddenScope::segment;
   SurfacePlan plan = as_closed_;  // threads and progress
@@ -89,15 +99,11 @@ void GraphicsSystem::State::close(Segment& segment) {
   plan.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
   if (surfaces_.removal && is_object_space(plan.method)) {
     if (each_on_its_own) {
-      sorted = hidden_surface_check(whole.entered(), {}, plan);
+      whole.set_sorted(hidden_surface_check(whole.entered(), {}, plan));
     } else {
-      put_off = plan.kept();
+      whole.put_off = plan.kept();
     }
   }
-  if (selected) segment.take_instructions(std::move(*selected));
-  if (sorted) segment.set_sorted(std::move(sorted));
-  segment.put_off = put_off;
-  segment.close();
 }
 
 /// What was entered is in the retained scene too: it stays there alone.

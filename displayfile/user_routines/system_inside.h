@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -78,6 +79,28 @@ class SystemInside {
   /// callers that draw views of the scene (displayfile/views/scene_viewer.h), which make a display
   /// file on demand.
   static void retain_alone(GraphicsSystem& system, RetainedScene& scene);
+  /// Whether primitives entered from now on are only in the system's retained scene until
+  /// view_again views them: until then their segments in the display file are empty. Retains a
+  /// scene if none is retained. Errors: a segment is open; those of GraphicsSystem::retain.
+  static void view_on_demand(GraphicsSystem& system, bool on);
+  /// Views the retained segments that were opened as the scene's numbers `opened`, as if the
+  /// application had drawn them in this view, and sorts them as close_segment does. The view in
+  /// force, and what the open segment holds, is unchanged. Nothing is recorded. Returns the view,
+  /// with its window as open_segment makes it. Errors: nothing is retained; those of ViewVolume and
+  /// of close_segment; nothing is changed then.
+  static View view_again(GraphicsSystem& system, const View& view,
+                         std::span<const std::uint32_t> opened);
+  /// Calls enter(), which opens and closes segments, in another view; that in force is restored.
+  static void in_other_view(GraphicsSystem& system, const View& view,
+                            const std::function<void()>& enter);
+  /// Replaces the view in force, also while a segment is open, which keeps its own. Not recorded.
+  static void replace_view(GraphicsSystem& system, const View& view);
+  /// Turns the light in force, and that of what is retained with its direction, to a unit vector.
+  /// Not recorded. No effect if there is no light.
+  static void turn_light(GraphicsSystem& system, const Point3& toward);
+  /// Calls enter(), which may set line styles, and restores the line style in force, as
+  /// keep_fill_style.
+  static void keep_line_style(GraphicsSystem& system, const std::function<void()>& enter);
   /// True if primitives are only in the retained scene.
   static bool retains_alone(const GraphicsSystem& system);
 };

@@ -83,13 +83,10 @@ void SystemInside::by_default(GraphicsSystem& system, Setting setting,
   in_force = before;
 }
 
-void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
-  const FillStyle in_force = system.attributes().fill;
-  const ExplicitSettings before = system.explicit_settings();
-  const auto restore = [&] {
-    if (system.attributes().fill != in_force) system.set_fill_style(in_force);
-    system.state_->explicit_ = before;
-  };
+namespace {
+
+/// Calls restore() after enter(), also if that throws.
+void restoring(const std::function<void()>& enter, const std::function<void()>& restore) {
   try {
     enter();
   } catch (...) {
@@ -97,6 +94,26 @@ void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<v
     throw;
   }
   restore();
+}
+
+}  // namespace
+
+void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
+  const FillStyle in_force = system.attributes().fill;
+  const ExplicitSettings before = system.explicit_settings();
+  restoring(enter, [&] {
+    if (system.attributes().fill != in_force) system.set_fill_style(in_force);
+    system.state_->explicit_ = before;
+  });
+}
+
+void SystemInside::keep_line_style(GraphicsSystem& system, const std::function<void()>& enter) {
+  const LineStyle in_force = system.attributes().line;
+  const ExplicitSettings before = system.explicit_settings();
+  restoring(enter, [&] {
+    if (system.attributes().line != in_force) system.set_line_style(in_force);
+    system.state_->explicit_ = before;
+  });
 }
 
 }  // namespace displayfile

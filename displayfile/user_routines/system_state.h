@@ -98,12 +98,13 @@ struct GraphicsSystem::State {
   void enter_shared(const RetainedScene::SharedVertices& vertices,
                     std::span<const std::uint32_t> corners, Segment& segment);
   /// True if primitives go into the retained scene only, at least until the segment is closed.
-  bool is_viewed_later() const { return retains_alone_ || views_at_close_; }
+  bool is_viewed_later() const { return retains_alone_ || views_at_close_ || views_on_demand_; }
   const RetainedScene* retained() const { return own_retained_ ? &*own_retained_ : retained_; }
   RetainedScene* retaining() { return own_retained_ ? &*own_retained_ : retained_; }
   void retain_for(std::string_view what);
   std::optional<Segment> with_lines_selected(int name);
   void close(Segment& segment);
+  void sort(Segment& whole) const;
   void keep_entered_once(Segment& closing);
   void follow_retained();
   void attributes_changed() {
@@ -165,6 +166,7 @@ struct GraphicsSystem::State {
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // the system's, for world_ray_cast and set_lines
   bool retains_alone_ = false;
+  bool views_on_demand_ = false;           // by SystemInside::view_again
   bool views_at_close_ = false;            // lines were selected at open_segment
   RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
 

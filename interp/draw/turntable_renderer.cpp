@@ -22,8 +22,27 @@ HiddenMethod surfaces_of_options(const DrawOptions& options) {
   return surfaces_of(options.surfaces.method.value_or(HiddenMethod::automatic));
 }
 
-/// With what the system set in place of what the options leave open, so far as views follow it.
-DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given) {
+Turntable turntable_of(const TakenScene& taken, const View& otherwise,
+                       const TurntableViews& views) {
+  Turntable turntable(taken.scene(), taken.attributes(), otherwise);
+  if (views.axis) turntable.set_axis(*views.axis);
+  if (views.fit_window) turntable.fit_window(views.number);
+  return turntable;
+}
+
+/// By one tree, where nothing else is set.
+DrawOptions by_tree(DrawOptions options) {
+  const HiddenMethod method = options.surfaces.method.value_or(HiddenMethod::automatic);
+  if (surfaces_of(method) != HiddenMethod::automatic) return options;
+  options.surfaces.method =
+      is_colour_rule(method) ? colour_rule_by(HiddenMethod::bsp) : HiddenMethod::bsp;
+  return options;
+}
+
+}  // namespace
+
+/// As far as views follow the settings.
+DrawOptions options_of_views(const GraphicsSystem& system, const DrawOptions& given) {
   const PicturePlan plan = resolve(system, given);
   const HiddenMethod method = plan.surfaces.method;
   DrawOptions options = plan.without_system();
@@ -45,25 +64,6 @@ DrawOptions with_settings(const GraphicsSystem& system, const DrawOptions& given
                              options.surfaces.method.value_or(HiddenMethod::bsp), plan);
   return options;
 }
-
-Turntable turntable_of(const TakenScene& taken, const View& otherwise,
-                       const TurntableViews& views) {
-  Turntable turntable(taken.scene(), taken.attributes(), otherwise);
-  if (views.axis) turntable.set_axis(*views.axis);
-  if (views.fit_window) turntable.fit_window(views.number);
-  return turntable;
-}
-
-/// By one tree, where nothing else is set.
-DrawOptions by_tree(DrawOptions options) {
-  const HiddenMethod method = options.surfaces.method.value_or(HiddenMethod::automatic);
-  if (surfaces_of(method) != HiddenMethod::automatic) return options;
-  options.surfaces.method =
-      is_colour_rule(method) ? colour_rule_by(HiddenMethod::bsp) : HiddenMethod::bsp;
-  return options;
-}
-
-}  // namespace
 
 void require_turntable_views(int number) {
   if (number >= 1 && number <= TurntableViews::kMost) return;
@@ -160,7 +160,7 @@ TurntableRenderer::TurntableRenderer(const GraphicsSystem& system, const Retaine
   require_turntable_views(views.number);
   require_turntable_method(options);
   const BudgetInForce in_force(options.surfaces.budget);
-  const DrawOptions settled = with_settings(system, options);
+  const DrawOptions settled = options_of_views(system, options);
   TakenScene taken(scene, display_file);
   Turntable turntable = turntable_of(taken, system.view(), views);
   taken.take();

@@ -25,6 +25,10 @@ void require_turntable_views(int number);
 /// segments together and the scope is `segment`.
 void require_turntable_method(const DrawOptions& options);
 
+/// The options of a picture completed by a system's settings, for views of its retained scene.
+/// Throws Error for options out of range.
+DrawOptions options_of_views(const GraphicsSystem& system, const DrawOptions& options);
+
 /// The views of a turntable to draw: of all, those in [first, end).
 struct ViewsDrawn {
   int all = 0, first = 0, end = 0;

@@ -11,10 +11,10 @@
 
 #include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/height_colours.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/user_routines/axes.h"
 #include "programs/surface/contours.h"
-#include "programs/surface/height_colours.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "programs/surface/height_colours.h"
+#include "displayfile/looks/height_colours.h"
 
 #include <algorithm>
 #include <array>

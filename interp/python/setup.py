@@ -1,5 +1,6 @@
 """Builds the extension module by CMake; what else there is to say is in pyproject.toml."""
 
+import importlib.util
 import os
 import re
 import shlex
@@ -23,6 +24,34 @@ def licence_of(folder: Path) -> str:
     """Of the package in a folder: the module that combines solids, by CGAL, is under the GPL."""
     has_module = any(folder.glob("displayfile-solids.so.*"))
     return "MIT AND GPL-3.0-or-later" if has_module else "MIT"
+
+
+def require_packages() -> None:
+    """Says what is missing where pip was called with --no-build-isolation: setuptools would say
+    "invalid command 'bdist_wheel'", and CMake that there is no pybind11."""
+    needed = ["pybind11"]
+    try:
+        import setuptools.command.bdist_wheel  # noqa: F401  # since setuptools 70.1
+    except ImportError:
+        needed.append("wheel")
+    if os.environ.get("DISPLAYFILE_PYTHON_BUILT"):
+        needed.remove("pybind11")
+    missing = [name for name in needed if importlib.util.find_spec(name) is None]
+    if missing:
+        sys.exit(
+            f"displayfile: {sys.executable} has no {' and no '.join(missing)}, which a build needs: "
+            "expected pip without --no-build-isolation, which fetches it, or an environment of the "
+            "system's Python with its packages: /usr/bin/python3 -m venv --system-site-packages"
+        )
+
+
+def pybind11_of_this_python() -> "dict[str, str]":
+    """Where that of this Python is: CMake would look for the system's, which may be for another."""
+    if importlib.util.find_spec("pybind11") is None:
+        return {}
+    import pybind11
+
+    return {"pybind11_DIR": pybind11.get_cmake_dir()}
 
 
 class CMakeBuild(build_ext):
@@ -57,6 +86,7 @@ class CMakeBuild(build_ext):
             "DISPLAYFILE_PYTHON_FOLDER": str(folder),
             "DISPLAYFILE_TESTS": "OFF",
             "Python_EXECUTABLE": sys.executable,
+            **pybind11_of_this_python(),
         }
         definitions = [f"-D{name}={value}" for name, value in options.items()]
         given = shlex.split(os.environ.get("CMAKE_ARGS", ""))
@@ -69,6 +99,7 @@ class CMakeBuild(build_ext):
         self.distribution.metadata.license = licence_of(folder)
 
 
+require_packages()
 setup(
     version=version(),
     license="MIT",  # of the source

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -246,6 +247,118 @@ void require_whole_points(const py::args& arguments, const UserRoutine& routine)
       require_points_of(numbers, PySequence_Fast_GET_ITEM(object, i), routine);
     }
   }
+}
+
+namespace {
+
+/// The name of an argument, from a word of what a routine expects; empty if that has none.
+std::string argument_name(std::string_view word) {
+  if (word == "on|off") return "on";
+  if (word == "\"characters\"") return "characters";
+  const auto is_of_name = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  std::string name;
+  for (const char c : word) {
+    if (!is_of_name(c) && c != '-') return {};
+    name += c == '-' ? '_' : c;
+  }
+  return name;
+}
+
+}  // namespace
+
+ArgumentNames names_of(const UserRoutine& routine) {
+  std::string_view expected = routine.expected;
+  if (const auto colon = expected.find(": "); colon != expected.npos) {
+    expected.remove_prefix(colon + 2);
+  }
+  ArgumentNames result;
+  bool is_optional = false;
+  while (!expected.empty()) {
+    const std::size_t end = std::min(expected.find(' '), expected.size());
+    std::string_view word = expected.substr(0, end);
+    expected.remove_prefix(std::min(end + 1, expected.size()));
+    if (word.empty()) continue;
+    if (word.front() == '[' && word.back() == ']' && expected.empty()) {
+      is_optional = true;
+      result.optional = result.names.size();
+      word = word.substr(1, word.size() - 2);
+    }
+    std::string name = argument_name(word);
+    if (name.empty() || std::ranges::find(result.names, name) != result.names.end()) return {};
+    result.names.push_back(std::move(name));
+  }
+  if (!is_optional) result.optional = result.names.size();
+  return result;
+}
+
+std::string signature_of(const UserRoutine& routine) {
+  const ArgumentNames all = names_of(routine);
+  if (all.names.empty()) return routine.expected.empty() ? "/" : "/, *arguments";
+  std::string signature;
+  for (std::size_t k = 0; k < all.names.size(); ++k) {
+    signature +=
+        fmt::format("{}{}{}", k == 0 ? "" : ", ", all.names[k], k < all.optional ? "" : "=None");
+  }
+  return signature;
+}
+
+namespace {
+
+/// One number, word or text.
+void require_one(py::handle value, std::string_view what) {
+  PyObject* const object = value.ptr();
+  if (PyUnicode_Check(object) != 0 || PyBool_Check(object) != 0) return;
+  const py::object plainly = plain(value, what);
+  if (!is_real(plainly)) refuse(value, what, "one number or word");
+}
+
+std::size_t words_held(py::handle value, int depth = 0) {
+  PyObject* const object = value.ptr();
+  if (py::isinstance<py::array>(value)) {
+    return static_cast<std::size_t>(py::reinterpret_borrow<py::array>(value).size());
+  }
+  if (depth > 8 || (PyList_Check(object) == 0 && PyTuple_Check(object) == 0)) return 1;
+  std::size_t count = 0;
+  for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(object); ++i) {
+    count += words_held(PySequence_Fast_GET_ITEM(object, i), depth + 1);
+  }
+  return count;
+}
+
+}  // namespace
+
+py::args in_places(const py::args& arguments, const py::kwargs& by_name,
+                   const UserRoutine& routine) {
+  const std::vector<std::string> names = names_of(routine).names;
+  std::size_t place = 0;
+  for (const py::handle argument : arguments) place += words_held(argument);
+  const auto is_name = [&](const auto& item) {
+    return std::ranges::find(names, py::cast<std::string>(item.first)) != names.end();
+  };
+  for (const auto& item : by_name) {
+    if (is_name(item)) continue;
+    throw Error(fmt::format("{}: unknown argument {}: expected {}", routine.name,
+                            py::cast<std::string>(item.first),
+                            names.empty() ? "none by name" : signature_of(routine)));
+  }
+  py::list all(arguments);
+  std::size_t left = by_name.size();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const py::str name(names[k]);
+    if (!by_name.contains(name)) {
+      if (k >= place && left > 0) {
+        throw Error(fmt::format("{}: {} is missing: expected {}", routine.name, names[k],
+                                signature_of(routine)));
+      }
+      continue;
+    }
+    if (k < place) throw Error(fmt::format("{}: {} is set twice", routine.name, names[k]));
+    const py::object value = by_name[name];
+    require_one(value, names[k]);
+    all.append(value);
+    --left;
+  }
+  return py::args(py::tuple(all));
 }
 
 std::string words_of(const py::args& arguments, const UserRoutine& routine) {

@@ -35,6 +35,20 @@ auto if_given(pybind11::handle value, std::string_view what, const Read& read)
   return read(value, what);
 }
 
+/// The names of a routine's arguments, if each is one number or word and has a name, as Python
+/// writes them; empty otherwise. Those from `optional` on may be left out.
+struct ArgumentNames {
+  std::vector<std::string> names;
+  std::size_t optional = 0;
+};
+ArgumentNames names_of(const UserRoutine& routine);
+/// As in a docstring: "x, y, z, radius, facets", or "/, *arguments".
+std::string signature_of(const UserRoutine& routine);
+/// The arguments with those by name in their places. Throws Error for a name that the routine does
+/// not have, has twice, or after one that is missing.
+pybind11::args in_places(const pybind11::args& arguments, const pybind11::kwargs& by_name,
+                         const UserRoutine& routine);
+
 /// Throws Error if the routine takes any number of points, and an array or a sequence of numbers in
 /// the arguments does not hold whole points.
 void require_whole_points(const pybind11::args& arguments, const UserRoutine& routine);

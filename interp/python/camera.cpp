@@ -66,8 +66,10 @@ const std::map<std::string_view, Read>& readers() {
 
 }  // namespace
 
-Camera camera_in(const py::kwargs& keywords) {
-  Camera camera;
+Camera camera_in(const py::kwargs& keywords, const Camera& otherwise) {
+  Camera camera = otherwise;
+  camera.parallel = false;
+  camera.angle_of_view.reset();
   for (const auto& [key, value] : keywords) {
     if (value.is_none()) continue;
     const std::string name = word_in(key, "option");
@@ -77,6 +79,11 @@ Camera camera_in(const py::kwargs& keywords) {
   }
   if (camera.parallel && camera.angle_of_view) {
     throw Error("parallel and fov: expected one of them");
+  }
+  const bool has_projection = keywords.contains("parallel") && !keywords["parallel"].is_none();
+  if (!has_projection && !camera.angle_of_view) {
+    camera.parallel = otherwise.parallel;
+    camera.angle_of_view = otherwise.angle_of_view;
   }
   return camera;
 }

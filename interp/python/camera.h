@@ -7,7 +7,8 @@
 namespace displayfile::python {
 
 /// The camera of an imported mesh, from keyword arguments: eye, look_at, up, fov, parallel, fit and
-/// turning. None stands for a missing argument. Throws Error for another value.
-Camera camera_in(const pybind11::kwargs& keywords);
+/// turning. None stands for a missing argument, for which `otherwise` has the value. Throws Error
+/// for another value.
+Camera camera_in(const pybind11::kwargs& keywords, const Camera& otherwise = {});
 
 }  // namespace displayfile::python

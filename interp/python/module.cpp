@@ -50,6 +50,10 @@ PYBIND11_MODULE(_displayfile, module) {
   SystemClass system = add_system(module);
   add_pictures(system);
   add_turntable(module, system);
+  add_views(module, system);
+  add_surfaces(system);
+  add_beside(system);
+  add_scalars(module);
   add_polygons(module);
   add_limits(module);
   module.def("user_routines", names_of_routines,

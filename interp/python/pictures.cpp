@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -249,6 +250,11 @@ DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
   return options;
 }
 
+std::optional<double> aspect_of(const DrawOptions& options) {
+  if (options.width < 1 || options.height < 1) return std::nullopt;  // which drawing refuses
+  return static_cast<double>(options.width) / options.height;
+}
+
 // ---- Pictures ----------------------------------------------------------------------------
 
 namespace {
@@ -318,11 +324,12 @@ class Warned {
 py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
   DrawOptions options = draw_options_in(size, keywords);
   Warned warned(options);
-  Picture picture = self.work([&](GraphicsSystem& system, Renderer& renderer) {
-    renderer.give_back(self.spare()->take());
-    renderer.draw(system, options);
-    return renderer.take_picture();
-  });
+  Picture picture =
+      self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+        renderer.give_back(self.spare()->take());
+        renderer.draw(system, options);
+        return renderer.take_picture();
+      });
   warned.tell();
   return arrays_of(std::move(picture), options, self.spare());
 }
@@ -332,7 +339,8 @@ py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
 py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::kwargs& keywords) {
   const DrawOptions options = draw_options_in(size, keywords);
   if (!to.is_none()) require_format(path_in(to, "path"), options);
-  self.call([&](GraphicsSystem& system) { require_drawable(system, options); });
+  self.viewed(aspect_of(options),
+              [&](GraphicsSystem& system, Renderer&) { require_drawable(system, options); });
   return py::make_tuple(options.width, options.height);
 }
 
@@ -340,14 +348,15 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
   DrawOptions options = draw_options_in(size, keywords);
   Warned warned(options);
   const std::string name = word_in(format, "format");
-  const std::string bytes = self.work([&](GraphicsSystem& system, Renderer& renderer) {
-    DrawOptions in_format = options;
-    in_format.format = name;
-    CollectedText written;
-    written.exceptions(std::ios::badbit);  // that of memory, where it is written
-    renderer.draw(system, written, in_format);
-    return std::move(written).str();
-  });
+  const std::string bytes =
+      self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+        DrawOptions in_format = options;
+        in_format.format = name;
+        CollectedText written;
+        written.exceptions(std::ios::badbit);  // that of memory, where it is written
+        renderer.draw(system, written, in_format);
+        return std::move(written).str();
+      });
   warned.tell();
   return py::bytes(bytes);
 }
@@ -358,8 +367,9 @@ void save(System& self, py::handle to, py::handle format, py::handle size,
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
   Warned warned(options);
-  self.work(
-      [&](GraphicsSystem& system, Renderer& renderer) { renderer.draw(system, path, options); });
+  self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+    renderer.draw(system, path, options);
+  });
   warned.tell();
 }
 
@@ -368,9 +378,10 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
   const DrawOptions options = draw_options_in(size, keywords);
   const double at_x = number_in(x, "x"), at_y = number_in(y, "y");
   const double within = number_in(reach, "reach");
-  const auto picked = self.work([&](GraphicsSystem& system, Renderer& renderer) {
-    return renderer.pick(system, at_x, at_y, options, within);
-  });
+  const auto picked =
+      self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+        return renderer.pick(system, at_x, at_y, options, within);
+      });
   if (!picked) return py::none();
   constexpr const char* kKinds[] = {"polygon", "edge", "line"};
   return py::make_tuple(kKinds[static_cast<int>(picked->kind)], picked->id, picked->segment,
@@ -379,13 +390,14 @@ py::object pick(System& self, py::handle x, py::handle y, py::handle reach, py::
 
 py::tuple pieces(System& self, const py::kwargs& keywords) {
   const DrawOptions options = draw_options_in(py::int_(512), keywords);
-  return arrays_of(
-      self.work([&](GraphicsSystem& system, Renderer&) { return drawn_pieces(system, options); }));
+  return arrays_of(self.viewed(std::nullopt, [&](GraphicsSystem& system, Renderer&) {
+    return drawn_pieces(system, options);
+  }));
 }
 
 std::string dump_of(System& self, const py::kwargs& keywords) {
   const HiddenSurfaceOptions options = draw_options_in(py::int_(1), keywords).surfaces;
-  return self.work([&](GraphicsSystem& system, Renderer&) {
+  return self.viewed(std::nullopt, [&](GraphicsSystem& system, Renderer&) {
     const SurfacePlan plan = resolve_surfaces(system, options);
     const HiddenMethod method = plan.method;
     require_hidden_lines_found(plan.hidden_lines, method);
@@ -409,8 +421,7 @@ void add_pictures(SystemClass& system) {
   system.def("_pieces", pieces);
   system.def("_dump", dump_of);
   system.def("_set_aspect_ratio", [](System& self, py::handle aspect) {
-    const double ratio = number_in(aspect, "aspect");
-    self.call([&](GraphicsSystem& s) { s.set_aspect_ratio(ratio); });
+    self.set_aspect_ratio(number_in(aspect, "aspect"));
   });
   system.def("_set_threads", [](System& self, py::handle threads) {
     const int count = whole_number_in(threads, "threads");
@@ -438,7 +449,8 @@ void add_pictures(SystemClass& system) {
     return self.call([](GraphicsSystem& s) { return s.aspect_ratio(); });
   });
   system.def("_polygons", [](System& self) {
-    return self.call([](GraphicsSystem& s) { return s.display_file().polygons(); });
+    return self.viewed(std::nullopt,
+                       [](GraphicsSystem& s, Renderer&) { return s.display_file().polygons(); });
   });
   system.def("_is_empty", [](System& self) {
     return self.call([](GraphicsSystem& s) { return s.display_file().visible_segments().empty(); });
@@ -459,7 +471,7 @@ void add_pictures(SystemClass& system) {
   system.def("_to_device", [](System& self, py::handle point) -> py::object {
     const std::vector<double> p = numbers_in(point, "point");
     if (p.size() != 3) throw Error(fmt::format("point: expected 3 numbers, not {}", p.size()));
-    const auto device = self.call([&](GraphicsSystem& s) {
+    const auto device = self.viewed(std::nullopt, [&](GraphicsSystem& s, Renderer&) {
       return s.to_device({p[0], p[1], p[2]});
     });
     if (!device) return py::none();

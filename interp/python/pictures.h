@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 
 #include "interp/draw/draw.h"
 #include "interp/python/system.h"
@@ -12,6 +13,9 @@ namespace displayfile::python {
 /// The options of a picture: its size as one or two numbers of pixels, and the other members of
 /// DrawOptions by their Python names. None stands for a missing argument.
 DrawOptions draw_options_in(pybind11::handle size, const pybind11::kwargs& keywords);
+
+/// Width over height of such a picture; none if its size is not valid.
+std::optional<double> aspect_of(const DrawOptions& options);
 
 /// The picture's pixels, and its ids and depth or None, as arrays over its own memory. That of the
 /// pixels is for the next picture when their array is gone.

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -17,11 +19,47 @@
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/camera.h"
+#include "interp/python/entering.h"
 #include "interp/python/errors.h"
 
 namespace displayfile::python {
 
 namespace py = pybind11;
+
+// ---- Views that follow what is entered ---------------------------------------------------
+
+std::string System::recorded() const {
+  const std::string since = recording_.str();
+  return recorded_before_ + (followed_.follows() ? followed_.recorded(since) : since);
+}
+
+void System::running(GraphicsSystem& system, bool sets_view, const std::function<void()>& run) {
+  if (!followed_.follows()) return run();
+  followed_.bring_up_to_date(system);
+  const std::string since = recording_.str(), in_view = recorded();
+  const auto set = [&](const std::string& text) {
+    std::ostringstream& stream = recording_;
+    stream.str("");
+    stream << text;
+  };
+  set("");
+  try {
+    followed_.running(system, sets_view, run);
+  } catch (...) {
+    set(since);
+    throw;
+  }
+  if (followed_.follows()) return set(since + recording_.str());
+  recorded_before_ = in_view;
+}
+
+void System::set_aspect_ratio(double aspect) {
+  call([&](GraphicsSystem& system) {
+    system.set_aspect_ratio(aspect);
+    is_aspect_set_ = true;
+    followed_.changed();
+  });
+}
 
 // ---- User routines -----------------------------------------------------------------------
 
@@ -85,12 +123,23 @@ bool enter_at_once(System& self, const UserRoutine& routine, const py::args& arg
   return true;
 }
 
-void call_routine(System& self, const UserRoutine& routine, const py::args& arguments) {
+void call_routine(System& self, const UserRoutine& routine, const py::args& by_place,
+                  const py::kwargs& by_name) {
+  const py::args arguments = by_name.empty() ? by_place : in_places(by_place, by_name, routine);
   require_whole_points(arguments, routine);
   if (enter_at_once(self, routine, arguments)) return;
   const std::string words = words_of(arguments, routine);
-  const auto call = [&](GraphicsSystem& system) { call_user_routine(system, routine.name, words); };
-  if (is_over_soon(routine.name)) return self.call(call);
+  const bool sets_view = routine.section == "View";
+  const auto call = [&](GraphicsSystem& system) {
+    const auto run = [&] { call_user_routine(system, routine.name, words); };
+    if (sets_view) return self.running(system, true, run);
+    if (routine.name == "open-segment") self.followed().place(system);
+    if (routine.name == "axes-3") self.followed().place_in_segment(system);
+    run();
+  };
+  const bool may_view =
+      sets_view && self.call([&](GraphicsSystem&) { return self.followed().follows(); });
+  if (is_over_soon(routine.name) && !may_view) return self.call(call);
   self.work([&](GraphicsSystem& system, Renderer&) { call(system); });
 }
 
@@ -112,43 +161,15 @@ std::string wrapped(const std::string& text) {
 void add_routine(SystemClass& system, const UserRoutine& routine) {
   const std::string name = python_name(routine.name);
   const std::string what = fmt::format(
-      "{}($self, /, *arguments)\n--\n\n{}\n\n{}", name, wrapped(in_python(routine.meaning)),
+      "{}($self, {})\n--\n\n{}\n\n{}", name, signature_of(routine),
+      wrapped(in_python(routine.meaning)),
       routine.expected.empty() ? "No arguments." : fmt::format("Arguments: {}.", routine.expected));
   system.def(
       name.c_str(),
-      [&routine](System& self, const py::args& arguments) {
-        call_routine(self, routine, arguments);
+      [&routine](System& self, const py::args& arguments, const py::kwargs& by_name) {
+        call_routine(self, routine, arguments, by_name);
       },
       what.c_str());
-}
-
-// ---- Segments of their own ---------------------------------------------------------------
-
-int next_name(const GraphicsSystem& system) {
-  std::int64_t name = 0;
-  for (const Segment& segment : system.display_file().segments()) {
-    name = std::max<std::int64_t>(name, segment.name());
-  }
-  if (name == std::numeric_limits<int>::max())
-    throw Error("no segment name is left above all others");
-  return static_cast<int>(name + 1);
-}
-
-/// Calls enter() within the open segment, or else in one of its own. Returns the segment's name.
-template <class Enter>
-int in_segment(GraphicsSystem& system, const std::optional<int>& name, const Enter& enter) {
-  if (const auto open = system.open_segment_name(); open && !name) {
-    enter();
-    return *open;
-  }
-  const int own = name ? *name : next_name(system);
-  if (system.open_segment_name()) system.open_segment(own);  // which is refused
-  system.enter_segments([&] {
-    system.open_segment(own);
-    enter();
-    system.close_segment();
-  });
-  return own;
 }
 
 // ---- Meshes ------------------------------------------------------------------------------
@@ -166,7 +187,8 @@ std::vector<FillStyle> one_fill_in(py::handle value) {
 }
 
 int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, py::handle segment,
-         py::handle fill, py::handle fills, py::handle picks, py::handle normals) {
+         py::handle fill, py::handle fills, py::handle picks, py::handle normals,
+         py::handle outline, bool is_lit) {
   const auto name = if_given(segment, "segment", whole_number_in);
   const std::vector<Point3> points = points_in(vertices, "vertices");
   const Faces polygons = faces_in(faces, sides, points.size());
@@ -196,156 +218,25 @@ int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, 
           fmt::format("normals: {} of them for {} vertices", of_vertices.size(), points.size()));
     }
   }
-  return self.work([&](GraphicsSystem& system, Renderer&) {
-    return in_segment(system, name, [&] {
-      system.polygons_abs_3({.vertices = points,
-                             .corners = polygons.corners,
-                             .sides = polygons.sides,
-                             .fills = styles,
-                             .picks = identifiers,
-                             .normals = of_vertices});
-    });
-  });
-}
-
-// ---- Surfaces ----------------------------------------------------------------------------
-
-/// A surface over a grid, x and y along its columns and rows; or points anywhere.
-struct SurfacePoints {
-  std::vector<double> x, y;  // of columns and of rows, if `regular`; else of all points
-  Grid z;
-  bool regular = true;
-};
-
-/// The numbers along the columns (or rows) of a meshgrid's array, if all rows (or columns) agree.
-std::optional<std::vector<double>> along(const Grid& grid, bool columns) {
-  std::vector<double> numbers(columns ? grid.columns : grid.rows);
-  for (std::size_t j = 0; j < grid.rows; ++j) {
-    for (std::size_t i = 0; i < grid.columns; ++i) {
-      const double value = grid.values[j * grid.columns + i];
-      double& number = numbers[columns ? i : j];
-      if ((columns ? j : i) == 0) number = value;
-      if (number != value) return std::nullopt;
-    }
+  const ManyPolygons many{.vertices = points,
+                          .corners = polygons.corners,
+                          .sides = polygons.sides,
+                          .fills = styles,
+                          .picks = identifiers,
+                          .normals = of_vertices};
+  std::vector<Point3> of_sides;
+  Faces sides_drawn;
+  if (!outline.is_none()) {
+    const auto [whole, whole_faces, whole_sides] =
+        py::cast<std::tuple<py::object, py::object, py::object>>(outline);
+    of_sides = points_in(whole, "vertices");
+    sides_drawn = faces_in(whole_faces, whole_sides, of_sides.size());
   }
-  return numbers;
-}
-
-void require_finite(std::span<const double> numbers, std::string_view what) {
-  for (const double number : numbers) {
-    if (!std::isfinite(number)) {
-      throw Error(fmt::format("{}: expected finite numbers, not {}", what, number));
-    }
-  }
-}
-
-SurfacePoints surface_points(py::handle x, py::handle y, py::handle z) {
-  SurfacePoints surface;
-  surface.z = grid_in(z, "z");
-  const std::size_t rows = surface.z.rows, columns = surface.z.columns;
-  if (rows < 2 || columns < 2) {
-    throw Error(
-        fmt::format("z: shape ({}, {}), expected 2 points or more each way", rows, columns));
-  }
-  const int dimensions = dimensions_of(x, "x");
-  if (dimensions_of(y, "y") != dimensions)
-    throw Error("x and y: expected the same number of dimensions");
-  if (dimensions == 2) {
-    Grid of_x = grid_in(x, "x"), of_y = grid_in(y, "y");
-    if (of_x.rows != rows || of_x.columns != columns || of_y.rows != rows ||
-        of_y.columns != columns) {
-      throw Error(fmt::format("x and y: expected the shape of z, ({}, {})", rows, columns));
-    }
-    auto along_x = along(of_x, true), along_y = along(of_y, false);
-    surface.regular = along_x && along_y;
-    surface.x = surface.regular ? std::move(*along_x) : std::move(of_x.values);
-    surface.y = surface.regular ? std::move(*along_y) : std::move(of_y.values);
-  } else {
-    surface.x = numbers_in(x, "x");
-    surface.y = numbers_in(y, "y");
-    if (dimensions != 1 || surface.x.size() != columns || surface.y.size() != rows) {
-      throw Error(fmt::format("x and y: expected {} and {} numbers, as z has columns and rows",
-                              columns, rows));
-    }
-  }
-  require_finite(surface.x, "x");
-  require_finite(surface.y, "y");
-  for (const double height : surface.z.values) {
-    if (std::isinf(height)) throw Error("z: expected finite numbers, or nan for a hole, not inf");
-  }
-  return surface;
-}
-
-/// True if the numbers stand at even steps, but for what their rounding moves them, and rise.
-bool rise_evenly(std::span<const double> numbers) {
-  const double low = numbers.front(), high = numbers.back();
-  if (!(low < high)) return false;
-  const double size = std::max(std::abs(low), std::abs(high));
-  const double allowed = 8.0 * std::numeric_limits<double>::epsilon() * size;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const double part = static_cast<double>(k) / static_cast<double>(numbers.size() - 1);
-    if (std::abs(numbers[k] - (low + (high - low) * part)) > allowed) return false;
-  }
-  return true;
-}
-
-/// Turned round so that x and y rise, if they fall.
-void make_rise(SurfacePoints& surface) {
-  const std::size_t columns = surface.z.columns;
-  auto& heights = surface.z.values;
-  const auto row = [&](std::size_t j) {
-    return heights.begin() + static_cast<std::ptrdiff_t>(j * columns);
-  };
-  if (surface.x.front() > surface.x.back()) {
-    std::ranges::reverse(surface.x);
-    for (std::size_t j = 0; j < surface.z.rows; ++j) std::reverse(row(j), row(j + 1));
-  }
-  if (surface.y.front() > surface.y.back()) {
-    std::ranges::reverse(surface.y);
-    for (std::size_t j = 0; j < surface.z.rows / 2; ++j) {
-      std::swap_ranges(row(j), row(j + 1), row(surface.z.rows - 1 - j));
-    }
-  }
-}
-
-/// Its cells as polygons of four sides; those with an unknown height are left out.
-void enter_cells(const SurfacePoints& surface, GraphicsSystem& system) {
-  const std::size_t rows = surface.z.rows, columns = surface.z.columns;
-  if (rows * columns > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error("z: too many points for a surface that is not over an even grid");
-  }
-  std::vector<Point3> vertices(rows * columns);
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const double height = surface.z.values[k];
-    vertices[k] = {surface.regular ? surface.x[k % columns] : surface.x[k],
-                   surface.regular ? surface.y[k / columns] : surface.y[k],
-                   std::isnan(height) ? 0.0 : height};
-  }
-  const auto known = [&](std::size_t k) { return !std::isnan(surface.z.values[k]); };
-  std::vector<std::uint32_t> corners;
-  for (std::size_t j = 0; j + 1 < rows; ++j) {
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-      const std::size_t k = j * columns + i;
-      const std::size_t cell[] = {k, k + 1, k + 1 + columns, k + columns};
-      if (!std::ranges::all_of(cell, known)) continue;
-      for (const std::size_t corner : cell) corners.push_back(static_cast<std::uint32_t>(corner));
-    }
-  }
-  const std::vector<std::uint32_t> sides(corners.size() / 4, 4);
-  system.polygons_abs_3({vertices, corners, sides});
-}
-
-int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle segment) {
-  const auto name = if_given(segment, "segment", whole_number_in);
-  SurfacePoints points = surface_points(x, y, z);
-  return self.work([&](GraphicsSystem& system, Renderer&) {
-    if (points.regular) make_rise(points);
-    const bool even = points.regular && rise_evenly(points.x) && rise_evenly(points.y);
-    return in_segment(system, name, [&] {
-      if (!even) return enter_cells(points, system);
-      system.surface_3({points.x.front(), points.x.back(), static_cast<int>(points.z.columns),
-                        points.y.front(), points.y.back(), static_cast<int>(points.z.rows),
-                        points.z.values});
+  return in_followed_segment(self, {name, is_lit}, [&](GraphicsSystem& system) {
+    if (outline.is_none()) return system.polygons_abs_3(many);
+    enter_in_pieces(system, many, [&] {
+      system.polygons_abs_3(
+          {.vertices = of_sides, .corners = sides_drawn.corners, .sides = sides_drawn.sides});
     });
   });
 }
@@ -355,15 +246,30 @@ int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle s
 void replay_text(System& self, py::handle text, py::handle name) {
   const std::string program = word_in(text, "replay"), file = word_in(name, "name");
   self.work([&](GraphicsSystem& system, Renderer&) {
-    placing_errors([&] { system.all_or_nothing([&] { replay(program, file, system); }); });
+    self.running(system, false, [&] {
+      placing_errors([&] { system.all_or_nothing([&] { replay(program, file, system); }); });
+    });
   });
 }
 
 void replay_path(System& self, py::handle file) {
   const std::string path = path_in(file, "path");
   self.work([&](GraphicsSystem& system, Renderer&) {
-    placing_errors([&] { system.all_or_nothing([&] { replay_file(path, system); }); });
+    self.running(system, false, [&] {
+      placing_errors([&] { system.all_or_nothing([&] { replay_file(path, system); }); });
+    });
   });
+}
+
+/// A mesh beside others that a camera follows. Returns what was skipped.
+Mesh::Skipped import_followed(const std::string& path, GraphicsSystem& system,
+                              FollowedView& followed, const MeshOptions& options) {
+  const bool is_smooth = system.attributes().shading != Shading::flat;
+  Mesh mesh = placing_errors([&] { return read_mesh(path, is_smooth, options.import_limits); });
+  if (is_smooth) complete_normals(mesh, system);
+  followed.place(system);
+  system.all_or_nothing([&] { enter_meshes(std::span(&mesh, 1), system, options); });
+  return std::move(mesh.skipped);
 }
 
 /// What of the mesh is not drawn, a sentence each.
@@ -375,6 +281,10 @@ std::vector<std::string> import_path(System& self, py::handle file, py::handle c
   const bool changes_view = options.camera != Camera{.turning = options.camera.turning};
   const Mesh::Skipped skipped = self.work([&](GraphicsSystem& system, Renderer&) {
     const ExplicitSettings set = system.explicit_settings();
+    if (self.followed().follows()) {
+      if (changes_view) throw Error("a camera for the mesh: expected that of look() alone");
+      return import_followed(path, system, self.followed(), options);
+    }
     if (changes_view && (set.contains(Setting::window) || set.contains(Setting::camera))) {
       throw Error("a camera for the mesh: expected a system whose view was not set before");
     }
@@ -399,8 +309,8 @@ SystemClass add_system(py::module_& module) {
   for (const UserRoutine& routine : user_routines()) add_routine(system, routine);
   system.def("_record", [](System& self, py::handle on) { self.record(switch_in(on, "on")); });
   system.def("_recording", [](System& self) { return self.recording(); });
-  system.def("_mesh", mesh);
-  system.def("_surface", surface);
+  system.def("_mesh", mesh, py::arg(), py::arg(), py::arg(), py::arg(), py::arg(), py::arg(),
+             py::arg(), py::arg(), py::arg() = py::none(), py::arg() = true);
   system.def("_replay", replay_text);
   system.def("_replay_file", replay_path);
   system.def("_import_mesh",

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "clip/base/error.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/mesh/followed_view.h"
 #include "interp/draw/renderer.h"
 #include "interp/python/interrupts.h"
 
@@ -60,12 +62,36 @@ class System {
 
   const std::shared_ptr<SparePictures>& spare() const { return spare_; }
 
+  /// The same for a picture of that aspect ratio, or for another use of what was entered: with the
+  /// view fitted to it, if that follows it.
+  template <class Work>
+  auto viewed(std::optional<double> aspect, Work&& work) {
+    return this->work([&](GraphicsSystem& system, Renderer& renderer) {
+      const double before = system.aspect_ratio();
+      try {
+        followed_.bring_up_to_date(system, is_aspect_set_ ? std::nullopt : aspect);
+        return work(system, renderer);
+      } catch (...) {
+        restore_aspect(system, before);
+        throw;
+      }
+    });
+  }
+
+  /// Must be called within work() or call().
+  FollowedView& followed() { return followed_; }
+  /// The same: calls run(), which may set the view, and keeps the recording in the views in force
+  /// before and after it (FollowedView::running).
+  void running(GraphicsSystem& system, bool sets_view, const std::function<void()>& run);
+
+  void set_aspect_ratio(double aspect);
+
   /// Starts or stops recording. The recording is kept.
   void record(bool on) {
     call([&](GraphicsSystem& system) { system.set_recorder(on ? &recorder_ : nullptr); });
   }
   std::string recording() {
-    return call([&](GraphicsSystem&) { return recording_.str(); });
+    return viewed(std::nullopt, [&](GraphicsSystem&, Renderer&) { return recorded(); });
   }
 
   /// The data of a view fitted to imported meshes that a turntable needs.
@@ -78,9 +104,21 @@ class System {
   void set_fitted(const Fitted& fitted) { fitted_ = fitted; }
 
  private:
+  void restore_aspect(GraphicsSystem& system, double aspect) {
+    if (system.aspect_ratio() == aspect) return;
+    system.set_aspect_ratio(aspect);
+    followed_.changed();
+  }
+
+  /// So far, with each part in the view that was fitted to it.
+  std::string recorded() const;
+
   CollectedText recording_;
+  std::string recorded_before_;  // in views that are no longer followed
   Recorder recorder_{recording_};
   GraphicsSystem system_;
+  FollowedView followed_;
+  bool is_aspect_set_ = false;
   Renderer renderer_;
   std::optional<Fitted> fitted_;
   std::shared_ptr<SparePictures> spare_ = std::make_shared<SparePictures>();
@@ -96,6 +134,14 @@ SystemClass add_system(pybind11::module_& module);
 void add_pictures(SystemClass& system);
 /// The views of a turntable.
 void add_turntable(pybind11::module_& module, SystemClass& system);
+/// The methods that enter surfaces of heights, with lines on them, in pieces.
+void add_surfaces(SystemClass& system);
+/// What stands beside the scene, such as a colour bar.
+void add_beside(SystemClass& system);
+/// Functions for colours of scalars, and for their triangles.
+void add_scalars(pybind11::module_& module);
+/// The camera that follows what is entered, and views of a retained scene from any eye.
+void add_views(pybind11::module_& module, SystemClass& system);
 
 /// The words of a user routine's name as Python writes them.
 std::string python_name(std::string_view routine);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -27,7 +28,7 @@ class Turntable {
  public:
   Turntable(System& system, const TurntableViews& views, const DrawOptions& options)
       : spare_(system.spare()) {
-    system.work([&](GraphicsSystem& of, Renderer&) {
+    system.viewed(aspect_of(options), [&](GraphicsSystem& of, Renderer&) {
       if (of.retained() == nullptr) {
         throw Error(
             "a turntable needs world coordinates: expected System(retain=True) before the scene is "
@@ -79,7 +80,11 @@ Point3 axis_in(py::handle value, std::string_view what) {
 TurntableViews views_in(System& system, py::handle number, py::handle axis, py::handle fit) {
   TurntableViews views{whole_number_in(number, "views")};
   require_turntable_views(views.number);
-  if (const auto fitted = system.call([&](GraphicsSystem&) { return system.fitted(); })) {
+  const auto followed = system.call([&](GraphicsSystem&) { return system.followed().camera(); });
+  if (followed) {
+    views.axis = std::get<Upright>(followed->upright).up;
+    views.fit_window = followed->fit && !followed->angle_of_view;
+  } else if (const auto fitted = system.call([&](GraphicsSystem&) { return system.fitted(); })) {
     views.axis = fitted->axis;
     views.fit_window = fitted->to_window;
   }

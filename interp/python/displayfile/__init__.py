@@ -6,6 +6,7 @@ arrays, for programs that draw by their own means.
 """
 
 from ._calls import Calls, PicklableSystem
+from ._drawing import Pick, Pieces
 from ._displayfile import Error, LimitReached, __version__, methods, user_routines
 from ._limits import limits
 from ._polygons import (
@@ -17,8 +18,9 @@ from ._polygons import (
     visible_pieces,
 )
 from ._picture import Picture
-from ._system import Pick, Pieces, System
+from ._system import System
 from ._turntable import Turntable
+from ._views import Views
 
 __all__ = [
     "Calls",
@@ -31,6 +33,7 @@ __all__ = [
     "PolygonPieces",
     "System",
     "Turntable",
+    "Views",
     "VisibleLines",
     "VisiblePieces",
     "__version__",

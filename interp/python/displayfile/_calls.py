@@ -18,7 +18,8 @@ from ._system import System
 
 _ENTERING = (
     *_displayfile.user_routines(),
-    *("mesh", "surface", "replay", "replay_file", "import_mesh", "set_aspect_ratio", "record"),
+    *("look", "mesh", "surface", "colour_bar", "legend"),
+    *("replay", "replay_file", "import_mesh", "set_aspect_ratio", "record"),
 )
 _OF_FILES = ("import_mesh", "replay_file")
 _DEEPEST = 32  # nesting of sequences

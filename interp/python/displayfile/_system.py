@@ -1,66 +1,20 @@
-"""System: the user routines, and drawing."""
+"""System: the user routines, cameras and meshes."""
 
 from __future__ import annotations
 
 import typing
+import warnings
 
-from . import _displayfile
-from ._picture import Picture
-from ._turntable import Turntable
+from . import _colours, _displayfile, _other_meshes, _scalars
+from ._drawing import Drawing
 
 if typing.TYPE_CHECKING:
     import os
-    import numpy as np
-    import numpy.typing as npt
-    from ._displayfile import _Colour, _Faces, _Numbers, _Size
-
-_MOST_POLYGONS_AS_SVG = 2000
-_SIZE_IN_NOTEBOOKS = 512
+    from ._displayfile import _Crop, _Faces, _ManyColours, _Numbers, _OneColour, _Points
+    from ._literals import Axis
 
 
-class Pick(typing.NamedTuple):
-    """The primitive visible at a pixel."""
-
-    kind: str
-    """"polygon", "edge" or "line"."""
-    id: int
-    """Its pick identifier; -1 for a line without one."""
-    segment: int
-    """The name of its segment."""
-    depth: float
-    """In normalised device coordinates: 1 on the front plane, 0 on the back plane."""
-
-
-class Pieces(typing.NamedTuple):
-    """Drawn pieces in drawing order, as System.pieces returns them: K pieces with N points in
-    total."""
-
-    kinds: npt.NDArray[np.uint8]
-    """(K,): 0 for a solid polygon, 1 for only a polygon's sides, 2 for a line."""
-    first: npt.NDArray[np.uint32]
-    """(K + 1,): piece k has the points from first[k] to first[k + 1]."""
-    points: npt.NDArray[np.float64]
-    """(N, 3): x and y from 0 to 1 over the picture, y up, a larger z nearer."""
-    sides: npt.NDArray[np.uint8]
-    """(N,): not 0 if the side that ends at the point is drawn."""
-    fills: npt.NDArray[np.float64]
-    """(K, 3): red, green and blue from 0 to 1."""
-    line_kinds: npt.NDArray[np.uint8]
-    """(K,): 0 for solid lines, 1 for dashed ones, 2 for none."""
-    line_colours: npt.NDArray[np.float64]
-    """(K, 3): red, green and blue from 0 to 1, of lines and of sides that are drawn."""
-    line_widths: npt.NDArray[np.float64]
-    """(K,): in pixels."""
-    picks: npt.NDArray[np.int32]
-    """(K,): pick identifiers; -1 for a line without one."""
-    segments: npt.NDArray[np.int32]
-    """(K,): names of segments."""
-    cuts: npt.NDArray[np.uint8]
-    """(N,): 1 if a line, or a drawn side, is cut at the point: it continues, but its rest may be
-    hidden. A thick line has no cap there."""
-
-
-class System(_displayfile.System):
+class System(Drawing):
     """A graphics system: segments of lines and polygons, their view and their drawing.
 
     Every user routine of drawing programs is a method, with underscores for hyphens. Arguments are
@@ -95,6 +49,7 @@ class System(_displayfile.System):
             retain: Also keep primitives in world coordinates, for turntable.
         """
         super().__init__()
+        self._scale: _colours.Scale | None = None
         if retain:
             self._retain()
         if aspect is not None:
@@ -107,24 +62,85 @@ class System(_displayfile.System):
             "a System is not pickled or copied: expected a PicklableSystem, which keeps its calls"
         )
 
+    # ---- Cameras -------------------------------------------------------------------------
+
+    def look(
+        self,
+        *,
+        eye: _Numbers | None = None,
+        look_at: _Numbers | None = None,
+        up: Axis | None = None,
+        fov: float | None = None,
+        parallel: bool = False,
+        fit: bool = True,
+        turning: bool = False,
+    ) -> None:
+        """Set the camera for all that is entered, before and after this call.
+
+        The view is fitted whenever a picture is drawn, to all segments that are closed, and for the
+        picture's aspect ratio, unless System(aspect=) or set_aspect_ratio set one. A system whose
+        view is not set gets this camera when mesh or surface is called: look() changes it. Then meshes
+        and surfaces are lit from over the viewer's left shoulder, and filled in a light grey without
+        lines, unless set_light, set_fill_style and set_line_style were called.
+
+        A routine that sets view parameters, such as set_perspective or set_viewport, acts on later
+        segments alone: earlier ones keep the view that they have.
+
+        Args:
+            eye: Viewpoint: (azimuth, elevation) in degrees, (0, 0) from the front and (90, 0) from
+                the right; or (x, y, z) in world coordinates. Default: (30, 20).
+            look_at: The point in the middle of the picture, (x, y, z); default: the middle of the
+                scene.
+            up: The up axis: "x", "y", "z", "-x", "-y" or "-z"; default "z". With "z" the front is
+                the side of negative y.
+            fov: Vertical angle of view in degrees; default: from four times the scene's radius.
+            parallel: Use a parallel instead of a perspective projection, without fov.
+            fit: Fit the window, or the eye's distance for fov, to show the whole scene. If False,
+                the view is that of a ball of radius 1 at look_at or the origin.
+            turning: With fov, for views all around: fit the eye's distance for the rotating scene.
+
+        Raises:
+            Error: An invalid camera, an open segment, segments that were entered without a camera
+                and without System(retain=True), or a view that was set by other routines.
+        """
+        self._look(
+            eye=eye,
+            look_at=look_at,
+            up=up,
+            fov=fov,
+            parallel=parallel,
+            fit=fit,
+            turning=turning,
+        )
+
     # ---- Entering ------------------------------------------------------------------------
 
     def mesh(
         self,
-        vertices: _Numbers,
+        vertices: _Points,
         faces: _Faces,
         *,
         sides: _Numbers | None = None,
         segment: int | None = None,
-        fill: _Colour | typing.Literal["hollow"] | None = None,
-        fills: _Numbers | None = None,
+        fill: _OneColour | None = None,
+        fills: _ManyColours | None = None,
         picks: _Numbers | None = None,
-        normals: _Numbers | None = None,
+        normals: _Points | None = None,
+        values: _Numbers | None = None,
+        at: typing.Literal["faces", "vertices"] | None = None,
+        cmap: typing.Any = None,
+        limits: tuple[float | None, float | None] | None = None,
+        levels: int | _Numbers | None = None,
     ) -> int:
         """Enter many polygons at once, several times as fast as one by one.
 
         They enter the open segment; if none is open, or segment is given, a new segment, which is
-        closed again. Styles in force are unchanged.
+        closed again. Styles in force are unchanged. If no view was set, it is fitted to them and to
+        what follows, as by look().
+
+        A colour is a name of CSS or matplotlib, "#rrggbb", a grey such as "0.5", or red, green and
+        blue from 0 to 1, also with an alpha of 1. Faces in colours of values are not lit unless
+        set_light was called.
 
         Args:
             vertices: An array (N, 3), in world coordinates.
@@ -133,24 +149,95 @@ class System(_displayfile.System):
             sides: An array (M,): the number of corners of each face.
             segment: The name of their segment; default: one above all others.
             fill: The colour of all faces, or "hollow"; default: the fill style in force.
-            fills: An array (M, 3): the colour of each face.
+            fills: The colour of each face: an array (M, 3), or a sequence of colours.
             picks: An array (M,): the pick identifier of each face, 0 or more; default: the one in
-                force, or each face's ordinal.
+                force, or each face's ordinal, with values at vertices its index.
             normals: An array (N, 3): vertex normals for smooth shading.
+            values: Scalars that colours stand for: (M,), one for each face, or (N,), one for each
+                vertex. Those of vertices are linear over each triangle, and each colour covers
+                exactly its part of it, in pixels and vectors. Faces with a nan are light grey.
+            at: "faces" or "vertices", where there are as many of both.
+            cmap: The colour map: the name of one of matplotlib's, which is imported for it, such as
+                "viridis"; one of its objects; an array (n, 3) of colours; or "displayfile".
+                Default: the command's own.
+            limits: (lowest, highest) value of the colour map; default, also of one that is None:
+                those of the values.
+            levels: A number of bands of one colour each, or their bounds, instead of the colours of
+                the whole map.
 
         Returns:
             The name of the segment.
 
         Raises:
             Error: A wrong shape or type, a number that is not finite, an index out of range, a name
-                in use. Nothing is entered then.
+                in use, colours that are not opaque. Nothing is entered then.
         """
-        return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
+        if values is None:
+            _require_none("values", at=at, cmap=cmap, limits=limits, levels=levels)
+            if fill is not None and not (isinstance(fill, str) and fill == "hollow"):
+                fill = _colours.colour(fill, "fill")
+            if fills is not None:
+                fills = _colours.colours(fills, "fills")
+            return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
+        _require_none("colours of values", False, fill=fill, fills=fills, normals=normals)
+        scalars = _colours.numbers(values, "values")
+        points = _colours.numbers(vertices, "vertices")
+        triangles, face, count = _displayfile._triangles_of(vertices, faces, sides)
+        place = _scalars.place_of(scalars, at, count, len(points))
+        scale = _colours.scale_of(scalars, cmap, limits, levels)
+        if place == "faces":
+            fills = scale.of_steps(scale.steps(scalars))
+            name = self._mesh(
+                vertices, faces, sides, segment, None, fills, picks, None, None, False
+            )
+        else:
+            pieces = _scalars.pieces_of(points[triangles], face, scalars[triangles], scale)
+            name = self._enter_pieces(
+                pieces, _scalars.picks_of(picks, count), segment, (vertices, faces, sides)
+            )
+        self._scale = scale
+        return name
 
-    def surface(self, x: _Numbers, y: _Numbers, z: _Numbers, *, segment: int | None = None) -> int:
+    def _enter_pieces(
+        self,
+        pieces: _scalars.Pieces,
+        picks: typing.Any,
+        segment: int | None,
+        outline: tuple[typing.Any, typing.Any, typing.Any],
+    ) -> int:
+        import numpy as np
+
+        return self._mesh(
+            pieces.points,
+            np.arange(len(pieces.points)),
+            pieces.sides,
+            segment,
+            None,
+            pieces.fills,
+            picks[pieces.face],
+            None,
+            outline,
+            False,
+        )
+
+    def surface(
+        self,
+        x: _Numbers,
+        y: _Numbers,
+        z: _Numbers,
+        *,
+        segment: int | None = None,
+        values: _Numbers | None = None,
+        cmap: typing.Any = None,
+        limits: tuple[float | None, float | None] | None = None,
+        levels: int | _Numbers | None = None,
+        contours: int | _Numbers | None = None,
+        crop: _Crop | None = None,
+    ) -> int:
         """Enter the surface of heights over a grid.
 
-        If x and y are evenly spaced it is entered by surface_3, otherwise as quadrilaterals.
+        If x and y are evenly spaced it is entered by surface_3, otherwise as quadrilaterals. If no
+        view was set, it is fitted as in mesh.
 
         Args:
             x: Coordinates of the columns, (n,), in world coordinates; or of all points, (m, n), as
@@ -158,6 +245,16 @@ class System(_displayfile.System):
             y: Coordinates of the rows, (m,); or of all points, (m, n).
             z: Heights, (m, n). A nan or masked height makes a hole.
             segment: As in mesh.
+            values: Scalars at the points, (m, n), that colours stand for, as in mesh; default, with
+                cmap, limits or levels: the heights.
+            cmap: As in mesh.
+            limits: As in mesh.
+            levels: As in mesh: filled contours.
+            contours: Lines of equal value, or height, in the line style: their levels, or how many
+                there are between the lowest and the highest.
+            crop: A box beyond which the surface is cut away exactly: ((x-min, x-max), (y-min, y-max),
+                (z-min, z-max)); None leaves all. Needs world coordinates without a modelling
+                transformation, and no other cutting plane.
 
         Returns:
             The name of the segment, as mesh does.
@@ -165,7 +262,26 @@ class System(_displayfile.System):
         Raises:
             Error: Fewer than 2 points in a direction, shapes that do not match, an infinite number.
         """
-        return self._surface(x, y, z, segment)
+        planes = _scalars.planes_of(crop)
+        coloured = any(option is not None for option in (values, cmap, limits, levels))
+        if not coloured and contours is None:
+            return self._surface(x, y, z, segment, planes)
+        heights, points = _scalars.points_of_grid(x, y, z)
+        scalars = heights if values is None else _colours.numbers(values, "values")
+        if scalars.shape != heights.shape:
+            raise _displayfile.Error(
+                f"values: shape {scalars.shape}, expected that of z, {heights.shape}"
+            )
+        triangles, cell = _scalars.triangles_of_grid(heights)
+        corners, at_corners = points[triangles], scalars.ravel()[triangles]
+        lines = _scalars.contours_of(corners, at_corners, contours, limits)
+        if not coloured:
+            return self._surface(x, y, z, segment, planes, lines)
+        scale = _colours.scale_of(scalars, cmap, limits, levels)
+        pieces = _scalars.pieces_of(corners, cell, at_corners, scale)
+        name = self._surface(x, y, z, segment, planes, lines, tuple(pieces))
+        self._scale = scale
+        return name
 
     def replay(self, text: str, name: str = "program") -> None:
         """Run a drawing program, completely or not at all.
@@ -195,7 +311,7 @@ class System(_displayfile.System):
         self,
         path: str | os.PathLike[str],
         *,
-        colour: _Colour | None = None,
+        colour: _OneColour | None = None,
         eye: _Numbers | None = None,
         look_at: _Numbers | None = None,
         up: str | None = None,
@@ -231,7 +347,7 @@ class System(_displayfile.System):
         """
         return self._import_mesh(
             path,
-            colour,
+            None if colour is None else _colours.colour(colour),
             eye=eye,
             look_at=look_at,
             up=up,
@@ -240,6 +356,104 @@ class System(_displayfile.System):
             fit=fit,
             turning=turning,
         )
+
+    # ---- Meshes of other packages --------------------------------------------------------
+
+    def from_trimesh(self, mesh: typing.Any, **options: typing.Any) -> int:
+        """Enter a trimesh.Trimesh: its faces, and their colours if it has some.
+
+        Args:
+            mesh: The mesh, or any object with vertices and faces. trimesh is not imported.
+            options: Those of mesh.
+
+        Returns:
+            The name of the segment, as mesh does.
+
+        Raises:
+            Error: As mesh does; or another object. A UserWarning names what is left out.
+        """
+        return self._enter_other(_other_meshes.of_trimesh(mesh), options)
+
+    def from_meshio(self, mesh: typing.Any, **options: typing.Any) -> int:
+        """Enter the triangles, quadrilaterals and polygons of a meshio.Mesh.
+
+        Args:
+            mesh: The mesh, or any object with points and cells. meshio is not imported.
+            options: Those of mesh; values may be one of its arrays of data.
+
+        Returns:
+            The name of the segment, as mesh does.
+
+        Raises:
+            Error: As mesh does; another object; or no faces. A UserWarning names what is left out.
+        """
+        return self._enter_other(_other_meshes.of_meshio(mesh), options)
+
+    def from_pyvista(self, mesh: typing.Any, **options: typing.Any) -> int:
+        """Enter the faces of a pyvista.PolyData, or the surface that another data set extracts.
+
+        Args:
+            mesh: The mesh, or any object with points and padded faces. pyvista is not imported.
+            options: Those of mesh; values may be one of its arrays of data.
+
+        Returns:
+            The name of the segment, as mesh does.
+
+        Raises:
+            Error: As mesh does; or another object. A UserWarning names what is left out.
+        """
+        return self._enter_other(_other_meshes.of_pyvista(mesh), options)
+
+    def _enter_other(self, found: _other_meshes.Faces, options: dict[str, typing.Any]) -> int:
+        coloured = any(options.get(name) is not None for name in ("fill", "fills", "values"))
+        fills = {} if coloured or found.fills is None else {"fills": found.fills}
+        name = self.mesh(found.vertices, found.faces, sides=found.sides, **fills, **options)
+        if found.left_out:
+            warnings.warn(f"left out: {', '.join(found.left_out)}", stacklevel=3)
+        return name
+
+    # ---- Beside the picture --------------------------------------------------------------
+
+    def colour_bar(
+        self, label: str = "", *, ticks: _Numbers | None = None, segment: int | None = None
+    ) -> int:
+        """Enter a bar of the colours of the values entered last, at the picture's right.
+
+        It keeps its place in every view of the system. Where the camera follows what is entered, the
+        scene makes room for it.
+
+        Args:
+            label: The text above it.
+            ticks: The values beside it; default: about eight round ones.
+            segment: As in mesh.
+
+        Returns:
+            The name of its segment.
+
+        Raises:
+            Error: No values were entered, a segment is open, or ticks are outside of the colour
+                map's limits.
+        """
+        if self._scale is None:
+            raise _displayfile.Error("colour_bar: no values were entered: expected mesh(values=)")
+        return self._beside(segment, *_scalars.colour_bar(self._scale, label, ticks))
+
+    def legend(
+        self, entries: typing.Mapping[str, _OneColour], *, segment: int | None = None
+    ) -> int:
+        """Enter names beside their colours, at the picture's right, as colour_bar does.
+
+        Args:
+            entries: The colour of each name.
+            segment: As in mesh.
+
+        Returns:
+            The name of its segment.
+
+        Raises:
+            Error: No names, an invalid colour, or a segment is open.
+        """
+        return self._beside(segment, *_scalars.legend(entries))
 
     def record(self, on: bool = True) -> None:
         """Record every user routine that succeeds from now on.
@@ -253,367 +467,6 @@ class System(_displayfile.System):
     def recording(self) -> str:
         """The recording, as a drawing program that makes the same display file."""
         return self._recording()
-
-    # ---- Pictures ------------------------------------------------------------------------
-
-    @typing.overload
-    def draw(
-        self,
-        size: _Size = ...,
-        *,
-        ids: typing.Literal[False] = ...,
-        depth: typing.Literal[False] = ...,
-        hidden: str | None = ...,
-        lines: str | None = ...,
-        hidden_lines: str | None = ...,
-        line_order: str | None = ...,
-        line_halo: float | None = ...,
-        scope: str | None = ...,
-        precision: str | None = ...,
-        background: _Colour | typing.Literal["none"] | None = ...,
-        rows: tuple[int, int] | None = ...,
-        samples: int | None = ...,
-        threads: int = ...,
-        device: str | None = ...,
-    ) -> npt.NDArray[np.uint8]:
-        ...
-
-    @typing.overload
-    def draw(
-        self,
-        size: _Size = ...,
-        *,
-        ids: bool = ...,
-        depth: bool = ...,
-        hidden: str | None = ...,
-        lines: str | None = ...,
-        hidden_lines: str | None = ...,
-        line_order: str | None = ...,
-        line_halo: float | None = ...,
-        scope: str | None = ...,
-        precision: str | None = ...,
-        background: _Colour | typing.Literal["none"] | None = ...,
-        rows: tuple[int, int] | None = ...,
-        samples: int | None = ...,
-        threads: int = ...,
-        device: str | None = ...,
-    ) -> typing.Any:
-        ...
-
-    def draw(
-        self,
-        size: _Size = 512,
-        *,
-        ids: bool = False,
-        depth: bool = False,
-        hidden: str | None = None,
-        lines: str | None = None,
-        hidden_lines: str | None = None,
-        line_order: str | None = None,
-        line_halo: float | None = None,
-        scope: str | None = None,
-        precision: str | None = None,
-        background: _Colour | typing.Literal["none"] | None = None,
-        rows: tuple[int, int] | None = None,
-        samples: int | None = None,
-        threads: int = 1,
-        device: str | None = None,
-    ) -> typing.Any:
-        """Draw the visible segments into memory.
-
-        Options that are None use the system's settings. Drawing again is fast where little changed.
-        If only the background is visible, a UserWarning gives the reason, here and in svg, save and
-        the like; it is most precise for System(retain=True).
-
-        Args:
-            size: (width, height) in pixels, or one number for both: 1 to 65535.
-            ids: Also return the item buffer, at pixel centres. samples=1 is faster if colours are
-                not used.
-            depth: Also return the depths at pixel centres.
-            hidden: The hidden-surface or hidden-line method, one of methods(), such as "map",
-                "z-buffer" or "franklin".
-            lines: Kinds of polygon sides drawn as lines, as in System. They are selected when
-                segments are closed, so the value must equal the system's.
-            hidden_lines: "none", or "dashed" to also draw hidden parts of lines. An Error if there
-                are some and the method, such as "none", draws in order of entry.
-            line_order: Which of two lines that overlap is drawn over the other: "entry", the one
-                entered later, or "depth", the nearer one. An Error if the method draws in order of
-                entry.
-            line_halo: With "depth", the gap beside a line where another one crosses in front of it,
-                in pixels; 0 for none.
-            scope: "segment" or "all": what is sorted together.
-            precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
-            background: A colour, or "none" for a transparent one.
-            rows: (first, end), counted from the top: draw only these rows of the picture.
-            samples: Antialiasing: samples per pixel side, 1 to 16. Default: 4, or the most that a
-                picture of this size may have; 1 with "osmesa" and "plain-z-buffer".
-            threads: Maximum number of threads, 1 to 1024; the picture does not depend on it.
-            device: "software", or "osmesa" for comparison.
-
-        Returns:
-            An array (H, W, 4) of red, green, blue and alpha, uint8, the top row first; with ids or
-            depth, a Picture of all of them.
-
-        Raises:
-            Error: An option out of range, or not enough memory for the picture.
-        """
-        self._require_lines(lines)
-        pixels, of_ids, of_depth = self._draw(
-            size,
-            ids=ids,
-            depth=depth,
-            hidden=hidden,
-            hidden_lines=hidden_lines,
-            line_order=line_order,
-            line_halo=line_halo,
-            scope=scope,
-            precision=precision,
-            background=background,
-            rows=rows,
-            samples=samples,
-            threads=threads,
-            device=device,
-        )
-        return Picture(pixels, of_ids, of_depth) if ids or depth else pixels
-
-    def turntable(
-        self,
-        views: int,
-        size: _Size = 512,
-        *,
-        axis: _Numbers | None = None,
-        fit: bool | None = None,
-        **options: typing.Any,
-    ) -> Turntable:
-        """Make a turntable of the scene, whose views are those of the command's --turntable.
-
-        By default they are drawn from one BSP tree; with "z-buffer" and other methods that work in
-        image space or find lines, each view by itself. Later calls on the system do not change it.
-
-        Args:
-            views: Number of views, at equal angles around the axis: 1 to 10000.
-            size: (width, height) in pixels, or one number for both.
-            axis: The axis of rotation, (x, y, z), through the middle of the scene; default: the
-                view's up direction.
-            fit: Fit the window to all views. Default: True if import_mesh fitted it.
-            options: Those of draw; and for files of vectors those of save.
-
-        Returns:
-            The turntable. Nothing is drawn yet.
-
-        Raises:
-            Error: A system that is not System(retain=True), segments in several views, a method
-                that does not draw views, an option out of range.
-        """
-        options = self._checked(options)
-        turned = self._turntable(views, size, axis, fit, **options)
-        return Turntable(turned, bool(options.get("ids") or options.get("depth")))
-
-    def svg(self, size: _Size = 512, **options: typing.Any) -> str:
-        """Draw as SVG.
-
-        Args:
-            size: (width, height) in pixels, or one number for both.
-            options: Those of save.
-
-        Returns:
-            The text of the file.
-        """
-        return self._draw_as("svg", size, **self._checked(options)).decode()
-
-    def pdf(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """Draw as PDF.
-
-        Args:
-            size: (width, height) in points, or one number for both.
-            options: Those of save.
-
-        Returns:
-            The bytes of the file.
-        """
-        return self._draw_as("pdf", size, **self._checked(options))
-
-    def eps(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """Draw as EPS.
-
-        Args:
-            size: (width, height) in points, or one number for both.
-            options: Those of save.
-
-        Returns:
-            The bytes of the file.
-        """
-        return self._draw_as("eps", size, **self._checked(options))
-
-    def png(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """Draw as PNG.
-
-        Args:
-            size: (width, height) in pixels, or one number for both.
-            options: Those of save.
-
-        Returns:
-            The bytes of the file.
-        """
-        return self._draw_as("png", size, **self._checked(options))
-
-    def ppm(self, size: _Size = 512, **options: typing.Any) -> bytes:
-        """Draw as PPM.
-
-        Args:
-            size: (width, height) in pixels, or one number for both.
-            options: Those of save.
-
-        Returns:
-            The bytes of the file.
-        """
-        return self._draw_as("ppm", size, **self._checked(options))
-
-    def save(
-        self,
-        path: str | os.PathLike[str],
-        size: _Size = 512,
-        *,
-        format: str | None = None,
-        **options: typing.Any,
-    ) -> None:
-        """Draw into a file, which is written completely or not at all.
-
-        Args:
-            path: The file; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, not
-                standard output.
-            size: (width, height) in pixels, for PDF and EPS in points; or one number for both.
-            format: One of these, such as "svg", overriding the extension.
-            options: Those of draw except ids and depth; and for vectors these:
-            paper: The paper, on which the picture is as large as fits: "A4", "letter" and others,
-                or "WIDTHxHEIGHT" in mm.
-            margin: Margin of the paper in mm; default 10.
-            vector_precision: Unit in pixels to which vertices are rounded, 0.001 to 1; default
-                0.01.
-            seams: "trapped", or "butted" for smaller files, in which the background may show
-                between neighbours.
-            pick_ids: True: one element with a title per pick identifier, in SVG.
-            font: The font of texts, by the name that the system has for it; or "hershey", or
-                "hershey:NAME", for strokes (Debian: hershey-fonts-data); for pixels too.
-            text: "outlines": letters as outlines, the same in every viewer; default "text".
-            id_prefix: Beginning of every id, and of every class with a rule, in SVG, in place of a
-                hash: letters, digits, - and _.
-            inline: True: no XML declaration in SVG, to stand in an HTML page.
-            layers: True: a layer for each segment, with its title, in SVG and PDF.
-            pens: True: strokes only, none drawn twice, in layers by pen and ordered for short
-                travel, for plotters and laser cutters; on A4 unless paper is set.
-            hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or
-                a dictionary of spacing, angle (45 degrees), cross (True: dark fills get
-                perpendicular lines too), colour and width (0.3 mm).
-            pen_order: With pens or hatch, "travel", or "cut": what lies inside of closed contours
-                is drawn before them.
-            pen_layers: With pens or hatch, a list of colours: the pens with these colours come
-                first, in this order.
-            dpi: For PNG: pixels per inch, which the file states; with paper the picture stands on a
-                sheet in pixels.
-
-        Raises:
-            Error: An option out of range, an unknown format, or a file that cannot be written.
-        """
-        self._save(path, format, size, **self._checked(options))
-
-    def dump(self, **options: typing.Any) -> str:
-        """Return the instructions of all segments.
-
-        Args:
-            options: hidden, hidden_lines, line_order, line_halo, scope, precision and threads, as in
-                draw; lines overlap as in a picture of 512 x 512 pixels.
-
-        Returns:
-            The text of the command's dump (displayfile/text/drawing_programs.md). It determines the
-            drawing bit for bit.
-        """
-        return self._dump(**self._checked(options))
-
-    def pieces(self, **options: typing.Any) -> Pieces:
-        """Return the pieces of a vector drawing, for programs that draw by their own means.
-
-        With "depth-sort" and "bsp": all polygons from back to front, including hidden ones; with
-        "map": the visible pieces only, and so with "auto", which is the map unless only lines are
-        visible.
-
-        Args:
-            options: hidden, hidden_lines, line_order, line_halo, scope, precision and threads, as in
-                draw; lines overlap as in a picture of 512 x 512 pixels.
-
-        Returns:
-            Arrays of pieces of polygons and lines, in drawing order.
-        """
-        return Pieces(*self._pieces(**self._checked(options)))
-
-    def pick(
-        self,
-        x: float,
-        y: float,
-        size: _Size = 512,
-        *,
-        reach: float = 0.0,
-        hidden: str | None = None,
-        scope: str | None = None,
-        precision: str | None = None,
-        threads: int = 1,
-        device: str | None = None,
-    ) -> Pick | None:
-        """Return what a picture shows at a pixel.
-
-        For "none" and "back-face" that is the primitive entered last, for the other methods the
-        nearest one, exactly unless the method rounds.
-
-        Args:
-            x: Pixels from the left of the picture.
-            y: Pixels from its top.
-            size: The picture's size, as in draw.
-            reach: Distance in pixels within which lines and edges are picked, before polygons.
-            hidden: As in draw.
-            scope: As in draw.
-            precision: As in draw.
-            threads: Maximum number of threads.
-            device: As in draw.
-
-        Returns:
-            The Pick; None if nothing is visible there.
-        """
-        picked = self._pick(
-            x,
-            y,
-            reach,
-            size,
-            hidden=hidden,
-            scope=scope,
-            precision=precision,
-            threads=threads,
-            device=device,
-        )
-        return None if picked is None else Pick(*picked)
-
-    # ---- For notebooks -------------------------------------------------------------------
-
-    def _repr_svg_(self) -> str | None:
-        if self._is_empty() or self._polygons() > _MOST_POLYGONS_AS_SVG:
-            return None
-        try:
-            return self.svg(self._size_in_notebooks())
-        except _displayfile.Error:
-            return None
-
-    def _repr_png_(self) -> bytes | None:
-        if self._is_empty() or self._polygons() <= _MOST_POLYGONS_AS_SVG:
-            return None
-        try:
-            return self.png(self._size_in_notebooks())
-        except _displayfile.Error:
-            return None
-
-    def _size_in_notebooks(self) -> tuple[int, int]:
-        aspect = self._aspect_ratio()
-        width = _SIZE_IN_NOTEBOOKS * min(1.0, aspect)
-        height = _SIZE_IN_NOTEBOOKS / max(1.0, aspect)
-        return max(1, round(width)), max(1, round(height))
 
     # ---- Properties ----------------------------------------------------------------------
 
@@ -668,8 +521,9 @@ class System(_displayfile.System):
         """
         return self._to_device(point)
 
-    # ---- Options -------------------------------------------------------------------------
 
-    def _checked(self, options: dict[str, typing.Any]) -> dict[str, typing.Any]:
-        self._require_lines(options.pop("lines", None))
-        return options
+def _require_none(what: str, missing: bool = True, **options: typing.Any) -> None:
+    for name, value in options.items():
+        if value is not None:
+            needed = f"expected it with {what}" if missing else f"expected none with {what}"
+            raise _displayfile.Error(f"{name}: {needed}")

@@ -66,10 +66,12 @@ def test_all_that_is_entered():
 
 def test_calls_make_a_system_that_retains():
     system = PicklableSystem()
+    system.set_window(-1, 1, -1, 1)
     system.mesh(np.eye(3), [[0, 1, 2]])
     with pytest.raises(Error, match="retain=True"):
         system.calls.system().turntable(3)
     expected = again(PicklableSystem(retain=True))
+    expected.set_window(-1, 1, -1, 1)
     expected.mesh(np.eye(3), [[0, 1, 2]])
     turned = system.calls.system(retain=True).turntable(3, 32)
     assert np.array_equal(turned.draw(1), expected.turntable(3, 32).draw(1))

@@ -152,6 +152,7 @@ def test_a_program_is_carried_out_whole_or_not_at_all(tmp_path: Path) -> None:
 
 def test_what_is_recorded_replays() -> None:
     g = System()
+    g.set_window(-1, 1, -1, 1)
     g.set_fill_style("hollow")
     g.record()
     assert g.recording == ""

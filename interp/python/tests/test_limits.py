@@ -137,6 +137,7 @@ def test_limits_end_where_they_began() -> None:
 def test_a_segment_that_cannot_be_sorted_leaves_nothing() -> None:
     g, other = System(), System()
     for system in (g, other):
+        system.set_window(-1, 1, -1, 1)  # no view is fitted when it is drawn
         system.set_hidden_line_removal(True)
         system.set_back_face_removal(False)
         system.set_hidden_method("bsp")

@@ -12,8 +12,15 @@ QUAD_AND_TRIANGLES = [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
 TRIANGLES = QUAD_AND_TRIANGLES[1:]
 
 
-def entered_one_by_one(faces) -> str:
+def usual() -> System:
+    """With the usual view set, so that none is fitted and looks are those in force."""
     g = System()
+    g.set_window(-1, 1, -1, 1)
+    return g
+
+
+def entered_one_by_one(faces) -> str:
+    g = usual()
     g.open_segment(1)
     for face in faces:
         g.polygon_abs_3(VERTICES[face])
@@ -22,7 +29,7 @@ def entered_one_by_one(faces) -> str:
 
 
 def dump_of(vertices, faces, **options) -> str:
-    g = System()
+    g = usual()
     assert g.mesh(vertices, faces, **options) == 1
     return g.dump()
 
@@ -30,7 +37,7 @@ def dump_of(vertices, faces, **options) -> str:
 @pytest.mark.parametrize("type", [np.float64, np.float32, np.float16, int, ">f8"])
 def test_vertices_of_any_type(type):
     vertices = np.round(VERTICES * 2).astype(type)
-    g = System()
+    g = usual()
     g.open_segment(1)
     for face in TRIANGLES:
         g.polygon_abs_3(vertices[face].astype(float))
@@ -63,7 +70,7 @@ def test_faces_of_any_length():
 
 
 def test_fills_and_picks():
-    g, one = System(), System()
+    g, one = usual(), usual()
     colours = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.1, 0.2, 0.3]])
     g.mesh(VERTICES, TRIANGLES, fills=colours, picks=[5, 6, 7, 8], segment=4)
     one.open_segment(4)
@@ -80,7 +87,7 @@ def test_fills_and_picks():
 def test_masked_numbers_are_not_known():
     heights = np.ma.array(np.arange(9.0).reshape(3, 3) / 9, mask=np.eye(3)[::-1] * [[1, 0, 0]])
     known = [np.linspace(-1, 1, 3)] * 2
-    masked, hole = System(), System()
+    masked, hole = usual(), usual()
     masked.surface(*known, heights)
     hole.surface(*known, heights.filled(np.nan))
     assert masked.dump() == hole.dump()
@@ -146,7 +153,7 @@ def test_segments():
         (VERTICES, [0, 1, 2, 3], {"sides": [-3, 7]}),
         (VERTICES, TRIANGLES, {"fill": (1, 0)}),
         (VERTICES, TRIANGLES, {"fill": (1, 0, 2)}),
-        (VERTICES, TRIANGLES, {"fill": "red"}),
+        (VERTICES, TRIANGLES, {"fill": "reddish"}),
         (VERTICES, TRIANGLES, {"fills": [(1, 0, 0)]}),
         (VERTICES, TRIANGLES, {"fills": np.full((4, 3), 1.5)}),
         (VERTICES, TRIANGLES, {"fill": (1, 0, 0), "fills": np.zeros((4, 3))}),
@@ -184,7 +191,7 @@ Z = np.sin(X)[None, :] * Y[:, None]
 
 
 def test_a_surface_over_an_even_grid():
-    g, routine = System(), System()
+    g, routine = usual(), usual()
     g.surface(X, Y, Z)
     routine.open_segment(1)
     routine.surface_3(-1, 1, 5, 0, 1, 4, Z)
@@ -197,14 +204,14 @@ def test_a_surface_over_an_even_grid():
         (X, Y[::-1], Z[::-1]),
         (X.tolist(), Y.tolist(), Z.tolist()),
     ):
-        other = System()
+        other = usual()
         other.surface(x, y, z)
         assert other.dump() == expected
 
 
 def test_a_surface_over_an_uneven_grid():
     x = X**3
-    g, mesh = System(), System()
+    g, mesh = usual(), usual()
     g.surface(x, Y, Z)
     points = np.stack([*np.meshgrid(x, Y), Z], axis=-1).reshape(-1, 3)
     k = np.arange(20).reshape(4, 5)

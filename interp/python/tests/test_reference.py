@@ -28,7 +28,10 @@ def test_the_page_has_all_that_is_public() -> None:
 
 
 def test_help_shows_arguments_and_meanings() -> None:
-    assert str(inspect.signature(System.rotate_x_3)) == "(*arguments)"
+    assert str(inspect.signature(System.rotate_x_3)) == "(angle)"
+    assert str(inspect.signature(System.sphere_3)) == "(x, y, z, radius, facets)"
+    assert str(inspect.signature(System.cone_3)).endswith("facets, top_radius=None)")
+    assert str(inspect.signature(System.polygon_abs_3)) == "(*arguments)"
     for name in displayfile.user_routines():
         docstring = inspect.getdoc(getattr(System, name))
         assert docstring is not None

@@ -233,6 +233,7 @@ g.mesh(soup.reshape(-1, 3), np.arange(12000).reshape(-1, 3))
 small.mesh(soup[:200].reshape(-1, 3), np.arange(600).reshape(-1, 3))
 turned = small.turntable(3, 2048, samples=16)
 noting = displayfile.PicklableSystem()
+noting.set_window(-1, 1, -1, 1)  # it is sorted as the segment is closed
 noting.set_hidden_line_removal(True)
 noting.set_hidden_method("bsp")
 noting.open_segment(1)

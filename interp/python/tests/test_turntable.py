@@ -100,6 +100,7 @@ def test_axes_and_windows_are_what_is_said(mesh):
     about_right = system.turntable(5, SIZE, hidden="z-buffer", axis=(1, 0, 0)).draw(1)
     assert not np.array_equal(plain, about_right)
     plank = System(retain=True)
+    plank.set_window(-1, 1, -1, 1)
     plank.mesh([(0.2, 0, 0), (0.9, 0, 0.1), (0.9, 0.4, 0.1), (0.2, 0.4, 0)], [(0, 1, 2, 3)])
     whole = plank.turntable(4, 32, fit=True)
     assert all((whole.draw(k)[[0, -1]] == 255).all() for k in range(4))

@@ -15,6 +15,7 @@ from typing import Any, Iterator
 
 import displayfile
 from displayfile import _displayfile, dask, matplotlib
+from displayfile._drawing import Drawing
 
 PAGE = Path(__file__).resolve().parents[1] / "reference.md"
 WIDTH = 120
@@ -157,9 +158,12 @@ def page() -> str:
     parts = [BEGIN.strip(), "## System", paragraphs(system), "### System"]
     parts.append(function(displayfile.System.__init__, "System"))
     parts += members_of(displayfile.System)
+    parts += members_of(Drawing)
     parts += ["## User routines", paragraphs(ROUTINES), "\n".join(user_routines()).strip()]
     parts += ["## Turntable", paragraphs(docstring_of(displayfile.Turntable))]
     parts += members_of(displayfile.Turntable)
+    parts += ["## Views", paragraphs(docstring_of(displayfile.Views))]
+    parts += members_of(displayfile.Views)
     parts += ["## PicklableSystem", paragraphs(docstring_of(displayfile.PicklableSystem))]
     calls = displayfile.PicklableSystem.calls  # else it has the members of System
     parts.append(f"### calls\n\n{paragraphs(docstring_of(calls))}")

@@ -118,6 +118,25 @@ def test_neighbours_are_cropped_at_the_same_point() -> None:
         assert len(found) == 2 and found[0] == found[1]
 
 
+def test_segments_are_cropped() -> None:
+    crop = Crop(np.array([[-1.0, 1.0]] * 3))
+    segments = np.array(
+        [
+            [(-2.5, 0, 0), (0, 2.5, 0)],  # past a corner
+            [(-2, 0.5, 0), (2, 0.5, 0)],
+            [(0, 0, 0), (0.5, 0.5, 0.5)],
+            [(0, 0, 0), (0, 0, 4)],
+            [(2, 0, 0), (3, 0, 0)],
+        ],
+        float,
+    )
+    left, is_outside = crop.segments(segments)
+    assert is_outside.tolist() == [True, False, False, False, True]
+    assert left[1].tolist() == [[-1, 0.5, 0], [1, 0.5, 0]]
+    assert left[2].tolist() == segments[2].tolist()
+    assert left[3].tolist() == [[0, 0, 0], [0, 0, 1]]
+
+
 @pytest.mark.parametrize(
     "option, value",
     [

@@ -301,7 +301,7 @@ def test_bands_tile_their_triangles():
 def test_neighbours_have_the_same_points_on_their_side():
     rng = np.random.default_rng(6)
     for _ in range(100):
-        a, b, c, d = rng.uniform(-1, 1, (4, 3))
+        a, b, c, d = rng.standard_normal((4, 3))
         u, v, w, x = rng.uniform(0, 10, 4)
         bounds = np.arange(11.0)
         first = bands(np.array([[a, b, c]]), np.array([[u, v, w]]), bounds)
@@ -312,6 +312,24 @@ def test_neighbours_have_the_same_points_on_their_side():
             return {tuple(p) for p in points[np.abs(along).max(axis=1) < 1e-12].tolist()}
 
         assert on_side(first.points) == on_side(second.points)
+
+
+def test_a_corner_at_a_bound_is_a_corner_of_the_pieces():
+    rng = np.random.default_rng(8)
+    for _ in range(300):
+        triangle = rng.standard_normal((1, 3, 3))
+        values = rng.permuted(np.array([[0.0, 2.0, 4.0]]), axis=1)
+        points = bands(triangle, values, np.arange(5.0)).points
+        for corner in triangle[0]:
+            near = np.abs(points - corner).max(axis=1) < 1e-9
+            assert near.any() and (points[near] == corner).all()
+
+
+def test_a_contour_through_a_corner_alone_is_no_line():
+    triangles = np.random.default_rng(9).standard_normal((300, 3, 3))
+    values = np.tile([0.0, 1.0, 3.0], (300, 1))
+    assert len(contours(triangles, values, np.array([3.0]))) == 0
+    assert len(contours(triangles, values, np.array([1.0]))) == 300
 
 
 def test_contours_are_on_the_surface():

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -417,6 +418,51 @@ TEST(OverlapInProjection, SolvedCases) {
   EXPECT_TRUE(all.overlap(1, 5));
   EXPECT_TRUE(all.overlap(0, 6)) << "the same";
   EXPECT_FALSE(all.overlap(6, 1));
+}
+
+/// By definition, of points with small whole coordinates: a side with all of `a` on one side of its
+/// line, and all of `b` on the other.
+bool separated_by_definition(const Loop& a, const Loop& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Point3 &from = a[k == 0 ? a.size() - 1 : k - 1], &to = a[k];
+    const auto signs = [&](const Loop& loop) {
+      std::set<int> all;
+      for (const Point3& p : loop) {
+        const double turn = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+        if (turn != 0.0) all.insert(turn > 0.0 ? 1 : -1);
+      }
+      return all;
+    };
+    if (from.x == to.x && from.y == to.y) continue;
+    const std::set<int> of_a = signs(a), of_b = signs(b);
+    if (of_a.size() == 1 && of_b.size() <= 1 && of_a != of_b) return true;
+  }
+  return false;
+}
+
+TEST(OverlapInProjection, PolygonsOfManySidesAreSeparatedByAnyOfThem) {
+  Source s(12);
+  int apart = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto around = [&](int corners, double x) {
+      std::vector<Point2> loop;
+      for (int k = 0; k < corners; ++k) {
+        const double angle = 6.283185307179586 * k / corners;
+        const double radius = s.below(3) == 0 ? s.between(20, 40) : 40;  // in part on its hull
+        loop.emplace_back(std::round(x + radius * std::cos(angle)),
+                          std::round(radius * std::sin(angle)));
+      }
+      return level(loop);
+    };
+    const Loop a = around(s.between(3, 60), 0), b = around(s.between(3, 60), s.between(60, 90));
+    const Flat<Exact> both = flat({a, b});
+    const bool expected = !separated_by_definition(a, b) && !separated_by_definition(b, a);
+    ASSERT_EQ(both.overlap(0, 1), expected) << trial;
+    ASSERT_EQ(both.overlap(1, 0), expected) << trial;
+    apart += expected ? 0 : 1;
+  }
+  EXPECT_GT(apart, 300);
+  EXPECT_LT(apart, 1900);
 }
 
 TEST(OverlapInProjection, RoundoffDecidesWhatIsNotClose) {

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include "hidden/sort/vertex_table.h"
@@ -24,6 +27,43 @@ int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32
       [&](std::size_t i, std::size_t j) { return table.direction(v[i], v[j]); });
 }
 
+/// Vertices that are farthest out in eight directions, about, of a polygon of many; all of a
+/// polygon of few. A line that has some of the polygon on both sides mostly has some of these
+/// there.
+class OutermostVertices {
+ public:
+  /// The vertices must outlive it.
+  template <class Policy>
+  OutermostVertices(const VertexTable<Policy>& table, std::span<const std::uint32_t> vertices)
+      : few_(vertices) {
+    constexpr std::size_t kFew = 16;
+    if (vertices.size() < kFew) return;
+    std::array<double, kDirections> farthest;
+    farthest.fill(-std::numeric_limits<double>::infinity());
+    outermost_.fill(vertices.front());
+    for (const std::uint32_t v : vertices) {
+      const Point3 p = table.near(v).p;
+      const std::array out{p.x, p.y, p.x + p.y, p.x - p.y};
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        const double way = k % 2 == 0 ? out[k / 2] : -out[k / 2];
+        if (way <= farthest[k]) continue;
+        farthest[k] = way;
+        outermost_[k] = v;
+      }
+    }
+    few_ = outermost_;
+  }
+  OutermostVertices(const OutermostVertices&) = delete;
+  OutermostVertices& operator=(const OutermostVertices&) = delete;
+  std::span<const std::uint32_t> vertices() const { return few_; }
+  bool are_all() const { return few_.data() != outermost_.data(); }
+
+ private:
+  static constexpr std::size_t kDirections = 8;
+  std::array<std::uint32_t, kDirections> outermost_{};
+  std::span<const std::uint32_t> few_;
+};
+
 /// True if a side of `a` separates: all of `a` is on one side of its line and all of `b` on the
 /// other, so that their interiors do not intersect in the projection. Points on the line count for
 /// neither; `strictly`: those of b do, and then b's boundary does not even touch.
@@ -31,30 +71,42 @@ template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, const Outline& b,
                           bool strictly = false) {
   assert(!a.vertices.empty());
+  const OutermostVertices outermost_a(table, a.vertices), outermost_b(table, b.vertices);
   std::uint32_t from = a.vertices.back();
   for (const std::uint32_t to : a.vertices) {
-    const auto all_beyond = [&](int inside) {
-      for (const std::uint32_t v : b.vertices) {
+    const auto are_beyond = [&](std::span<const std::uint32_t> vertices, int inside) {
+      for (const std::uint32_t v : vertices) {
         const int turn = strictly ? table.turn(from, to, v) : table.turn_beyond(from, to, v);
         if (turn == inside || (strictly && turn == 0)) return false;
       }
       return true;
     };
+    const auto all_beyond = [&](int inside) {
+      return are_beyond(outermost_b.vertices(), inside) &&
+             (outermost_b.are_all() || are_beyond(b.vertices, inside));
+    };
     if (a.turning != 0) {
       if (all_beyond(a.turning)) return true;
-    } else if (table.direction(from, to) != 0) {
+    } else {
       int inside = 0;
-      bool on_the_hull = true;
-      for (const std::uint32_t v : a.vertices) {
-        const int turn = table.turn(from, to, v);
-        if (turn == 0) continue;
-        on_the_hull = inside != -turn;
-        if (!on_the_hull) break;
-        inside = turn;
-      }
-      // A line has nothing on either side of it.
+      const auto has_on_one_side = [&](std::span<const std::uint32_t> vertices) {
+        for (const std::uint32_t v : vertices) {
+          const int turn = table.turn(from, to, v);
+          if (turn == 0) continue;
+          if (inside == -turn) return false;
+          inside = turn;
+        }
+        return true;
+      };
+      const auto may_separate = [&] {
+        return inside == 0 || are_beyond(outermost_b.vertices(), inside);
+      };
+      const bool on_the_hull = has_on_one_side(outermost_a.vertices()) && may_separate() &&
+                               (outermost_a.are_all() || has_on_one_side(a.vertices));
       if (on_the_hull && inside != 0 && all_beyond(inside)) return true;
-      if (on_the_hull && inside == 0 && (all_beyond(1) || all_beyond(-1))) return true;
+      // A line has nothing on either side of it; nor have two corners in one point.
+      const bool is_line = on_the_hull && inside == 0 && table.direction(from, to) != 0;
+      if (is_line && (all_beyond(1) || all_beyond(-1))) return true;
     }
     from = to;
   }

@@ -1,4 +1,4 @@
-"""How long savefig takes of a surface of 10,000 quads: drawn exactly, over as matplotlib draws it.
+"""How long savefig takes of surfaces and filled contours: drawn exactly, over as matplotlib draws them.
 
     python3 tests/bench/python/matplotlib_bench.py [RUNS]
 
@@ -42,6 +42,16 @@ def two_waves(ax: Any) -> None:
     ax.plot_surface(x, y, np.cos(4 * y), color="tab:orange", rstride=1, cstride=1)
 
 
+def contours_on_walls(ax: Any) -> None:
+    """Filled contours of ten levels, from 100 by 100 points, on three walls round a surface."""
+    x, y = np.meshgrid(np.linspace(-3, 3, 100), np.linspace(-3, 3, 100))
+    z = np.sin(x) * np.cos(y)
+    ax.plot_surface(x, y, z, rstride=4, cstride=4)
+    for wall, offset in (("z", -1.5), ("x", -3.5), ("y", 3.5)):
+        ax.contourf(x, y, z, zdir=wall, offset=offset, levels=10)
+    ax.set(xlim=(-4, 4), ylim=(-4, 4), zlim=(-1.6, 1.2))
+
+
 def figure(fill: Callable[[Any], None], is_exact: bool) -> Any:
     made = plt.figure()
     ax = made.add_subplot(projection="3d")
@@ -60,7 +70,7 @@ def seconds(made: Any, format: str) -> float:
 def main() -> None:
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 9
     print(f"{'picture':20} {'format':6} {'plain s':>8} {'exact s':>8} {'ratio':>6}")
-    for fill in (wave, wave_of_one_colour, two_waves):
+    for fill in (wave, wave_of_one_colour, two_waves, contours_on_walls):
         figures = figure(fill, False), figure(fill, True)
         for format in ("png", "svg", "pdf"):
             for made in figures:

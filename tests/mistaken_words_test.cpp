@@ -23,7 +23,8 @@ TEST_F(Command, HelpInOtherWords) {
   const std::string of_draw = out_;
   EXPECT_EQ(run("help draw"), 0) << err_;
   EXPECT_EQ(out_, of_draw);
-  EXPECT_NE(of_draw.find("together [all with --hidden and"), std::string::npos) << "the default scope";
+  EXPECT_NE(of_draw.find("together [all with --hidden and"), std::string::npos)
+      << "the default scope";
   expect_error("help drew", "unknown command 'drew': did you mean 'draw'?");
   expect_error("help draw dump", "help: expected one command, such as displayfile help draw");
 }

@@ -22,8 +22,8 @@
 #include "clip/transformation.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "programs/surface/contours.h"
 #include "displayfile/looks/height_colours.h"
+#include "programs/surface/contours.h"
 
 namespace displayfile {
 namespace {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "clip/base/input_file.h"
 #include "clip/base/nearest_word.h"
 #include "displayfile/files.h"
 #include "displayfile/segments/retained_scene.h"
@@ -27,6 +28,7 @@
 #include "programs/options/hidden_surface_words.h"
 #include "programs/options/number_in.h"
 #include "programs/process/progress.h"
+#include "programs/process/warnings.h"
 
 namespace displayfile {
 
@@ -121,6 +123,12 @@ int TruthCommand::run() {
   if (!ids.empty()) arrays.push_back(ids_row_file(ids, width, height));
   if (!depth.empty()) arrays.push_back(depth_row_file(depth, width, height));
 
+  if (wants_lines() && contains(system.hidden_surfaces().lines.kinds, LineKind::intersection)) {
+    warnings() << fmt::format(
+        "{}: left out: lines in which polygons pass through each other, which truth does not "
+        "find\n",
+        input_name(inputs.front()));
+  }
   const DisplayFile& file = system.display_file();
   std::string report;
   int status = 0;

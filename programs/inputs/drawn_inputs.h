@@ -39,9 +39,9 @@ class DrawnInputs {
   std::vector<DrawWarning> draw(const std::filesystem::path& file, SortedDisplayFile& kept,
                                 const WorkProgress& progress) const;
 
-  /// Warns if something reaches beyond a window that no program set, or beyond the paper at an exact
-  /// scale in a window that a program set. Error: beyond the paper otherwise. Inputs that were not
-  /// retained are entered once more for the former.
+  /// Warns if something reaches beyond a window that no program set, or beyond the paper at an
+  /// exact scale in a window that a program set. Error: beyond the paper otherwise. Inputs that
+  /// were not retained are entered once more for the former.
   void check_window() const;
 
   /// Warns, with the reason, if such a picture is empty, and returns true then. To work out the

@@ -15,8 +15,9 @@ struct LengthUnit {
   const char* name;
   double millimetres;
 };
-constexpr std::array kUnitsOfLength{LengthUnit{"mm", 1.0}, LengthUnit{"cm", 10.0}, LengthUnit{"m", 1000.0},
-                            LengthUnit{"in", 25.4}, LengthUnit{"inch", 25.4}};
+constexpr std::array kUnitsOfLength{LengthUnit{"mm", 1.0}, LengthUnit{"cm", 10.0},
+                                    LengthUnit{"m", 1000.0}, LengthUnit{"in", 25.4},
+                                    LengthUnit{"inch", 25.4}};
 
 }  // namespace
 

@@ -344,7 +344,7 @@ bool sets_light_of(std::string_view line, std::span<const Point3> lights) {
 /// Where the light was turned, that of the program is the one that it was turned to.
 std::string FollowedView::recorded(std::string_view program) const {
   if (!fitted_) return std::string(program);
-  const std::string viewed = program_in_views(program, [&](int opened) -> const View& {
+  std::string viewed = program_in_views(program, [&](int opened) -> const View& {
     const auto segment = std::ranges::find(beside_, opened, &Beside::name);
     return segment == beside_.end() ? *fitted_ : segment->in_picture;
   });

@@ -100,8 +100,8 @@ class ThreeMfReader {
       object->second.is_placed = true;
       add(object->second, to_world);
       const auto& components = object->second.components;
-      for (auto c = components.rbegin(); c != components.rend(); ++c) {
-        waiting.push_back({part, &its_model, &*c, to_world, next.depth + 1});
+      for (std::size_t c = components.size(); c-- > 0;) {  // the first is placed first
+        waiting.push_back({part, &its_model, &components[c], to_world, next.depth + 1});
       }
     }
   }

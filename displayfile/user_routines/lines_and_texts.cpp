@@ -1,3 +1,4 @@
+#include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_state.h"
 
 #include <fmt/format.h>

@@ -44,13 +44,13 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions&
     : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
   if (!options_.surfaces.method && are_bare_meshes())
     options_.surfaces.method = HiddenMethod::automatic;
-  if (options.surfaces.method &&
-      surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast) {
-    system_.retain(&scene_);
-  } else if (use == Use::picture && are_bare_meshes() && draws_views(options_)) {
+  const bool by_world_rays = options.surfaces.method &&
+                             surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast;
+  const bool pictures_alone = !by_world_rays && use == Use::picture;
+  if (pictures_alone && are_bare_meshes() && draws_views(options_)) {
     SystemInside::retain_alone(system_, scene_);
-  } else if (meshes_.scale || (are_programs() && reads_standard_input(inputs_))) {
-    system_.retain(&scene_);  // for check_window, as standard input is read once
+  } else if (by_world_rays || meshes_.scale || (are_programs() && reads_standard_input(inputs_))) {
+    system_.retain(&scene_);  // for check_window too, as standard input is read once
   }
   enter(system_);
 }

@@ -223,12 +223,14 @@ std::vector<std::string> faults_of(const Assembly& a) {
       if (i == j || other.empty()) continue;
       fault(j < i && !apart(own, other), "covers", j);
       if (all[i].leader.empty()) continue;
-      const auto& [from, to] = all[i].leader[0];
+      const auto& leader = all[i].leader[0];
       const Polygon& text = all[j].box.empty() ? all[j].number : all[j].box;
-      fault(!text.empty() && !apart({from, to}, text), "has a leader over the text of", j);
+      fault(!text.empty() && !apart({leader.first, leader.second}, text),
+            "has a leader over the text of", j);
       fault(std::ranges::any_of(all[j].lines,
                                 [&](const auto& line) {
-                                  return cross_each_other(from, to, line.first, line.second);
+                                  return cross_each_other(leader.first, leader.second, line.first,
+                                                          line.second);
                                 }),
             "has a leader across dimension", j);
       if (j < i && !all[j].leader.empty()) {

@@ -235,7 +235,8 @@ std::vector<std::string> faults_of(const Assembly& a) {
             "has a leader across dimension", j);
       if (j < i && !all[j].leader.empty()) {
         const auto& [from_other, to_other] = all[j].leader[0];
-        fault(cross_each_other(from, to, from_other, to_other), "has a leader across that of", j);
+        fault(cross_each_other(leader.first, leader.second, from_other, to_other),
+              "has a leader across that of", j);
       }
     }
   }

@@ -87,7 +87,8 @@ class InterruptedRuns : public Command {
 
   void SetUp() override {
     std::string triangles =
-        "set-window -1.5 1.5 -1.5 1.5\nset-view-depth -2 2\nset-pick-id 3\nopen-segment 1\n";
+        "set-window -1.5 1.5 -1.5 1.5\nset-window-fit widen\nset-view-depth -2 2\nset-pick-id "
+        "3\nopen-segment 1\n";
     for (int k = 0; k < 120; ++k) {
       const double x = -0.9 + 0.012 * k, y = 0.8 - 0.003 * (k * 7 % 500);
       triangles += fmt::format("polygon-abs-3 {0} {1} {2}  {3} {1} 0  {0} {4} 0\n", x, y, 0.003 * k,

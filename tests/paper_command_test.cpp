@@ -287,7 +287,7 @@ TEST_F(PaperCommand, AFigureThatLeavesThePaperIsRefused) {
                "200 x 200 mm at this scale");
   EXPECT_NEAR(svg_of("big.draw --paper a4 --scale 1:5.3 --fit each --hidden franklin").width(),
               1000.0 / 5.3, kTolerance);
-  // Of a window that a program sets, some may be left out, with a warning.
+  // A window that a program sets may leave some out, with a warning.
   write("part.draw",
         "set-parallel 0 0 1\nset-window -5 5 -5 5\nopen-segment 1\n"
         "polygon-abs-3 -1 -1 0  1 -1 0  0 1 0\npolygon-abs-3 -1 -1 0  900 -1 0  0 1 0\n"

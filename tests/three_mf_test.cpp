@@ -247,7 +247,7 @@ TEST_F(ThreeMfTest, ObjectsInOtherParts) {
                  "not a mesh that can be read: 3MF: its model 3D/Other.model is not in it");
 }
 
-/// Of a part whose unit is another, in the unit of the first.
+/// A part whose unit is another, in the unit of the first.
 TEST_F(ThreeMfTest, Units) {
   const auto in_unit = [](std::string model, const std::string& unit) {
     return model.replace(model.find("millimeter"), 10, unit);

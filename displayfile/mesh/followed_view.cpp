@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "clip/base/error.h"
+#include "clip/base/restoring.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/cutting_planes.h"
 #include "clip/transformation.h"
@@ -286,14 +287,7 @@ void without_light(GraphicsSystem& system, const std::function<void()>& enter) {
     if (before.shadows) system.set_shadows(shadows);
   };
   set(1.0, false);
-  const auto restore = [&] { set(before.light ? before.light->ambient : 1.0, true); };
-  try {
-    enter();
-  } catch (...) {
-    restore();
-    throw;
-  }
-  restore();
+  restoring(enter, [&] { set(before.light ? before.light->ambient : 1.0, true); });
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ class GltfReader {
     }
   }
 
-  /// Of a mesh's morph targets, in a node.
+  /// Weights of a mesh's morph targets, in a node.
   static std::vector<double> weights_of(const Json& node, const Json& mesh) {
     const Json& own = array_in(node, "weights");
     const Json& in_force = own.is_null() ? array_in(mesh, "weights") : own;

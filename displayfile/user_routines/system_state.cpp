@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "clip/base/restoring.h"
 #include "displayfile/user_routines/system_inside.h"
 
 namespace displayfile {
@@ -82,21 +83,6 @@ void SystemInside::by_default(GraphicsSystem& system, Setting setting,
   set();
   in_force = before;
 }
-
-namespace {
-
-/// Calls restore() after enter(), also if that throws.
-void restoring(const std::function<void()>& enter, const std::function<void()>& restore) {
-  try {
-    enter();
-  } catch (...) {
-    restore();
-    throw;
-  }
-  restore();
-}
-
-}  // namespace
 
 void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
   const FillStyle in_force = system.attributes().fill;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "clip/base/restoring.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/user_routines/system_state.h"
@@ -75,13 +76,7 @@ void SystemInside::in_other_view(GraphicsSystem& system, const View& view,
   };
   set(view);
   s.explicit_ = {};  // the window is widened
-  try {
-    enter();
-  } catch (...) {
-    set(before);
-    throw;
-  }
-  set(before);
+  restoring(enter, [&] { set(before); });
 }
 
 void SystemInside::replace_view(GraphicsSystem& system, const View& view) {

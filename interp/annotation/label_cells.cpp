@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPageMargin = 0.5;  // in parts of the capitals' height
 constexpr double kLeastGain = 1e-9;  // of an exchange, in pixels
-/// Of a line that crosses other annotation, in pixels: more than any line is long.
+/// The cost of a line that crosses other annotation, in pixels: more than any line is long.
 constexpr double kCostOfCrossing = 1e6;
 /// More labels keep the shortest lines.
 constexpr std::size_t kMostToUntangle = 200;

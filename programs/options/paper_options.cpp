@@ -172,7 +172,7 @@ Sides usual_sides(const Point2& room, double pixel) {
   return {whole_side(room.x / pixel), whole_side(room.y / pixel)};
 }
 
-/// Of pictures whose pixels are about that large, the first with nearly the shape of the room;
+/// The first picture, of those whose pixels are about that large, with nearly the room's shape;
 /// millimetres.
 Sides sides_of_shape(const Point2& room, double pixel) {
   constexpr double kAbout = 0.02;

@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-using Corner = SolidFaces::Corner;
+using CutCorner = SolidFaces::Corner;
 
 Point3 unit_normal(const Point3& n) { return n == Point3(0.0) ? n : unit(n); }
 
@@ -27,7 +27,7 @@ SolidFaces welded(const SolidFaces& solid) {
   SolidFaces result = solid;
   result.vertices.clear();
   EqualPoints table(result.vertices, solid.corners.size());
-  for (Corner& corner : result.corners) {
+  for (CutCorner& corner : result.corners) {
     corner.vertex = table.number_of(solid.vertices[corner.vertex] + Point3(0.0));  // -0 is 0
     corner.normal = unit_normal(corner.normal);
   }
@@ -35,9 +35,9 @@ SolidFaces welded(const SolidFaces& solid) {
 }
 
 /// A side of the cut face.
-struct Link {
+struct CutLink {
   std::uint32_t from, to;
-  auto operator<=>(const Link&) const = default;
+  auto operator<=>(const CutLink&) const = default;
 };
 
 /// Cuts a welded solid by one plane.
@@ -71,7 +71,7 @@ class OnePlane {
  private:
   /// A part of a loop that stays, from where it enters to where it leaves.
   struct Chain {
-    std::vector<Corner> corners;
+    std::vector<CutCorner> corners;
     std::size_t next;  ///< the chain that follows it along the plane
   };
   /// An end of a chain, on the plane.
@@ -88,8 +88,8 @@ class OnePlane {
     return solid.vertices.size() + solid.corners.size();
   }
 
-  Corner crossing(const Corner& inside, const Corner& outside) {
-    const auto place_of = [&](const Corner& c) {
+  CutCorner crossing(const CutCorner& inside, const CutCorner& outside) {
+    const auto place_of = [&](const CutCorner& c) {
       return CuttingPlanes::Place{solid_.vertices[c.vertex], c.normal};
     };
     const auto at = planes_.crossing(n_, place_of(inside), place_of(outside));
@@ -97,7 +97,7 @@ class OnePlane {
   }
 
   /// A loop that the plane does not meet stays or goes; of another there are chains.
-  void cut_loop(std::span<const Corner> loop) {
+  void cut_loop(std::span<const CutCorner> loop) {
     const std::size_t n = loop.size();
     if (n == 0) return;
     const auto is_inside = [&](std::size_t k) {
@@ -110,12 +110,12 @@ class OnePlane {
       return;
     }
     for (std::size_t k = start; k < start + n; ++k) {
-      const Corner &from = loop[k % n], &to = loop[(k + 1) % n];
+      const CutCorner &from = loop[k % n], &to = loop[(k + 1) % n];
       if (is_inside(k + 1)) {
         if (!is_inside(k)) chains_.push_back({{crossing(to, from)}, chains_.size()});
         chains_.back().corners.push_back(to);
       } else if (is_inside(k)) {
-        Corner exit = crossing(from, to);
+        CutCorner exit = crossing(from, to);
         exit.edge_visible = to.edge_visible;
         chains_.back().corners.push_back(exit);
       }
@@ -133,7 +133,7 @@ class OnePlane {
       std::size_t chain = first;
       do {
         is_joined_[chain] = true;
-        for (const Corner& corner : chains_[chain].corners) add_corner(corner);
+        for (const CutCorner& corner : chains_[chain].corners) add_corner(corner);
         const std::size_t next = chains_[chain].next;
         add_link(chains_[next].corners.front().vertex, chains_[chain].corners.back().vertex);
         chain = next;
@@ -147,7 +147,7 @@ class OnePlane {
   }
 
   /// Sides of no length are left out.
-  void add_corner(const Corner& corner) {
+  void add_corner(const CutCorner& corner) {
     if (loop_.empty() || loop_.back().vertex != corner.vertex) loop_.push_back(corner);
   }
   void add_link(std::uint32_t from, std::uint32_t to) {
@@ -160,7 +160,7 @@ class OnePlane {
   void pair_ends() {
     Point3 low = position(chains_[0].corners.front()), high = low;
     for (const Chain& chain : chains_) {
-      for (const Corner* end : {&chain.corners.front(), &chain.corners.back()}) {
+      for (const CutCorner* end : {&chain.corners.front(), &chain.corners.back()}) {
         low = glm::min(low, position(*end));
         high = glm::max(high, position(*end));
       }
@@ -190,17 +190,17 @@ class OnePlane {
       chains_[leaves.chain].next = enters.chain;
     }
   }
-  const Point3& position(const Corner& corner) const { return points_[corner.vertex]; }
+  const Point3& position(const CutCorner& corner) const { return points_[corner.vertex]; }
 
   /// Links that run there and back are none: the solid touches the plane there. The others are
   /// followed until they come back, as many leave each vertex as arrive; they are returned, if
   /// there is a cut face.
-  std::vector<Link> add_cut_face(std::uint32_t attributes) {
+  std::vector<CutLink> add_cut_face(std::uint32_t attributes) {
     std::ranges::sort(links_);
-    std::vector<Link> left;
+    std::vector<CutLink> left;
     for (std::size_t i = 0; i < links_.size();) {
-      const Link link = links_[i];
-      const auto same = [&](const Link& l) {
+      const CutLink link = links_[i];
+      const auto same = [&](const CutLink& l) {
         return std::ranges::upper_bound(links_, l) - std::ranges::lower_bound(links_, l);
       };
       const std::ptrdiff_t there = same(link), back = same({link.to, link.from});
@@ -218,7 +218,7 @@ class OnePlane {
         is_used[at] = true;
         loop_.push_back({left[at].to, 1});
         if (left[at].to == left[first].from) break;
-        auto next = std::ranges::lower_bound(left, left[at].to, {}, &Link::from);
+        auto next = std::ranges::lower_bound(left, left[at].to, {}, &CutLink::from);
         auto k = static_cast<std::size_t>(next - left.begin());
         while (k < left.size() && left[k].from == left[at].to && is_used[k]) ++k;
         if (k == left.size() || left[k].from != left[at].to) {
@@ -229,7 +229,7 @@ class OnePlane {
       }
       result_.add_loop(loop_);
       positions.clear();
-      for (const Corner& corner : loop_) positions.push_back(position(corner));
+      for (const CutCorner& corner : loop_) positions.push_back(position(corner));
       area += newell_normal(positions);
     }
     SolidFaces::Face face;
@@ -243,14 +243,14 @@ class OnePlane {
 
   /// What is a side of the cut face is one of the face beside it, too, in its style: seen where the
   /// cut face is turned away.
-  void show_sides_along(const std::vector<Link>& of_cut_face, std::size_t loops) {
+  void show_sides_along(const std::vector<CutLink>& of_cut_face, std::size_t loops) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < loops; first = result_.end_corner[i++]) {
       const auto loop = std::span(result_.corners).subspan(first, result_.end_corner[i] - first);
       std::uint32_t from = loop.back().vertex;
-      for (Corner& to : loop) {
+      for (CutCorner& to : loop) {
         if (to.edge_visible == kAlongPlane) {
-          const Link turned{to.vertex, from};
+          const CutLink turned{to.vertex, from};
           to.edge_visible = std::binary_search(of_cut_face.begin(), of_cut_face.end(), turned);
         }
         from = to.vertex;
@@ -274,8 +274,8 @@ class OnePlane {
   std::vector<Chain> chains_;  // of one face
   std::vector<bool> is_joined_;
   std::vector<End> ends_;
-  std::vector<Corner> loop_;
-  std::vector<Link> links_;
+  std::vector<CutCorner> loop_;
+  std::vector<CutLink> links_;
   SolidFaces result_;
 };
 

@@ -90,10 +90,10 @@ void require_golden(const std::string& file, const std::string& input) {
   throw Error(fmt::format("{}: there is no golden file {}: --update writes it", input, file));
 }
 
-enum class Kind { passed, written, differs, bad };
+enum class Verdict { passed, written, differs, bad };
 
 struct Row {
-  Kind kind;
+  Verdict verdict;
   std::string input, text;
 };
 
@@ -101,11 +101,11 @@ std::string table(std::span<const Row> rows) {
   std::size_t widest = 0;
   for (const Row& row : rows) widest = std::max(widest, row.input.size());
   std::string text;
-  for (const auto& [kind, input, what] : rows) {
-    const char* const word = kind == Kind::passed    ? "passed "
-                             : kind == Kind::written ? "written"
-                             : kind == Kind::bad     ? "bad    "
-                                                     : "differs";
+  for (const auto& [verdict, input, what] : rows) {
+    const char* const word = verdict == Verdict::passed    ? "passed "
+                             : verdict == Verdict::written ? "written"
+                             : verdict == Verdict::bad     ? "bad    "
+                                                           : "differs";
     text += what.empty() ? fmt::format("{}  {}\n", word, input)
                          : fmt::format("{}  {:<{}}  {}\n", word, input, widest, what);
   }
@@ -115,20 +115,22 @@ std::string table(std::span<const Row> rows) {
 std::vector<Row> those_that_fail(std::span<const Row> rows) {
   std::vector<Row> failing;
   std::ranges::copy_if(rows, std::back_inserter(failing), [](const Row& row) {
-    return row.kind == Kind::differs || row.kind == Kind::bad;
+    return row.verdict == Verdict::differs || row.verdict == Verdict::bad;
   });
   return failing;
 }
 
 std::string totals(std::span<const Row> rows) {
-  const auto count = [&](Kind kind) { return std::ranges::count(rows, kind, &Row::kind); };
-  if (count(Kind::written) > 0) {
+  const auto count = [&](Verdict verdict) {
+    return std::ranges::count(rows, verdict, &Row::verdict);
+  };
+  if (count(Verdict::written) > 0) {
     return fmt::format("{} inputs: {} golden files written, {} bad\n", rows.size(),
-                       count(Kind::written), count(Kind::bad));
+                       count(Verdict::written), count(Verdict::bad));
   }
   return fmt::format("{} input{}: {} passed, {} differ, {} bad\n", rows.size(),
-                     rows.size() == 1 ? "" : "s", count(Kind::passed), count(Kind::differs),
-                     count(Kind::bad));
+                     rows.size() == 1 ? "" : "s", count(Verdict::passed), count(Verdict::differs),
+                     count(Verdict::bad));
 }
 
 /// Without the input's name before it: the table has it. A place in the file stays.
@@ -268,20 +270,20 @@ int CheckCommand::run() {
       [&](std::size_t k, const InputResult& result) {
         if (!quiet) std::cerr << result.warnings;
         const bool bad = !result.error.empty();
-        const Kind kind = bad                   ? Kind::bad
-                          : update              ? Kind::written
-                          : result.text.empty() ? Kind::passed
-                                                : Kind::differs;
+        const Verdict verdict = bad                   ? Verdict::bad
+                                : update              ? Verdict::written
+                                : result.text.empty() ? Verdict::passed
+                                                      : Verdict::differs;
         if (bad && !in_a_table) std::cerr << "displayfile: " << result.error << '\n';
-        if (kind == Kind::differs && !in_a_table) {
+        if (verdict == Verdict::differs && !in_a_table) {
           std::cout << inputs[k] << ':' << result.text << '\n';
         }
         const std::string what = bad ? result.error : inputs[k] + ':' + result.text;
         rows.push_back(
-            {kind, inputs[k], result.text.empty() && !bad ? "" : without_name(what, inputs[k])});
+            {verdict, inputs[k], result.text.empty() && !bad ? "" : without_name(what, inputs[k])});
       });
-  const bool any_bad = std::ranges::find(rows, Kind::bad, &Row::kind) != rows.end();
-  const bool any_differs = std::ranges::find(rows, Kind::differs, &Row::kind) != rows.end();
+  const bool any_bad = std::ranges::find(rows, Verdict::bad, &Row::verdict) != rows.end();
+  const bool any_differs = std::ranges::find(rows, Verdict::differs, &Row::verdict) != rows.end();
   if (in_a_table) std::cout << table(quiet ? those_that_fail(rows) : rows);
   if (summary || (rows.size() > 1 && (any_bad || any_differs))) std::cout << totals(rows);
   return any_bad ? 2 : any_differs ? 1 : 0;

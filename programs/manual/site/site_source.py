@@ -195,6 +195,8 @@ class Source:
             size = ["--size", "480x480"]
             if name == "problem-10-8":  # a solved problem of two pixels a side
                 size = ["--size", "2x2", "--samples", "1"]
+            elif name == "exploded-pump":  # its list of parts needs room
+                size = ["--paper", "a4-landscape", "--dpi", "96"]
             self.draw("draw", program, "-o", self.out / "gallery" / f"{name}.png", *size)
             self.write(f"gallery/{name}.md", gallery_page(program, size, self.included(program)))
             index += gallery_figure(name)

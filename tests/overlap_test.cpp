@@ -200,7 +200,12 @@ class Flat {
   }
   int turning(std::size_t i) const { return outlines_[i].turning; }
   bool overlap(std::size_t i, std::size_t j) const {
-    return overlap_in_projection(table_, outlines_[i], outlines_[j]);
+    const bool plain = overlap_in_projection(table_, outlines_[i], outlines_[j]);
+    ComparedOutline a(table_, outlines_[i]), b(table_, outlines_[j]);
+    a.find_hull_sides(table_);
+    b.find_hull_sides(table_);
+    EXPECT_EQ(overlap_in_projection(table_, a, b), plain) << "by the sides on the hull";
+    return plain;
   }
 
  private:
@@ -399,6 +404,45 @@ TEST(OverlapInProjection, IsNeverDeniedWhereTheInsidesMeet) {
     }
   }
   EXPECT_GT(denied, 300);
+}
+
+TEST(OverlapInProjection, OfManySidesIsDeniedWhereALineSeparatesAndOnlyThere) {
+  Source s(8);
+  std::array<int, 2> seen{};
+  for (int trial = 0; trial < 1500; ++trial) {
+    const bool in_a_strip =
+        s.below(2) == 0;  // each on its side of a line, which may be a side of both
+    const auto polygon = [&](double side) {
+      Loop loop;
+      const int x = s.between(0, 6);
+      for (int n = s.between(10, 40); n > 0; --n) {
+        const Point3 p = on_grid(s, 8, 1);
+        loop.push_back(in_a_strip ? Point3(p.x + 0.25 * x, side * (p.y + 1.0), 0.0)
+                                  : p + Point3(0.25 * x, 0.25 * s.between(0, 2), 0.0));
+      }
+      if (in_a_strip) {  // a side along the line
+        loop.push_back({3.0, 0.0, 0.0});
+        loop.push_back({-3.0, 0.0, 0.0});
+      }
+      return loop;
+    };
+    const Loop a = polygon(1.0), b = polygon(-1.0);
+    const Flat<Exact> both = flat({a, b});
+    const bool overlap = both.overlap(0, 1);
+    ASSERT_EQ(both.overlap(1, 0), overlap);
+    ++seen[overlap ? 1 : 0];
+    if (in_a_strip) {
+      ASSERT_FALSE(overlap);
+    }
+    for (int k = 0; k < 40 && !overlap; ++k) {
+      const Sample at = {-1.0 + 4.0 * s.unit(), -2.0 + 4.0 * s.unit()};
+      ItemList list;
+      list.solid(a);
+      list.solid(b);
+      ASSERT_FALSE(covers(a, at) && covers(b, at)) << list.text();
+    }
+  }
+  EXPECT_GT(std::min(seen[0], seen[1]), 300);
 }
 
 TEST(OverlapInProjection, SolvedCases) {

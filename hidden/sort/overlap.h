@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "hidden/sort/vertex_table.h"
 #include "hidden/triangles/convex_turning.h"
@@ -32,12 +35,13 @@ int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32
 /// there.
 class OutermostVertices {
  public:
+  static constexpr std::size_t kFew = 16;
+
   /// The vertices must outlive it.
   template <class Policy>
   OutermostVertices(const VertexTable<Policy>& table, std::span<const std::uint32_t> vertices)
-      : few_(vertices) {
-    constexpr std::size_t kFew = 16;
-    if (vertices.size() < kFew) return;
+      : all_(vertices) {
+    if (are_all()) return;
     std::array<double, kDirections> farthest;
     farthest.fill(-std::numeric_limits<double>::infinity());
     outermost_.fill(vertices.front());
@@ -51,64 +55,131 @@ class OutermostVertices {
         outermost_[k] = v;
       }
     }
-    few_ = outermost_;
   }
-  OutermostVertices(const OutermostVertices&) = delete;
-  OutermostVertices& operator=(const OutermostVertices&) = delete;
-  std::span<const std::uint32_t> vertices() const { return few_; }
-  bool are_all() const { return few_.data() != outermost_.data(); }
+  std::span<const std::uint32_t> vertices() const {
+    return are_all() ? all_ : std::span<const std::uint32_t>(outermost_);
+  }
+  bool are_all() const { return all_.size() < kFew; }
 
  private:
   static constexpr std::size_t kDirections = 8;
   std::array<std::uint32_t, kDirections> outermost_{};
-  std::span<const std::uint32_t> few_;
+  std::span<const std::uint32_t> all_;
+};
+
+/// A side that has all of its polygon on one side of its line, or on the line (inside is 0).
+struct HullSide {
+  std::uint32_t from, to;
+  int inside;
+};
+
+/// An outline that is compared with many others: what it takes to compare it is found once.
+class ComparedOutline {
+ public:
+  /// Finds the outermost vertices. The outline's vertices must outlive it.
+  template <class Policy>
+  ComparedOutline(const VertexTable<Policy>& table, const Outline& outline)
+      : outline_(outline), outermost_(table, outline.vertices) {}
+
+  /// Finds the sides on the hull too: pays where it is compared with several others.
+  template <class Policy>
+  void find_hull_sides(const VertexTable<Policy>& table) {
+    assert(!hull_);
+    auto& sides = hull_.emplace();
+    std::uint32_t from = outline_.vertices.back();
+    for (const std::uint32_t to : outline_.vertices) {
+      const auto inside = inside_of(table, from, to, [](int) { return true; });
+      if (inside) sides.push_back({from, to, *inside});
+      from = to;
+    }
+  }
+
+  const Outline& outline() const { return outline_; }
+  const OutermostVertices& outermost() const { return outermost_; }
+  /// Nothing if they have not been found.
+  const std::optional<std::vector<HullSide>>& hull() const { return hull_; }
+
+  /// The side of the line on which all of the polygon is, 0 if all is on the line, nothing if it
+  /// has points on both sides. Nothing, too, where `matters` returns false for the side on which
+  /// the outermost vertices are.
+  template <class Policy, class Matters>
+  std::optional<int> inside_of(const VertexTable<Policy>& table, std::uint32_t from,
+                               std::uint32_t to, const Matters& matters) const {
+    int inside = 0;
+    const auto have_one_side = [&](std::span<const std::uint32_t> vertices) {
+      for (const std::uint32_t v : vertices) {
+        const int turn = table.turn(from, to, v);
+        if (turn == 0) continue;
+        if (inside == -turn) return false;
+        inside = turn;
+      }
+      return true;
+    };
+    if (!have_one_side(outermost_.vertices())) return {};
+    if (inside != 0 && !matters(inside)) return {};
+    if (!outermost_.are_all() && !have_one_side(outline_.vertices)) return {};
+    return inside;
+  }
+
+  /// True if no vertex is on the side `inside` of the line. `strictly`: nor on the line.
+  template <class Policy>
+  bool is_beyond(const VertexTable<Policy>& table, const HullSide& side, bool strictly) const {
+    return outermost_are_beyond(table, side, strictly) &&
+           (outermost_.are_all() || are_beyond(table, outline_.vertices, side, strictly));
+  }
+  /// The same of the outermost vertices.
+  template <class Policy>
+  bool outermost_are_beyond(const VertexTable<Policy>& table, const HullSide& side,
+                            bool strictly) const {
+    return are_beyond(table, outermost_.vertices(), side, strictly);
+  }
+
+ private:
+  template <class Policy>
+  static bool are_beyond(const VertexTable<Policy>& table, std::span<const std::uint32_t> vertices,
+                         const HullSide& side, bool strictly) {
+    const auto [from, to, inside] = side;
+    for (const std::uint32_t v : vertices) {
+      const int turn = strictly ? table.turn(from, to, v) : table.turn_beyond(from, to, v);
+      if (turn == inside || (strictly && turn == 0)) return false;
+    }
+    return true;
+  }
+
+  Outline outline_;
+  OutermostVertices outermost_;
+  std::optional<std::vector<HullSide>> hull_;
 };
 
 /// True if a side of `a` separates: all of `a` is on one side of its line and all of `b` on the
 /// other, so that their interiors do not intersect in the projection. Points on the line count for
 /// neither; `strictly`: those of b do, and then b's boundary does not even touch.
 template <class Policy>
-bool separated_by_side_of(const VertexTable<Policy>& table, const Outline& a, const Outline& b,
-                          bool strictly = false) {
-  assert(!a.vertices.empty());
-  const OutermostVertices outermost_a(table, a.vertices), outermost_b(table, b.vertices);
-  std::uint32_t from = a.vertices.back();
-  for (const std::uint32_t to : a.vertices) {
-    const auto are_beyond = [&](std::span<const std::uint32_t> vertices, int inside) {
-      for (const std::uint32_t v : vertices) {
-        const int turn = strictly ? table.turn(from, to, v) : table.turn_beyond(from, to, v);
-        if (turn == inside || (strictly && turn == 0)) return false;
-      }
-      return true;
-    };
-    const auto all_beyond = [&](int inside) {
-      return are_beyond(outermost_b.vertices(), inside) &&
-             (outermost_b.are_all() || are_beyond(b.vertices, inside));
-    };
-    if (a.turning != 0) {
-      if (all_beyond(a.turning)) return true;
-    } else {
-      int inside = 0;
-      const auto has_on_one_side = [&](std::span<const std::uint32_t> vertices) {
-        for (const std::uint32_t v : vertices) {
-          const int turn = table.turn(from, to, v);
-          if (turn == 0) continue;
-          if (inside == -turn) return false;
-          inside = turn;
-        }
-        return true;
-      };
-      const auto may_separate = [&] {
-        return inside == 0 || are_beyond(outermost_b.vertices(), inside);
-      };
-      const bool on_the_hull = has_on_one_side(outermost_a.vertices()) && may_separate() &&
-                               (outermost_a.are_all() || has_on_one_side(a.vertices));
-      if (on_the_hull && inside != 0 && all_beyond(inside)) return true;
-      // A line has nothing on either side of it; nor have two corners in one point.
-      const bool is_line = on_the_hull && inside == 0 && table.direction(from, to) != 0;
-      if (is_line && (all_beyond(1) || all_beyond(-1))) return true;
-    }
+bool separated_by_side_of(const VertexTable<Policy>& table, const ComparedOutline& a,
+                          const ComparedOutline& b, bool strictly) {
+  const auto separates = [&](std::uint32_t from, std::uint32_t to, int inside) {
+    if (inside != 0) return b.is_beyond(table, {from, to, inside}, strictly);
+    // A line has nothing on either side of it; nor have two corners in one point.
+    return table.direction(from, to) != 0 && (b.is_beyond(table, {from, to, 1}, strictly) ||
+                                              b.is_beyond(table, {from, to, -1}, strictly));
+  };
+  if (a.hull()) {
+    return std::ranges::any_of(*a.hull(), [&](const HullSide& side) {
+      return separates(side.from, side.to, side.inside);
+    });
+  }
+  const auto [vertices, turning] = a.outline();
+  assert(!vertices.empty());
+  std::uint32_t from = vertices.back();
+  for (const std::uint32_t to : vertices) {
+    const std::uint32_t first = from;
     from = to;
+    const auto matters = [&](int inside) {
+      return b.outermost_are_beyond(table, {first, to, inside}, strictly);
+    };
+    const auto inside =
+        turning != 0 ? std::optional<int>(turning) : a.inside_of(table, first, to, matters);
+    if (inside && separates(first, to, *inside)) return true;
   }
   return false;
 }
@@ -158,12 +229,20 @@ inline constexpr std::size_t kMostTurns = 1 << 16;
 /// False only if no point of the projection is inside both. Symmetric. Polygons with too many sides
 /// to compare, and non-convex ones that only several lines would separate, count as overlapping.
 template <class Policy>
-bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
+bool overlap_in_projection(const VertexTable<Policy>& table, const ComparedOutline& a,
+                           const ComparedOutline& b) {
+  const Outline &oa = a.outline(), &ob = b.outline();
   // A line is drawn where a polygon's boundary is, and then the order matters.
-  const bool line = a.vertices.size() == 2 || b.vertices.size() == 2;
-  if (most_turns(a, b) <= kMostTurns && separated_by_side_of(table, a, b, line)) return false;
-  if (most_turns(b, a) <= kMostTurns && separated_by_side_of(table, b, a, line)) return false;
+  const bool line = oa.vertices.size() == 2 || ob.vertices.size() == 2;
+  if (most_turns(oa, ob) <= kMostTurns && separated_by_side_of(table, a, b, line)) return false;
+  if (most_turns(ob, oa) <= kMostTurns && separated_by_side_of(table, b, a, line)) return false;
   return true;
+}
+
+/// The same of two that are compared once.
+template <class Policy>
+bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
+  return overlap_in_projection(table, ComparedOutline(table, a), ComparedOutline(table, b));
 }
 
 }  // namespace displayfile

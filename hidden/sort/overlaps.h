@@ -79,16 +79,45 @@ OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t 
       triangles[p] = entered_triangle(scene.vertices, outline);
     }
   });
+  // Outlines with many sides are compared with many others: what that takes is found once.
+  std::vector<std::uint32_t> place_of_many(entries);  // its place in `many`, from 1; 0 for others
+  std::vector<ComparedOutline> many;
+  for (std::uint32_t p = 0; p < entries; ++p) {
+    const auto vertices = scene.table.vertices(order[p]);
+    if (kinds[p] == Kind::nothing || vertices.size() < OutermostVertices::kFew) continue;
+    many.emplace_back(scene.vertices, Outline{vertices, turning[p]});
+    place_of_many[p] = static_cast<std::uint32_t>(many.size());
+  }
+  in_parts(static_cast<std::uint32_t>(many.size()), 16, threads,
+           [&](std::uint32_t, std::uint32_t from, std::uint32_t to) {
+             for (std::uint32_t k = from; k < to; ++k) {
+               const Outline& outline = many[k].outline();
+               if (outline.turning == 0 && most_turns(outline, {}) <= kMostTurns) {
+                 many[k].find_hull_sides(scene.vertices);
+               }
+             }
+           });
+  const auto compared = [&](std::uint32_t p) -> const ComparedOutline& {
+    return many[place_of_many[p] - 1];
+  };
+  const auto few = [&](std::uint32_t p) {
+    return ComparedOutline(scene.vertices, {scene.table.vertices(order[p]), turning[p]});
+  };
   constexpr std::size_t kTurnsOfAStep = 256;  // orientation tests of two polygons with many sides
   const auto overlap = [&](std::uint32_t p, std::uint32_t q, WorkSteps& steps) {
     if (triangles[p].turning != 0 && triangles[q].turning != 0) {
       steps.step();
       return overlap_in_projection(scene.vertices, triangles[p], triangles[q]);
     }
-    const Outline a{scene.table.vertices(order[p]), turning[p]};
-    const Outline b{scene.table.vertices(order[q]), turning[q]};
-    steps.step(1 + std::min(most_turns(a, b), kMostTurns) / kTurnsOfAStep);
-    return overlap_in_projection(scene.vertices, a, b);
+    const bool many_p = place_of_many[p] != 0, many_q = place_of_many[q] != 0;
+    const auto compare = [&](const ComparedOutline& a, const ComparedOutline& b) {
+      steps.step(1 + std::min(most_turns(a.outline(), b.outline()), kMostTurns) / kTurnsOfAStep);
+      return overlap_in_projection(scene.vertices, a, b);
+    };
+    if (many_p && many_q) return compare(compared(p), compared(q));
+    if (many_p) return compare(compared(p), few(q));
+    if (many_q) return compare(few(p), compared(q));
+    return compare(few(p), few(q));
   };
   constexpr std::uint32_t kLeaves = 128;
   std::vector<std::vector<Overlaps::Pair>> found((tree.leaves() + kLeaves - 1) / kLeaves);

@@ -375,24 +375,33 @@ def _rings(points: Floats, codes: Any) -> list[tuple[Floats, bool]]:
     """The rings of a path, (n, 3) each, and whether it closes them. Curves become polygons."""
     if codes is None:
         return [_without_repeats(points, False)]
+    codes = np.asarray(codes)
     rings: list[tuple[Floats, bool]] = []
+    first = 0
+    ends = np.flatnonzero(np.isin(codes, (Path.MOVETO, Path.CLOSEPOLY, Path.STOP)))
+    for end in [*ends.tolist(), len(codes)]:
+        code = codes[end] if end < len(codes) else Path.STOP
+        if first < end:
+            ring = _straightened(points[first:end], codes[first:end])
+            rings.append(_without_repeats(ring, bool(code == Path.CLOSEPOLY)))
+        first = end if code == Path.MOVETO else end + 1
+    return rings
+
+
+def _straightened(points: Floats, codes: Any) -> Floats:
+    """A ring whose curves are polygons."""
+    if not np.isin(codes, (Path.CURVE3, Path.CURVE4)).any():
+        return points
     ring: list[Floats] = []
     k = 0
     while k < len(codes):
-        code = int(codes[k])
-        degree = {Path.CURVE3: 2, Path.CURVE4: 3}.get(code, 1)
-        if code in (Path.MOVETO, Path.CLOSEPOLY, Path.STOP):
-            if ring:
-                rings.append((np.concatenate(ring), code == Path.CLOSEPOLY))
-            ring = [points[k : k + 1]] if code == Path.MOVETO else []
-        elif degree == 1 or not ring:
+        degree = {Path.CURVE3: 2, Path.CURVE4: 3}.get(int(codes[k]), 1)
+        if degree == 1 or not ring:
             ring.append(points[k : k + 1])
         else:
             ring.append(_curve(np.concatenate([ring[-1][-1:], points[k : k + degree]])))
         k += degree
-    if ring:
-        rings.append((np.concatenate(ring), False))
-    return [_without_repeats(ring, closed) for ring, closed in rings]
+    return np.concatenate(ring)
 
 
 def _without_repeats(ring: Floats, closed: bool) -> tuple[Floats, bool]:

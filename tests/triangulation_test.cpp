@@ -340,6 +340,40 @@ void expect_cut(const Polygon& p) {
 }
 
 // Such a polygon has few ears; it must not take cubic time, nor quadratic.
+TEST(Triangulation, SteepPolygonsAreTiledAsSeenAlongZWhereTheyDoNotCrossThemselvesSo) {
+  std::mt19937_64 random(7);
+  const auto steep = [&] { return 1e6 * (static_cast<double>(random() % 1000) - 500.0); };
+  int tiled_otherwise = 0;
+  for (std::size_t trial = 0; trial < 2000; ++trial) {
+    const Outline outline = test::star_outline(3 + trial % 20, 8 + trial);
+    Polygon polygon;
+    for (const Point2& p : outline) polygon.emplace_back(p.x, p.y, steep());
+    if (trial % 2 == 1) std::ranges::reverse(polygon);
+    const auto are_reversed = [&](std::span<const Triangulation::Triangle> triangles) {
+      return std::ranges::any_of(triangles, [&](const Triangulation::Triangle& t) {
+        const Polygon corners{polygon[t.vertex[0]], polygon[t.vertex[1]], polygon[t.vertex[2]]};
+        return area_from_above(corners) * area_from_above(polygon) < 0.0;
+      });
+    };
+    Triangulation triangulation;
+    tiled_otherwise += are_reversed(triangulation.triangulate(polygon)) ? 0 : 1;
+    const auto triangles = triangulation.triangulate(polygon, Triangulation::SeenAlong::z_axis);
+    ASSERT_EQ(triangles.size(), polygon.size() - 2);
+    ASSERT_FALSE(are_reversed(triangles)) << trial;
+  }
+  EXPECT_LT(tiled_otherwise, 1500) << "polygons that the other direction tiles too";
+  // One that stands on edge, or crosses itself from there, is cut as it is by default.
+  const Polygon upright = {{0, 0, 0}, {1, 1, 0}, {2, 2, 3}, {1, 1, 2}};
+  const Polygon bow_tie = {{0, 0, 0}, {1, 1, 0}, {1, 0, 5}, {0, 1, 9}};
+  for (const Polygon& polygon : {upright, bow_tie}) {
+    Triangulation one, other;
+    const auto by_default = one.triangulate(polygon);
+    const auto along_z = other.triangulate(polygon, Triangulation::SeenAlong::z_axis);
+    EXPECT_TRUE(std::ranges::equal(by_default, along_z, {}, &Triangulation::Triangle::vertex,
+                                   &Triangulation::Triangle::vertex));
+  }
+}
+
 TEST(Triangulation, ATangleOfManyVerticesIsCutToo) {
   for (const std::size_t corners : {65u, 500u, 100000u}) {
     std::mt19937_64 random(7);

@@ -121,7 +121,8 @@ void GraphicsSystem::State::enter_triangles(std::span<const Point3> entered, con
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
     return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
   };
-  for (const auto& [vertex, edge_visible] : triangulation_.triangulate(world_points_)) {
+  for (const auto& [vertex, edge_visible] :
+       triangulation_.triangulate(world_points_, bent_polygons_seen_)) {
     const auto triangle = corners(world_points_, vertex);
     const auto as_entered = corners(entered, vertex);
     if (vertex_normals.empty()) {
@@ -332,6 +333,10 @@ void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& sh
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
   if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, attributes_, segment);
+}
+
+void SystemInside::cut_bent_polygons_as_seen_along_z(GraphicsSystem& system) {
+  system.state_->bent_polygons_seen_ = Triangulation::SeenAlong::z_axis;
 }
 
 }  // namespace displayfile

@@ -38,6 +38,10 @@ class SystemInside {
   /// solid of one part, which is discarded if enter() or end_solid() throws.
   static void as_solid(GraphicsSystem& system, const std::function<void()>& enter);
 
+  /// Polygons that are not planar are cut into triangles that tile them as seen along the z axis of
+  /// world coordinates, where they do not cross themselves so: for a scene that is seen along it.
+  static void cut_bent_polygons_as_seen_along_z(GraphicsSystem& system);
+
   /// Sets touching; from now on HiddenSurfaceSettings::touching has no effect, except that its
   /// errors are reported. Not recorded.
   static void replace_touching(GraphicsSystem& system, const Touching& touching);

@@ -171,6 +171,7 @@ struct GraphicsSystem::State {
   RetainedPolygons::Place retained_in_{};  // the arrays that segments have polygons in
 
   Triangulation triangulation_;
+  Triangulation::SeenAlong bent_polygons_seen_ = Triangulation::SeenAlong::nearest_axis;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
   std::vector<Point3> world_normals_;                 // of its vertices
   std::vector<Point3> shared_world_;                  // vertices that polygons share

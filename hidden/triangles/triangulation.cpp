@@ -1,5 +1,6 @@
 #include "hidden/triangles/triangulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,11 +23,28 @@ Point2 along_axis(const Point3& p, const Point3& normal) {
 
 }  // namespace
 
-void Triangulation::flatten(std::span<const Point3> polygon) {
-  const Point3 normal = newell_normal(polygon);
+void Triangulation::flatten(std::span<const Point3> polygon, const Point3& along) {
   flattened_.clear();
-  for (const Point3& p : polygon) flattened_.push_back(along_axis(p, normal));
+  for (const Point3& p : polygon) flattened_.push_back(along_axis(p, along));
+}
+
+void Triangulation::find_corners() {
   corners_.clear();
+  if (flattened_.size() <= kMostForEars) {
+    ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
+  } else if (!sweep_triangles(flattened_, corners_)) {
+    ears_.cut(flattened_, kLooksPerCorner * flattened_.size(), corners_);
+  }
+}
+
+/// Whether no triangle is reversed: then together they wind around each point as often as the
+/// polygon does.
+bool Triangulation::tiles() const {
+  return std::ranges::none_of(corners_, [&](const CornerTriple& corners) {
+    const Point2 &a = flattened_[corners[0]], &b = flattened_[corners[1]],
+                 &c = flattened_[corners[2]];
+    return (b.x - a.x) * (c.y - a.y) < (c.x - a.x) * (b.y - a.y);
+  });
 }
 
 /// The triangles found: a side of the polygon joins neighbours in its order, all else is a
@@ -43,19 +61,23 @@ std::span<const Triangulation::Triangle> Triangulation::with_sides() {
   return triangles_;
 }
 
-std::span<const Triangulation::Triangle> Triangulation::triangulate(
-    std::span<const Point3> polygon) {
-  if (polygon.size() <= kMostForEars) return triangulate_by_ears(polygon);
-  flatten(polygon);
-  if (!sweep_triangles(flattened_, corners_)) {
-    ears_.cut(flattened_, kLooksPerCorner * polygon.size(), corners_);
+std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<const Point3> polygon,
+                                                                    SeenAlong along) {
+  const Point3 normal = newell_normal(polygon);
+  if (along == SeenAlong::z_axis && normal.z != 0.0) {
+    flatten(polygon, {0.0, 0.0, normal.z});
+    find_corners();
+    if (tiles()) return with_sides();
   }
+  flatten(polygon, normal);
+  find_corners();
   return with_sides();
 }
 
 std::span<const Triangulation::Triangle> Triangulation::triangulate_by_ears(
     std::span<const Point3> polygon) {
-  flatten(polygon);
+  flatten(polygon, newell_normal(polygon));
+  corners_.clear();
   ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
   return with_sides();
 }

@@ -26,18 +26,24 @@ class Triangulation {
   /// been examined for each of its corners.
   static constexpr std::size_t kLooksPerCorner = 256;
 
+  /// The direction in which the triangles tile the polygon: the axis nearest to its Newell normal;
+  /// or the z axis, if the polygon does not cross itself as seen along it, else as before.
+  enum class SeenAlong : std::uint8_t { nearest_axis, z_axis };
+
   /// Triangles that tile the polygon (at least three vertices, any coordinates in space), two fewer
-  /// than its vertices, as seen along the axis nearest to its Newell normal; each has the polygon's
-  /// orientation, and each side of the polygon is a side of one of them. In n log n. A
-  /// self-crossing polygon has no such tiling; it is cut where ears are found, and fanned from
-  /// there. Valid until the next call.
-  std::span<const Triangle> triangulate(std::span<const Point3> polygon);
+  /// than its vertices, as seen along an axis; each has the polygon's orientation, and each side of
+  /// the polygon is a side of one of them. In n log n. A self-crossing polygon has no such tiling;
+  /// it is cut where ears are found, and fanned from there. Valid until the next call.
+  std::span<const Triangle> triangulate(std::span<const Point3> polygon,
+                                        SeenAlong along = SeenAlong::nearest_axis);
 
   /// The same by cutting ears only, in quadratic time: the reference for tests.
   std::span<const Triangle> triangulate_by_ears(std::span<const Point3> polygon);
 
  private:
-  void flatten(std::span<const Point3> polygon);
+  void flatten(std::span<const Point3> polygon, const Point3& along);
+  void find_corners();
+  bool tiles() const;
   std::span<const Triangle> with_sides();
 
   std::vector<Point2> flattened_;

@@ -114,6 +114,7 @@ void enter(const Polygons& polygons, const std::vector<Point3>& given, bool side
   GraphicsSystem& system = device.system;
   system.set_hidden_surfaces({.touching = in_device(touching, unit, given, device.axes)});
   if (lines) SystemInside::replace_lines(system, *lines);
+  SystemInside::cut_bent_polygons_as_seen_along_z(system);  // so that their pieces can be joined
   system.set_window(0, 1, 0, 1);
   system.set_view_depth(-1, 0);
   system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});

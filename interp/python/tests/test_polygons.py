@@ -182,6 +182,24 @@ def test_pieces_with_corners_that_were_rounded_to_one_place_keep_their_order(who
     assert painted_last(pieces, -0.03233124999999999, -0.020306249999999998) == 3
 
 
+@pytest.mark.parametrize("stride", (2, 3, 4))
+def test_cells_of_a_surface_that_hides_nothing_stay_whole(stride):
+    """Steep ones of many corners too, as matplotlib makes of data with more points than cells."""
+    x = np.linspace(0.0, 1.0, 8 * stride + 1)
+    u, v = np.meshgrid(x, x)
+    surface = np.stack([u, v, 0.4 * np.sin(9.0 * u) * np.cos(9.0 * v)], axis=-1)
+    cells = []
+    for i in range(0, 8 * stride, stride):
+        for k in range(0, 8 * stride, stride):
+            cell = surface[i : i + stride + 1, k : k + stride + 1]
+            ring = [cell[0, :-1], cell[:-1, -1], cell[-1, :0:-1], cell[:0:-1, 0]]
+            cells.append(np.concatenate(ring))
+    pieces = sort(cells, whole=True)
+    assert sorted(pieces.item.tolist()) == list(range(64))
+    assert np.diff(pieces.first).tolist() == [4 * stride] * 64
+    assert (pieces.sides > 0).all()
+
+
 def test_corners_are_given_back_as_they_were():
     triangles = random_triangles(30, 3)
     given = {tuple(p) for p in triangles.reshape(-1, 3)}

@@ -45,4 +45,6 @@ inline double newell_c(std::span<const Point3> vertices) {
   return c;
 }
 
+inline bool is_back_face(std::span<const Point3> vertices) { return newell_c(vertices) <= 0.0; }
+
 }  // namespace displayfile

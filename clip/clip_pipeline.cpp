@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "clip/clip_stage.h"
-#include "clip/intensity.h"
+#include "clip/corners.h"
 
 namespace displayfile {
 

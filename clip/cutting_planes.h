@@ -60,7 +60,7 @@ class CuttingPlanes {
   /// two ends, bit for bit.
   bool cut_line(Point3& a, Point3& b) const;
 
-  // For cutting a whole solid plane by plane (displayfile/solids/cut_solid.h). Plane n is on.
+  // For cutting a whole solid plane by plane (displayfile/solids/solid_faces.h). Plane n is on.
 
   /// The signed distance times a positive factor of at most 2 and a power of two: below 0 where the
   /// plane cuts away.

@@ -1,4 +1,4 @@
-#include "clip/view_points.h"
+#include "clip/view_volume.h"
 
 #include <cassert>
 #include <cstddef>

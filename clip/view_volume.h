@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <span>
 
+#include "clip/point.h"
 #include "clip/view.h"
 
 namespace displayfile {
@@ -102,5 +105,11 @@ class ViewVolume {
   double front_z_, back_z_;
   Outcode active_;
 };
+
+/// Transforms many points as ClipPipeline::view does one, bit for bit, with the processor's widest
+/// vectors of doubles. `device` gets device coordinates, 0 for points outside of a clip plane,
+/// `outcodes` their outcodes; both have the length of `world`.
+void view_points(const ViewVolume& volume, std::span<const Point3> world, std::span<Point3> device,
+                 std::span<std::uint8_t> outcodes);
 
 }  // namespace displayfile

@@ -1,7 +1,7 @@
 // Appel's method (hidden/lines/appel.md): that counts are carried, and where they must not be. That
 // it finds what the other methods find is in hidden_lines_test.cpp.
 
-#include "hidden/lines/appel.h"
+#include "hidden/lines/line_methods.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What pictures show where nothing is drawn.
 
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 
 #include <gtest/gtest.h>
 

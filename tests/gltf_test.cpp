@@ -1,7 +1,7 @@
 // glTF 2.0 as its specification has it, read in the import process: kinds of accessors, nodes,
 // morph targets, skins and instances at rest, colours. The kinds are those of Khronos' samples.
 
-#include "displayfile/mesh/gltf_file.h"
+#include "displayfile/mesh/formats_beside_library.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@
 #include "clip/base/error.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/mesh/percent_encoding.h"
+#include "displayfile/mesh/neighbour_files.h"
 #include "displayfile/mesh/xml_tags.h"
 #include "tests/error_of.h"
 #include "tests/fuzz/mutated_bytes.h"

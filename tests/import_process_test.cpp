@@ -25,7 +25,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/work_budget.h"
-#include "displayfile/mesh/allowed_formats.h"
+#include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/mesh.h"

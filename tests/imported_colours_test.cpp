@@ -13,7 +13,7 @@
 #include "clip/base/error.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/import_library.h"
-#include "displayfile/mesh/lost_detail.h"
+#include "displayfile/mesh/import_losses.h"
 #include "displayfile/mesh/mesh.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"

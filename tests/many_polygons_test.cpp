@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "displayfile/entered/pick_of_ordinal.h"
+#include "displayfile/entered/instructions.h"
 #include "displayfile/files.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/views/retained_views.h"

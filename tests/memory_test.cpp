@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/large_pages.h"
+#include "clip/base/memory.h"
 #include "displayfile/files.h"
 #include "interp/draw/renderer.h"
 #include "interp/truth/truth.h"

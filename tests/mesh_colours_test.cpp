@@ -11,8 +11,8 @@
 #include <string>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/material_library.h"
 #include "displayfile/mesh/mesh.h"
+#include "displayfile/mesh/obj_materials.h"
 #include "tests/import_library_leaks.h"
 #include "tests/mesh_colours.h"
 

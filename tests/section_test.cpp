@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/cap_polygons.h"
 
 namespace displayfile {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "clip/base/error.h"
 #include "clip/unit.h"
-#include "displayfile/entered/intensity_plane.h"
+#include "displayfile/entered/normal_plane.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/segments/sorted_display_file.h"

@@ -1,7 +1,7 @@
 // 3MF as its specifications have it: colours of triangles, components, parts, units, whatever is
 // left out. The kinds are those of the consortium's samples.
 
-#include "displayfile/mesh/three_mf_file.h"
+#include "displayfile/mesh/formats_beside_library.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

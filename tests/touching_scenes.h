@@ -7,7 +7,7 @@
 
 #include "clip/transformation.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/views/set_view.h"
+#include "displayfile/views/scene_in_one_view.h"
 #include "tests/predicate_inputs.h"
 #include "tests/random_views.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "clip/angle.h"
+#include "clip/crease_angle.h"
 #include "programs/scenes/random.h"
 
 namespace displayfile {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clip/clip_pipeline.h"
-#include "clip/view_points.h"
+#include "clip/view_volume.h"
 #include "hidden/exact/orientation.h"
 #include "interp/scan/scan_convert.h"
 #include "tests/truth_scenes.h"

@@ -14,7 +14,7 @@
 #include "clip/corners.h"
 #include "clip/planarity.h"
 #include "hidden/exact/orientation.h"
-#include "hidden/triangles/triangle_sweep.h"
+#include "hidden/triangles/ear_cutting.h"
 #include "tests/polygon_outlines.h"
 
 namespace displayfile {

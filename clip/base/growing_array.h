@@ -99,4 +99,10 @@ class GrowingArray {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
+/// Frees an array's spare capacity if it is large, copying the elements.
+template <class Array>
+void free_room(Array& array) {
+  if (array.capacity() - array.size() > array.size() / 32) array.shrink_to_fit();
+}
+
 }  // namespace displayfile

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/base/share_out.h"
 #include "clip/base/work_budget.h"
 
 namespace displayfile {

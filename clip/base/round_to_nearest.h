@@ -22,4 +22,16 @@ class RoundToNearest {
   const int before_;
 };
 
+/// Calls restore() after enter(), also if enter() throws.
+template <class Enter, class Restore>
+void restoring(const Enter& enter, const Restore& restore) {
+  try {
+    enter();
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "clip/base/share_out.h"
+#include "clip/base/parallel.h"
 
 namespace displayfile {
 

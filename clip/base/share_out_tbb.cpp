@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "clip/base/share_out.h"
+#include "clip/base/parallel.h"
 
 // ThreadSanitizer does not see into the library, so that it must be told what the library promises:
 // each call comes after all that was done before, and all calls before what is done after. This

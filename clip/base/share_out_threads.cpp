@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "clip/base/share_out.h"
+#include "clip/base/parallel.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "clip/base/error.h"
-#include "clip/system/loaded_library.h"
+#include "clip/system/own_files.h"
 
 namespace displayfile {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "clip/system/folders.h"
+#include "clip/system/descriptors.h"
 
 namespace displayfile {
 

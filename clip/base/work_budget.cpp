@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/base/without_choice.h"
 
 namespace displayfile {
 

@@ -45,4 +45,27 @@ bool put_on_disk(int descriptor);
 /// may not be opened: its contents may be usable all the same.
 bool put_names_on_disk(const std::filesystem::path& folder);
 
+// A folder that is held can be found again after it has been moved; where the system has none such,
+// every folder is kNotHeld, and paths start from where the process is.
+
+inline constexpr int kNotHeld = -1;
+
+/// A number for the folder; kNotHeld if it cannot be held.
+int hold_folder(const std::filesystem::path& folder);
+void release_folder(int held);
+/// Removes the folder, by its path from a held one, if nothing is in it.
+void remove_empty_folder(int held, const std::filesystem::path& path);
+
+/// Removes a file, or a folder in which nothing is; false if neither could be removed. For signal
+/// handlers too.
+bool remove_path(const char* path) noexcept;
+
+/// Called at process start: standard input, output and error that are closed stay closed for
+/// readers and writers, but no opened file takes their descriptors, so that no message is written
+/// into a picture. Bytes and ends of lines pass through all three as they are.
+void keep_standard_descriptors();
+
+/// True if standard error is a terminal on which a line can be written over.
+bool errors_are_on_terminal();
+
 }  // namespace displayfile

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 namespace displayfile {
@@ -16,5 +17,11 @@ void replace_program(const std::filesystem::path& program, char** arguments);
 
 /// A number that no other running process has.
 unsigned number_of_process();
+
+/// Loads a shared library by the system's loader; a null pointer stands for the program itself.
+/// Null, with the loader's message in `why`, if there is none. It stays loaded.
+void* load_library(const char* name, std::string& why);
+/// The address of a function of C linkage; null, with the loader's message, if there is none.
+void* address_in_library(void* library, const char* function, std::string& why);
 
 }  // namespace displayfile

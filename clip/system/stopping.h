@@ -37,4 +37,10 @@ void end_process_after(double seconds, const std::string& message, void (*last)(
 /// Takes that back.
 void end_process_no_more();
 
+/// From now on an interrupt from the keyboard (SIGINT) calls `first`, and then the handler that the
+/// process had. False, without an effect, if it had none or ignored it.
+bool call_at_interrupts(void (*first)() noexcept);
+/// That handler alone is called again.
+void call_at_interrupts_no_more();
+
 }  // namespace displayfile

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "clip/base/free_room.h"
-#include "hidden/exact/bent_polygon.h"
+#include "clip/base/growing_array.h"
+#include "hidden/exact/entered_plane.h"
 
 namespace displayfile {
 

@@ -45,7 +45,7 @@ class EnteredPolygons {
   /// The indices of those without an instruction, ascending.
   std::span<const std::uint32_t> not_seen() const { return not_seen_; }
   std::size_t seen() const { return size() - not_seen_.size(); }
-  /// The indices of those that are not planar (hidden/exact/bent_polygon.h), ascending.
+  /// The indices of those that are not planar (hidden/exact/entered_plane.h), ascending.
   std::span<const std::uint32_t> bent() const { return bent_; }
   /// The points of a polygon, counted from 0.
   PointRow points(std::size_t i) const;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clip/base/free_room.h"
+#include "clip/base/growing_array.h"
 
 namespace displayfile {
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -427,6 +428,12 @@ template <class Visitor>
 void Instructions::walk_transformed(const ImageTransformation& image, Visitor&& visit) const {
   if (image.is_identity()) return walk(visit);
   walk(TransformedVisitor(visit, image));
+}
+
+/// The pick identifier of the polygon with this ordinal, from 0; it wraps to 0 after the largest
+/// one.
+constexpr std::int32_t pick_of_ordinal(std::int64_t ordinal) {
+  return static_cast<std::int32_t>(ordinal & std::numeric_limits<std::int32_t>::max());
 }
 
 }  // namespace displayfile

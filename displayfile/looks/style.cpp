@@ -1,5 +1,6 @@
 #include "displayfile/looks/style.h"
 
+#include "clip/base/error.h"
 #include "clip/base/words.h"
 
 namespace displayfile {
@@ -60,5 +61,12 @@ std::string_view name_of(AnnotationStyle::Placement placement) {
 }
 std::string_view name_of(LinearDimension::Axis axis) { return word_of(kAxes, axis); }
 std::string_view name_of(PartsList::Corner corner) { return word_of(kCorners, corner); }
+
+void require_colour_of_fills(HiddenMethod method, const Background& background) {
+  if (!is_colour_rule(method) || background.kind != Background::Kind::none) return;
+  throw Error(
+      "the colour rule fills with the background's colour, and there is no background: expected "
+      "one, or a picture of pixels, which can omit hidden parts");
+}
 
 }  // namespace displayfile

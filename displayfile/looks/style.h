@@ -252,4 +252,8 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
+/// Throws Error for the colour rule without a background, whose colour its fills have in vectors
+/// and dumps.
+void require_colour_of_fills(HiddenMethod method, const Background& background);
+
 }  // namespace displayfile

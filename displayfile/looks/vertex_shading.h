@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -37,7 +38,13 @@ void visit_shading(Visitor& visit, const VertexShading& shading) {
 
 /// Vertex intensities for callers that do not interpolate normals: the given ones, or those of the
 /// normals, in a buffer that is overwritten. Empty if the polygon is flat shaded.
-std::span<const double> vertex_intensities(const VertexShading& shading,
-                                           std::vector<double>& of_normals);
+inline std::span<const double> vertex_intensities(const VertexShading& shading,
+                                                  std::vector<double>& of_normals) {
+  if (shading.normals.empty()) return shading.intensities;
+  assert(shading.light != nullptr);
+  of_normals.clear();
+  for (const Point3& n : shading.normals) of_normals.push_back(intensity(*shading.light, n, false));
+  return of_normals;
+}
 
 }  // namespace displayfile

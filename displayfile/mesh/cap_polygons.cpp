@@ -1,4 +1,4 @@
-#include "displayfile/mesh/cap_polygons.h"
+#include "displayfile/mesh/section.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/base/work_budget.h"
 
 namespace displayfile {

@@ -18,8 +18,8 @@
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/user_routines/system_inside.h"
-#include "displayfile/views/fitted_window.h"
-#include "displayfile/views/set_view.h"
+#include "displayfile/views/picture_windows.h"
+#include "displayfile/views/scene_in_one_view.h"
 
 namespace displayfile {
 

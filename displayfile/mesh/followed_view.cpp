@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "clip/base/error.h"
-#include "clip/base/restoring.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/cutting_planes.h"
 #include "clip/transformation.h"

@@ -11,7 +11,7 @@
 #include <iterator>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/binary_values.h"
+#include "displayfile/mesh/mesh_file.h"
 
 namespace displayfile {
 

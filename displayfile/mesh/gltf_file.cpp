@@ -1,4 +1,4 @@
-#include "displayfile/mesh/gltf_file.h"
+#include "displayfile/mesh/formats_beside_library.h"
 
 #include <fmt/format.h>
 

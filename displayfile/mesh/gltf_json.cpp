@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/binary_values.h"
-#include "displayfile/mesh/percent_encoding.h"
+#include "displayfile/mesh/mesh_file.h"
+#include "displayfile/mesh/neighbour_files.h"
 
 namespace displayfile {
 

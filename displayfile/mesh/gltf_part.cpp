@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clip/bounds.h"
 #include "clip/surfaces.h"
-#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 
 #include "clip/point.h"
 #include "displayfile/mesh/gltf_accessors.h"
-#include "displayfile/mesh/mesh_colour.h"
+#include "displayfile/mesh/mesh_file.h"
 
 namespace displayfile {
 

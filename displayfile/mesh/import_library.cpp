@@ -18,20 +18,18 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/base/shared_library.h"
+#include "clip/bounds.h"
 #include "clip/corners.h"
 #include "clip/surfaces.h"
-#include "displayfile/mesh/gltf_file.h"
+#include "displayfile/mesh/formats_beside_library.h"
 #include "displayfile/mesh/import_library_files.h"
 #include "displayfile/mesh/import_losses.h"
-#include "displayfile/mesh/lost_detail.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/neighbour_files.h"
 #include "displayfile/mesh/skins.h"
-#include "displayfile/mesh/three_mf_file.h"
 #include "displayfile/mesh/up_axis.h"
-#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

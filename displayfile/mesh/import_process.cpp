@@ -23,12 +23,11 @@
 #include <vector>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/base/companion_file.h"
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
+#include "clip/base/module.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/mesh/import_protocol.h"
-#include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh_reply.h"
 #include "displayfile/text/characters.h"
 

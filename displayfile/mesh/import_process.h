@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "displayfile/mesh/mesh.h"
@@ -21,5 +23,13 @@ class NotRead : public Error {
 /// the file, if the library crashed, exceeded the limits of time or memory, or the process cannot
 /// be started. The limits must be more than zero.
 Mesh read_by_import_process(const std::string& path, bool with_normals, const ImportLimits& limits);
+
+/// Starts the import program with these words, the first of which is its path, and with the
+/// descriptors for its reply and messages; returns the process, or minus the errno.
+using ImportStarter = std::function<int(std::vector<std::string>& words, int reply, int messages)>;
+
+/// The function that starts the import program: posix_spawn. Tests that read very many files
+/// replace it by a faster equivalent before any mesh is read.
+ImportStarter& import_starter();
 
 }  // namespace displayfile

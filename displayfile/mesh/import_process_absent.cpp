@@ -1,5 +1,5 @@
 #include "clip/base/work_budget.h"
-#include "displayfile/mesh/allowed_formats.h"
+#include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_process.h"
 

@@ -1,6 +1,6 @@
 // The material library of Wavefront OBJ: Alias|Wavefront, "MTL material format", 1995.
 
-#include "displayfile/mesh/material_library.h"
+#include "displayfile/mesh/obj_materials.h"
 
 #include <string_view>
 #include <utility>

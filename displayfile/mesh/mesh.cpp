@@ -11,6 +11,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
+#include "clip/bounds.h"
 #include "clip/surfaces.h"
 #include "clip/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -18,7 +19,6 @@
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
-#include "hidden/exact/largest_coordinate.h"
 
 namespace displayfile {
 

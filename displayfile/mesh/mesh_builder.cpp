@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "clip/base/error.h"
+#include "clip/bounds.h"
 #include "clip/secret_hash.h"
 #include "clip/surfaces.h"
-#include "displayfile/mesh/left_out_sentence.h"
-#include "hidden/exact/largest_coordinate.h"
+#include "displayfile/mesh/import_losses.h"
 
 namespace displayfile {
 

@@ -11,10 +11,34 @@
 #include <vector>
 
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/mesh/mesh_colour.h"
-#include "displayfile/mesh/palette.h"
+#include "displayfile/mesh/mesh_file.h"
 
 namespace displayfile {
+
+/// Indexed values in order of first occurrence, with few duplicates: a repeated value finds its
+/// index unless another with the same hash slot came in between. So few values stay few, and many
+/// cost no search.
+template <class Value>
+class Palette {
+ public:
+  std::uint32_t number(const Value& value, std::uint64_t hash) {
+    if (slots_.empty()) slots_.resize(kSlots, 0);
+    std::uint32_t& slot = slots_[hash % kSlots];
+    if (slot < values_.size() && values_[slot] == value) return slot;
+    slot = static_cast<std::uint32_t>(values_.size());
+    values_.push_back(value);
+    return slot;
+  }
+
+  const std::vector<Value>& values() const { return values_; }
+  std::vector<Value>&& take() && { return std::move(values_); }
+
+ private:
+  static constexpr std::size_t kSlots = 4096;
+
+  std::vector<Value> values_;
+  std::vector<std::uint32_t> slots_;  // last index by the hash's low bits
+};
 
 /// True if the corners have at least three distinct positions; otherwise the face is degenerate.
 bool has_three_positions(std::span<const Point3> vertices, std::span<const std::uint32_t> corners);

@@ -1,4 +1,3 @@
-#include "displayfile/mesh/mesh_extensions.h"
 
 #include <algorithm>
 #include <iterator>

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/mesh/compressed_data.h"
 #include "displayfile/mesh/text_cursor.h"
 

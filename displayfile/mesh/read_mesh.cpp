@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/base/memory.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"

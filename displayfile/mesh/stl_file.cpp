@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/binary_values.h"
 #include "displayfile/mesh/mesh_builder.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "displayfile/mesh/text_cursor.h"

@@ -15,7 +15,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/work_budget.h"
 #include "clip/point.h"
-#include "displayfile/mesh/mesh_colour.h"
+#include "displayfile/mesh/mesh_file.h"
 #include "displayfile/mesh/written_digits.h"
 
 namespace displayfile {

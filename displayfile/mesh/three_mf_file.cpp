@@ -1,4 +1,4 @@
-#include "displayfile/mesh/three_mf_file.h"
+#include "displayfile/mesh/formats_beside_library.h"
 
 #include <fmt/format.h>
 

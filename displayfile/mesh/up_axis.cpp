@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <variant>
 
+#include "clip/base/words.h"
+#include "displayfile/mesh/mesh.h"
+
 namespace displayfile {
 
 namespace {
@@ -102,5 +105,19 @@ Camera CommonUpright::camera() const {
   camera.upright = upright();
   return camera;
 }
+
+namespace {
+
+constexpr Point3 kX(1.0, 0.0, 0.0), kY(0.0, 1.0, 0.0), kZ(0.0, 0.0, 1.0);
+constexpr Point3 kMinusX(-1.0, 0.0, 0.0), kMinusY(0.0, -1.0, 0.0), kMinusZ(0.0, 0.0, -1.0);
+constexpr Word<Upright> kUprights[] = {
+    {{kMinusY, kX, kZ}, "x"},       {{kX, kY, kZ}, "y"},
+    {{kX, kZ, kMinusY}, "z"},       {{kY, kMinusX, kZ}, "-x"},
+    {{kMinusX, kMinusY, kZ}, "-y"}, {{kX, kMinusZ, kY}, "-z"},
+};
+
+}  // namespace
+
+Upright upright(std::string_view axis) { return value_of(kUprights, axis, "up is"); }
 
 }  // namespace displayfile

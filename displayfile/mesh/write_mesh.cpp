@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "displayfile/text/output_file.h"
 
 namespace displayfile {

@@ -1,4 +1,4 @@
-#include "displayfile/segments/light_projection.h"
+#include "displayfile/segments/lit_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,6 @@
 
 #include "clip/corners.h"
 #include "clip/rectangle.h"
-#include "displayfile/segments/light_projection.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/map/map_pieces.h"

@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
+#include "clip/bounds.h"
 #include "displayfile/entered/entered_polygons.h"
 #include "displayfile/segments/retained_scene.h"
-#include "hidden/exact/bent_polygon.h"
-#include "hidden/exact/largest_coordinate.h"
+#include "hidden/exact/entered_plane.h"
 
 namespace displayfile {
 

@@ -35,7 +35,7 @@ class PolygonsAsEntered {
   /// puts it. Null if there are none.
   std::shared_ptr<const TouchingPlanes> near_planes(const TouchingPlanes& touching) const;
   EnteredPolygon polygon(std::uint32_t number) const;
-  /// Indices of those that are not planar (hidden/exact/bent_polygon.h), ascending.
+  /// Indices of those that are not planar (hidden/exact/entered_plane.h), ascending.
   const std::vector<std::uint32_t>& bent() const { return bent_; }
   double reach() const { return reach_; }  ///< the largest, before modelling transformations
 

@@ -9,8 +9,8 @@
 
 #include "clip/back_face.h"
 #include "clip/base/error.h"
-#include "clip/base/free_room.h"
-#include "displayfile/entered/pick_of_ordinal.h"
+#include "clip/base/growing_array.h"
+#include "displayfile/entered/instructions.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/side_kinds.h"
 #include "hidden/exact/plane.h"

@@ -1,4 +1,4 @@
-#include "displayfile/segments/segment_groups.h"
+#include "displayfile/segments/sorted_display_file.h"
 
 #include <cstdint>
 

@@ -3,16 +3,24 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"
-#include "displayfile/segments/segment_groups.h"
+#include "displayfile/segments/segment.h"
 #include "displayfile/segments/surface_plan.h"
 #include "hidden/sort/hidden_surface_sort.h"
 
 namespace displayfile {
+
+/// Connected components of segments that overlap in the projection: no segment hides anything of
+/// another group. By their extents, after the image transformations, lines without their width.
+using SegmentGroup = std::vector<const Segment*>;
+
+/// The segments in groups; both keep the input order, groups by their first segment.
+std::vector<SegmentGroup> overlapping_groups(std::span<const Segment* const> segments);
 
 /// Throws Error if hidden lines are to be drawn and the method is the colour rule over unsorted
 /// surfaces, which finds no lines.
@@ -36,9 +44,9 @@ class SortedDisplayFile {
   ///    the scope is all; only a segment that has an image transformation since, or for which the
   ///    options have another precision or other hidden lines, is sorted again;
   ///  - a method of the options sorts all visible segments together, each group that overlaps by
-  ///    itself (displayfile/segments/segment_groups.h), or each on its own if the options or the
-  ///    application set that scope; one that `automatic` means, and any with line order `depth`,
-  ///    sorts all together, whatever the scope.
+  ///    itself (displayfile/segments/sorted_display_file.h), or each on its own if the options or
+  ///    the application set that scope; one that `automatic` means, and any with line order
+  ///    `depth`, sorts all together, whatever the scope.
   /// If it does not sort, a method of the options is drawn from the polygons as entered, and one
   /// set by the application from the segments as closed. Invisible segments stay unchanged.
   const DisplayFile& update(const GraphicsSystem& system, const HiddenSurfaceOptions& options,

@@ -15,7 +15,6 @@
 
 #include "clip/surface_plan.h"
 #include "clip/transformation.h"
-#include "displayfile/entered/intensity_plane.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/strokes_once.h"

@@ -19,7 +19,6 @@
 #include "clip/point_row.h"
 #include "clip/view_volume.h"
 #include "displayfile/entered/instructions.h"
-#include "displayfile/entered/item_ranks.h"
 #include "displayfile/entered/vertex_values.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/looks/vertex_shading.h"
@@ -257,7 +256,7 @@ class ViewedScene : public EndsAsEntered {
     const auto all = planes();
     return all.empty() || all[item][0] == Primitives::kOwnPlane ? nullptr : &all[item];
   }
-  /// The plane of an item whose polygon is not planar as entered (hidden/exact/bent_polygon.h),
+  /// The plane of an item whose polygon is not planar as entered (hidden/exact/entered_plane.h),
   /// which may be far from that of other vertices; null for all others.
   const Primitives::PlanePoints* plane_of_bent(Item item) const {
     if (bent_.empty()) [[likely]]

@@ -1,4 +1,4 @@
-#include "displayfile/solids/combined_faces.h"
+#include "displayfile/solids/exact_solid.h"
 
 #include <algorithm>
 #include <array>

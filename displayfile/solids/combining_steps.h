@@ -1,10 +1,13 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <string>
 #include <utility>
 
 #include "clip/base/budgeted_work.h"
+#include "clip/base/error.h"
 #include "clip/base/work_budget.h"
 
 namespace displayfile {
@@ -48,5 +51,12 @@ class CountedSteps final : public CombiningSteps {
   std::uint64_t taken_ = 0;
   WorkSteps steps_;
 };
+
+inline void CountedSteps::fail() const {
+  throw Error(
+      fmt::format("{} is not found in {} steps: expected parts that meet in fewer places, or of "
+                  "fewer polygons",
+                  what_, most_));
+}
 
 }  // namespace displayfile

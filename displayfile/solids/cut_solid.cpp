@@ -1,4 +1,4 @@
-#include "displayfile/solids/cut_solid.h"
+#include "displayfile/solids/solid_faces.h"
 
 #include <algorithm>
 #include <array>

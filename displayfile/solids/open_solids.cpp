@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "displayfile/solids/combined_faces.h"
+#include "displayfile/solids/exact_solid.h"
 
 namespace displayfile {
 

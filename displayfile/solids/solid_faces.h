@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "clip/cutting_planes.h"
 #include "clip/point.h"
 #include "displayfile/looks/style.h"
 
@@ -69,5 +70,11 @@ std::optional<OpenSide> open_side(std::span<const Point3> vertices,
 /// The same for some faces of a solid.
 std::optional<OpenSide> open_side(const SolidFaces& solid, std::size_t first_face,
                                   std::size_t end_face);
+
+/// Cuts a closed solid by cutting planes and closes it by cut faces (cut_solid.md): their `cut_by`
+/// is the plane's number, and `attributes` their attributes. Vertices of the solid with equal
+/// positions need not be shared. A vertex on a plane counts as cut away.
+SolidFaces cut_solid(const SolidFaces& solid, const CuttingPlanes& planes,
+                     std::uint32_t attributes);
 
 }  // namespace displayfile

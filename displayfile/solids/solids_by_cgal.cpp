@@ -30,7 +30,6 @@
 
 #include "displayfile/solids/combining_steps.h"
 #include "displayfile/solids/exact_surface.h"
-#include "displayfile/solids/touching_solids.h"
 
 namespace displayfile {
 

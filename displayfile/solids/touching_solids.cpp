@@ -1,7 +1,7 @@
 // Solids combined by the arrangement of their triangles. CGAL has the intersections and the
 // triangulation in a plane.
 
-#include "displayfile/solids/touching_solids.h"
+#include "displayfile/solids/exact_surface.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>

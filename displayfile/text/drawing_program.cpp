@@ -10,13 +10,11 @@
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/text/characters.h"
 #include "displayfile/text/program_line.h"
-#include "displayfile/text/replayed_lines.h"
-#include "displayfile/text/routines.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/files.h"
 #include "displayfile/text/output_file.h"
 

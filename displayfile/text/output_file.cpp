@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/real_path.h"
+#include "clip/base/files.h"
 #include "clip/system/descriptors.h"
 #include "clip/system/own_files.h"
 

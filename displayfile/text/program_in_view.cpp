@@ -10,7 +10,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/views/set_view.h"
+#include "displayfile/views/scene_in_one_view.h"
 
 namespace displayfile {
 

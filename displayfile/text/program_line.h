@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "clip/base/error.h"
 #include "clip/point.h"
+#include "displayfile/graphics_system.h"
 
 namespace displayfile {
 
@@ -78,5 +80,16 @@ template <>
 std::string_view ProgramLine::take<std::string_view>();
 extern template std::span<const Point2> ProgramLine::take_points();
 extern template std::span<const Point3> ProgramLine::take_points();
+
+/// Calls the user routine named by the line, with its arguments. The line must not be empty. Throws
+/// ErrorAt for an unknown routine or invalid arguments, and what the routine throws.
+void call_routine(ProgramLine& line, GraphicsSystem& system);
+
+/// Called after a line of a drawing program, counted from 1, with the routine that it called.
+using AfterLine = std::function<void(std::size_t line, std::string_view routine)>;
+
+/// As replay (displayfile/files.h), with a call after each line that calls a routine.
+void replay_lines(std::string_view text, std::string_view file_name, GraphicsSystem& system,
+                  const AfterLine& after_line);
 
 }  // namespace displayfile

@@ -12,7 +12,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
 #include "clip/planarity.h"
-#include "displayfile/entered/pick_of_ordinal.h"
+#include "displayfile/entered/instructions.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_inside.h"

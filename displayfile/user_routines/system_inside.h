@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "displayfile/graphics_system.h"
-#include "displayfile/views/exact_scale.h"
+#include "displayfile/views/picture_windows.h"
 
 namespace displayfile {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "clip/base/restoring.h"
+#include "clip/base/round_to_nearest.h"
 #include "displayfile/user_routines/system_inside.h"
 
 namespace displayfile {

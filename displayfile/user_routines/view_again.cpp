@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/restoring.h"
+#include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/user_routines/system_state.h"
-#include "displayfile/views/set_view.h"
+#include "displayfile/views/scene_in_one_view.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "clip/view_volume.h"
 #include "displayfile/user_routines/system_inside.h"
-#include "displayfile/views/set_view.h"
+#include "displayfile/views/scene_in_one_view.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "displayfile/views/outermost_points.h"
+#include "displayfile/views/turntable.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,28 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
+#include "clip/bounds.h"
 #include "clip/view.h"
 #include "clip/window_fit.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/views/exact_scale.h"
 
 namespace displayfile {
+
+/// An exact scale of pictures on paper, for parallel views.
+struct ExactScale {
+  std::string name;       ///< for messages, such as "--scale 1:2"
+  double millimetres;     ///< on paper, of a unit of the view plane
+  double picture_height;  ///< in mm
+};
+
+/// The window, around the middle of `shown`, that a viewport has at this scale in pictures with
+/// this aspect ratio. Throws Error, beginning with the scale's name, for a projection that is not
+/// parallel, or if what is shown does not fit: by how much.
+Rectangle window_at_scale(const ExactScale& scale, View::Projection projection,
+                          const Rectangle& shown, const Rectangle& viewport, double aspect);
 
 /// The windows of segments, for pictures with one aspect ratio: widened to the shape of their
 /// viewport there, or stretched to it.
@@ -34,5 +49,18 @@ class PictureWindows {
   std::optional<ExactScale> scale_;
   std::optional<StretchedWindow> stretched_;
 };
+
+/// The window with this aspect ratio (width over height) around `seen` (view-plane coordinates),
+/// with at least a twentieth of it free at each side; its height is at least what that leaves for
+/// `least_height`.
+inline Rectangle fitted_window(const Bounds& seen, double aspect, double least_height = 0.0) {
+  constexpr double kMargin = 0.05;
+  const Point3 size = seen.high - seen.low, middle = seen.middle();
+  const double half_height =
+      0.5 * std::max({size.x / aspect, size.y, least_height}) / (1.0 - 2.0 * kMargin);
+  const double half_width = aspect * half_height;
+  return {middle.x - half_width, middle.x + half_width, middle.y - half_height,
+          middle.y + half_height};
+}
 
 }  // namespace displayfile

@@ -4,6 +4,7 @@
 
 #include "clip/bounds.h"
 #include "clip/view.h"
+#include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 
@@ -21,5 +22,12 @@ struct SceneInOneView {
 /// views.
 SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& attributes,
                                  const View& otherwise);
+
+/// Sets the view plane and the projection. Throws Error as the system's routines do, here and
+/// below.
+void set_camera(const View& view, GraphicsSystem& system);
+
+/// Sets all of the view except the viewport.
+void set_view(const View& view, GraphicsSystem& system);
 
 }  // namespace displayfile

@@ -7,7 +7,7 @@
 
 #include "clip/base/parallel.h"
 #include "clip/equal_points.h"
-#include "clip/view_points.h"
+#include "clip/view_volume.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/scene_viewer_part.h"
 

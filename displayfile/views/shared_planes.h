@@ -10,7 +10,7 @@
 namespace displayfile {
 
 /// The plane that each primitive of a scene shares with others as entered
-/// (hidden/touching/touching_planes.md), and that of bent ones (hidden/exact/bent_polygon.h), in
+/// (hidden/touching/touching_planes.md), and that of bent ones (hidden/exact/entered_plane.h), in
 /// world coordinates: by indices of three of the scene's points, as in Primitives::planes. Empty if
 /// no two polygons are coplanar and none is bent.
 std::vector<Primitives::PlanePoints> shared_planes(const RetainedScene& scene);

@@ -11,8 +11,7 @@
 #include "clip/transformation.h"
 #include "clip/unit.h"
 #include "clip/view_volume.h"
-#include "displayfile/views/fitted_window.h"
-#include "displayfile/views/outermost_points.h"
+#include "displayfile/views/picture_windows.h"
 #include "displayfile/views/scene_in_one_view.h"
 
 namespace displayfile {

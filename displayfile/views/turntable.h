@@ -1,8 +1,10 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <span>
 #include <vector>
 
+#include "clip/bounds.h"
 #include "clip/view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
@@ -40,5 +42,15 @@ class Turntable {
   Point3 axis_{0.0}, middle_{0.0};
   std::vector<Point3> points_;  // of all that is visible
 };
+
+/// A scene that rotates about an axis in front of a fixed camera.
+struct TurningPoints {
+  std::span<const Point3> points;  ///< in world coordinates, before the first turn
+  Point3 axis, middle;             ///< a unit vector, and a point that does not move
+};
+
+/// The points, in order, that may be outside of the bounds (x and y in view-plane coordinates) in
+/// some rotation. All others are within them in any rotation, with any rounding.
+std::vector<Point3> points_beyond(const TurningPoints& scene, const View& view, const Bounds& seen);
 
 }  // namespace displayfile

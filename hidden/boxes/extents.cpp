@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hidden/boxes/build_box_tree.h"
+#include "hidden/boxes/space_tree.h"
 
 namespace displayfile {
 
@@ -76,6 +77,11 @@ ExtentTree extent_tree(std::span<const Extent> extents, int threads) {
   const auto box_of = [&](ExtentTree::Item i) { return FlatBox::of(extents[i]); };
   tree.build(extents.size(), box_of, threads);
   return tree;
+}
+
+template <>
+void SpaceTree::build(std::size_t items, const std::function<Bounds(Item)>& box_of, int threads) {
+  build_by<Halves<Bounds>>(items, box_of, threads);
 }
 
 }  // namespace displayfile

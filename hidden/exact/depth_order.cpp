@@ -2,7 +2,7 @@
 
 #include "hidden/exact/estimates.h"
 #include "hidden/exact/exact_point.h"
-#include "hidden/exact/exact_projector.h"
+#include "hidden/exact/plane_in_picture.h"
 #include "hidden/exact/predicate_counts.h"
 
 namespace displayfile {

@@ -8,7 +8,7 @@
 
 #include "clip/system/fused_product.h"
 #include "hidden/exact/entered_plane.h"
-#include "hidden/exact/exact_projector.h"
+#include "hidden/exact/plane_in_picture.h"
 #include "hidden/exact/predicate_counts.h"
 #include "hidden/exact/rounding.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "clip/bounds.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/depth_order.h"
 
@@ -240,5 +242,13 @@ class Roundoff {
   Definitions all_;
   double roundoff_;
 };
+
+inline Roundoff Roundoff::relative(const Definitions& all, double part) {
+  if (all.points.empty()) return {all, 0.0};
+  Bounds box;
+  for (const Point3& p : all.points) box.include(p);
+  const Point3 size = box.high - box.low;
+  return {all, part * std::max({size.x, size.y, size.z})};
+}
 
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "hidden/lines/appel.h"
+#include "hidden/lines/line_methods.h"
 
 #include <algorithm>
 #include <array>

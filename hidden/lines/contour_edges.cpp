@@ -7,9 +7,15 @@
 
 #include "clip/base/parallel.h"
 #include "clip/corners.h"
+#include "hidden/boxes/build_box_tree.h"
 #include "hidden/lines/simple_polygon.h"
 
 namespace displayfile {
+
+template <>
+void DepthTree::build(std::size_t items, const std::function<DepthBox(Item)>& box_of, int threads) {
+  build_by<Halves<DepthBox>>(items, box_of, threads);
+}
 
 namespace {
 

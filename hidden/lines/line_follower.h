@@ -14,7 +14,6 @@
 #include "hidden/lines/end_on_plane.h"
 #include "hidden/lines/line_against_polygon.h"
 #include "hidden/lines/line_counts.h"
-#include "hidden/lines/line_vertices.h"
 #include "hidden/lines/side_table.h"
 
 namespace displayfile {

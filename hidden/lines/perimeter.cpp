@@ -1,4 +1,3 @@
-#include "hidden/lines/perimeter.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +12,8 @@
 #include "clip/base/error.h"
 #include "clip/base/parallel.h"
 #include "clip/base/work_budget.h"
-#include "hidden/lines/franklin.h"
 #include "hidden/lines/items_near_lines.h"
+#include "hidden/lines/line_methods.h"
 #include "hidden/lines/perimeter_array.h"
 #include "hidden/lines/perimeter_method.h"
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "hidden/exact/defined_point.h"
+#include "hidden/exact/depth_order.h"
 #include "hidden/exact/order_on_line.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
-#include "hidden/map/order_above.h"
 
 namespace displayfile {
 

@@ -10,7 +10,6 @@
 #include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 #include "hidden/map/map_place.h"
-#include "hidden/map/order_above.h"
 
 namespace displayfile {
 

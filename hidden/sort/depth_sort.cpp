@@ -1,4 +1,4 @@
-#include "hidden/sort/depth_sort.h"
+#include "hidden/sort/hidden_surface_sort.h"
 
 #include <algorithm>
 #include <cassert>

@@ -86,4 +86,9 @@ SortedPieces sort_hidden_surfaces(const Primitives& items, const SurfacePlan& pl
 /// the budget alone if the plan has the default; never below the number without cuts.
 std::size_t most_pieces_of_sort(const SurfacePlan& plan, std::size_t items);
 
+/// Depth sort (the lecture's, with the problem book's priority tests) at the precision of the plan:
+/// a drawing order over the pairs that overlap in the projection, with cuts only where polygons
+/// intersect or overlap in a cycle (hidden/sort/depth_sort.md).
+SortedPieces sort_by_depth(const Primitives& items, const SurfacePlan& plan);
+
 }  // namespace displayfile

@@ -1,4 +1,4 @@
-#include "hidden/triangles/triangle_sweep.h"
+#include "hidden/triangles/ear_cutting.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,7 +6,7 @@
 
 #include "clip/back_face.h"
 #include "clip/corners.h"
-#include "hidden/triangles/triangle_sweep.h"
+#include "hidden/triangles/ear_cutting.h"
 
 namespace displayfile {
 

@@ -10,7 +10,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "clip/corners.h"
 #include "clip/surfaces.h"
-#include "displayfile/entered/intensity_plane.h"
+#include "displayfile/entered/normal_plane.h"
 #include "displayfile/entered/styled_sides.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/looks/vertex_shading.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/base/nearest_word.h"
 #include "interp/device/raster_request.h"
 #include "interp/files/png_file.h"

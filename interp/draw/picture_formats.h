@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "displayfile/files.h"
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clip/base/work_budget.h"
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/picture_checks.h"

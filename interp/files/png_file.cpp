@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/large_pages.h"
+#include "clip/base/memory.h"
 #include "displayfile/text/output.h"
 #include "interp/device/picture.h"
 #include "interp/files/binary_input.h"

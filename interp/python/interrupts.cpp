@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/system/interrupts.h"
+#include "clip/system/stopping.h"
 
 namespace displayfile::python {
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "displayfile/entered/intensity_plane.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/segments/viewed_scene.h"

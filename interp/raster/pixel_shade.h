@@ -7,7 +7,7 @@
 #include <span>
 #include <variant>
 
-#include "displayfile/entered/intensity_plane.h"
+#include "displayfile/entered/normal_plane.h"
 #include "hidden/exact/pixel_centre.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/output_device.h"

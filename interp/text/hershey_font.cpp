@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/nearest_word.h"
 #include "displayfile/text/characters.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "displayfile/segments/scene_lines.h"
-#include "displayfile/segments/segment_groups.h"
+#include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/segments/sorted_scene.h"
 #include "displayfile/segments/viewed_scene.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/base/large_pages.h"
+#include "clip/base/memory.h"
 #include "clip/base/work_budget.h"
 #include "interp/truth/whole_numbers.h"
 

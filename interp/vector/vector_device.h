@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "interp/annotation/annotation_marks.h"

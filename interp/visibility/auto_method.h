@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "clip/surfaces.h"
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 

@@ -13,8 +13,7 @@
 #include <sstream>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "programs/inputs/each_input.h"

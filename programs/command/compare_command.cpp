@@ -8,8 +8,7 @@
 #include <string_view>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"

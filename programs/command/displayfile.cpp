@@ -20,8 +20,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/nearest_word.h"
-#include "clip/system/freed_memory.h"
-#include "clip/system/standard_streams.h"
+#include "clip/system/descriptors.h"
+#include "clip/system/process_memory.h"
 #include "programs/command/check_command.h"
 #include "programs/command/compare_command.h"
 #include "programs/command/draw_command.h"

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/parallel.h"
 #include "hidden/exact/predicate_counts.h"
 #include "interp/raster/antialias.h"

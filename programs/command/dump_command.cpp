@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "displayfile/files.h"
 #include "displayfile/text/output_file.h"
 #include "interp/draw/draw.h"

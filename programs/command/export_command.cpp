@@ -12,8 +12,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/mesh/solid_triangles.h"
 #include "displayfile/mesh/write_mesh.h"
 #include "programs/inputs/assembled_inputs.h"

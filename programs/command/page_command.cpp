@@ -9,7 +9,7 @@
 
 #include "clip/base/collected_text.h"
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/output_file.h"
 #include "interp/draw/draw.h"

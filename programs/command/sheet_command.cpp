@@ -15,8 +15,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
-#include "clip/base/without_choice.h"
 #include "interp/device/picture.h"
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/output_paths.h"

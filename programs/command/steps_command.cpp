@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/surfaces.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/output_file.h"

@@ -9,7 +9,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
-#include "clip/system/freed_memory.h"
+#include "clip/system/process_memory.h"
 #include "displayfile/text/output_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/draw.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/nearest_word.h"
 #include "displayfile/files.h"
 #include "displayfile/segments/retained_scene.h"

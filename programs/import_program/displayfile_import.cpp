@@ -1,7 +1,7 @@
 // The program `displayfile-import`. Only displayfile starts it
 // (displayfile/mesh/import_process.md).
 
-#include "clip/system/standard_streams.h"
+#include "clip/system/descriptors.h"
 #include "programs/import_program/import_program.h"
 #include "programs/process/exit_status.h"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/work_budget.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/draw/cropped_figure.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/memory.h"
 #include "clip/base/parallel.h"
 #include "programs/process/progress.h"

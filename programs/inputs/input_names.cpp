@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/text/characters.h"
 
 namespace displayfile {

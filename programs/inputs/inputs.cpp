@@ -15,12 +15,11 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
-#include "clip/base/input_file.h"
-#include "clip/system/freed_memory.h"
+#include "clip/base/files.h"
+#include "clip/system/process_memory.h"
 #include "clip/view_volume.h"
 #include "displayfile/files.h"
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/hidden_lines_left.h"
 #include "displayfile/user_routines/system_inside.h"

@@ -9,7 +9,6 @@
 
 #include "clip/base/error.h"
 #include "clip/system/descriptors.h"
-#include "clip/system/folders.h"
 
 namespace displayfile {
 

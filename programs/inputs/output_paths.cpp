@@ -6,8 +6,7 @@
 #include <system_error>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
-#include "clip/base/real_path.h"
+#include "clip/base/files.h"
 #include "displayfile/text/output_file.h"
 #include "programs/inputs/output_name.h"
 

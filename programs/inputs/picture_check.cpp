@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/looks/style.h"
 #include "interp/files/picture_compare.h"
 #include "interp/files/png_file.h"

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
-#include "displayfile/text/replayed_lines.h"
+#include "displayfile/text/program_line.h"
 #include "programs/inputs/inputs.h"
 
 namespace displayfile {

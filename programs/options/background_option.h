@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 

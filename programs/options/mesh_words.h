@@ -8,7 +8,7 @@
 
 #include "clip/surfaces.h"
 #include "displayfile/mesh/mesh.h"
-#include "displayfile/views/exact_scale.h"
+#include "displayfile/views/picture_windows.h"
 #include "programs/options/camera_options.h"
 #include "programs/options/explosion.h"
 #include "programs/options/import_words.h"

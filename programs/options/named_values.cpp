@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "displayfile/mesh/mesh_extensions.h"
+#include "displayfile/mesh/mesh_file.h"
 #include "interp/device/picture.h"
 #include "interp/steps/steps.h"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "programs/options/number_in.h"

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/system/own_files.h"
 
 namespace displayfile {

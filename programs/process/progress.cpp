@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cstdio>
 
-#include "clip/system/standard_streams.h"
+#include "clip/system/descriptors.h"
 
 namespace displayfile {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/paper_box.h"
+#include "clip/rectangle.h"
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/paper_box.h"
+#include "clip/rectangle.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/placed_view.h"
 

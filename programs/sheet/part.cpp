@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/secret_hash.h"
 #include "clip/unit.h"
 #include "displayfile/mesh/up_axis.h"

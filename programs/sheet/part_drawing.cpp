@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "displayfile/mesh/cap_polygons.h"
 #include "displayfile/mesh/section.h"
 #include "programs/sheet/part_lines.h"
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/paper_box.h"
+#include "clip/rectangle.h"
 #include "programs/sheet/text_fit.h"
 
 namespace displayfile {

@@ -5,7 +5,6 @@
 #include "displayfile/segments/display_file.h"
 #include "displayfile/text/characters.h"
 #include "displayfile/text/program_line.h"
-#include "displayfile/text/replayed_lines.h"
 
 namespace displayfile {
 

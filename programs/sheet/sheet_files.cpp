@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "interp/text/hershey_font.h"
 #include "interp/text/letter_paths.h"
 #include "programs/options/vector_words.h"

@@ -13,7 +13,7 @@
 #include <variant>
 
 #include "clip/base/error.h"
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "clip/base/memory.h"
 #include "clip/base/words.h"
 #include "clip/base/work_budget.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/material_library.h"
+#include "displayfile/mesh/obj_materials.h"
 #include "tests/fuzz/failed.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -29,10 +29,10 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "displayfile/mesh/import_library.h"
+#include "displayfile/mesh/import_process.h"
 #include "displayfile/mesh/import_protocol.h"
-#include "displayfile/mesh/import_start.h"
 #include "displayfile/mesh/mesh.h"
 #include "programs/import_program/import_program.h"
 #include "programs/options/import_words.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/system/standard_streams.h"
+#include "clip/system/descriptors.h"
 #include "displayfile/text/output_file.h"
 #include "hard/document.h"
 #include "hard/right_picture.h"

@@ -16,11 +16,8 @@
 #include "clip/base/memory.h"
 #include "clip/base/unfinished_path.h"
 #include "clip/system/descriptors.h"
-#include "clip/system/folders.h"
-#include "clip/system/loaded_library.h"
 #include "clip/system/own_files.h"
 #include "clip/system/process_memory.h"
-#include "clip/system/standard_streams.h"
 #include "clip/system/stopping.h"
 #include "displayfile/text/output_file.h"
 

@@ -1,11 +1,12 @@
-#include "clip/system/descriptors.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <initializer_list>
+
+#include "clip/system/descriptors.h"
 
 namespace displayfile {
 
@@ -99,5 +100,28 @@ bool put_names_on_disk(const std::filesystem::path& folder) {
   errno = reason;
   return is_there;
 }
+
+int hold_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  return descriptor < 0 ? kNotHeld : descriptor;
+}
+
+void release_folder(int held) { ::close(held); }
+
+void remove_empty_folder(int held, const std::filesystem::path& path) {
+  ::unlinkat(held == kNotHeld ? AT_FDCWD : held, path.c_str(), AT_REMOVEDIR);
+}
+
+bool remove_path(const char* path) noexcept { return ::unlink(path) == 0 || ::rmdir(path) == 0; }
+
+void keep_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    // The lowest that is free is opened: this one. In the direction in which nobody uses it.
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+bool errors_are_on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
 }  // namespace displayfile

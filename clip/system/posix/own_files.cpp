@@ -1,5 +1,6 @@
 #include "clip/system/own_files.h"
 
+#include <dlfcn.h>
 #include <unistd.h>
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
@@ -25,5 +26,17 @@ void replace_program(const std::filesystem::path& program, char** arguments) {
 }
 
 unsigned number_of_process() { return static_cast<unsigned>(::getpid()); }
+
+void* load_library(const char* name, std::string& why) {
+  void* const library = ::dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) why = ::dlerror();
+  return library;
+}
+
+void* address_in_library(void* library, const char* function, std::string& why) {
+  void* const found = ::dlsym(library, function);
+  if (found == nullptr) why = ::dlerror();
+  return found;
+}
 
 }  // namespace displayfile

@@ -1,5 +1,3 @@
-#include "clip/system/stopping.h"
-
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -8,6 +6,8 @@
 #include <csignal>
 #include <ctime>
 #include <new>
+
+#include "clip/system/stopping.h"
 
 namespace displayfile {
 
@@ -90,5 +90,30 @@ void end_process_after(double seconds, const std::string& message, void (*last)(
 }
 
 void end_process_no_more() { set_timer(0.0); }
+
+namespace {
+
+void (*called_first)() noexcept = nullptr;
+struct sigaction of_process {};
+
+void on_interrupt(int signal) {
+  called_first();
+  of_process.sa_handler(signal);
+}
+
+}  // namespace
+
+bool call_at_interrupts(void (*first)() noexcept) {
+  if (::sigaction(SIGINT, nullptr, &of_process) != 0) return false;
+  const bool is_handled = (of_process.sa_flags & SA_SIGINFO) == 0 &&
+                          of_process.sa_handler != SIG_DFL && of_process.sa_handler != SIG_IGN;
+  if (!is_handled) return false;
+  called_first = first;
+  struct sigaction ours = of_process;
+  ours.sa_handler = on_interrupt;
+  return ::sigaction(SIGINT, &ours, nullptr) == 0;
+}
+
+void call_at_interrupts_no_more() { ::sigaction(SIGINT, &of_process, nullptr); }
 
 }  // namespace displayfile

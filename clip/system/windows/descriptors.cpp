@@ -1,5 +1,3 @@
-#include "clip/system/descriptors.h"
-
 #include <fcntl.h>
 #include <io.h>
 #include <share.h>
@@ -7,7 +5,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <initializer_list>
+#include <system_error>
 
+#include "clip/system/descriptors.h"
 #include "clip/system/windows/windows.h"
 
 namespace displayfile {
@@ -118,5 +119,33 @@ bool put_on_disk(int descriptor) { return ::_commit(descriptor) == 0; }
 
 /// The file system's journal has them.
 bool put_names_on_disk(const std::filesystem::path& /*folder*/) { return true; }
+
+int hold_folder(const std::filesystem::path& /*folder*/) { return kNotHeld; }
+
+void release_folder(int /*held*/) {}
+
+void remove_empty_folder(int /*held*/, const std::filesystem::path& path) {
+  ::RemoveDirectoryW(path.c_str());  // not if anything is in it
+}
+
+/// The handler of a stopped program is an ordinary thread here.
+bool remove_path(const char* path) noexcept {
+  try {
+    std::error_code error;
+    return std::filesystem::remove(path, error);
+  } catch (...) {
+    return false;  // no memory for the path
+  }
+}
+
+/// The C library gives the descriptors 0 to 2 to nothing else.
+void keep_standard_descriptors() {
+  for (const int descriptor : {0, 1, 2}) {
+    if (::_get_osfhandle(descriptor) >= 0) ::_setmode(descriptor, _O_BINARY);
+  }
+}
+
+/// Consoles there may be, but not every one of them obeys what a terminal does.
+bool errors_are_on_terminal() { return false; }
 
 }  // namespace displayfile

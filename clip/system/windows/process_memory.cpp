@@ -74,4 +74,12 @@ bool can_have_pages(std::size_t bytes) {
 /// They are for programs with a privilege that users do not have.
 void ask_for_large_pages(void* /*begin*/, std::size_t /*bytes*/) {}
 
+// This C library has no such settings.
+
+void keep_freed_memory() {}
+
+void ask_for_memory(std::size_t /*bytes*/) {}
+
+void hand_out_large_pages(std::size_t /*bytes*/) {}
+
 }  // namespace displayfile

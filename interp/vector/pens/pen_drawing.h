@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "displayfile/looks/background.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/segments/display_file.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/pen_device.h"

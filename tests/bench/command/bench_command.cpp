@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/base/file_extension.h"
+#include "clip/base/files.h"
 #include "clip/secret_hash.h"
 #include "clip/surfaces.h"
 #include "displayfile/text/output_file.h"

@@ -7,8 +7,8 @@
 #include <array>
 
 #include "clip/base/error.h"
-#include "clip/system/standard_streams.h"
-#include "displayfile/mesh/mesh_extensions.h"
+#include "clip/system/descriptors.h"
+#include "displayfile/mesh/mesh_file.h"
 #include "programs/manual/asked_of_itself.h"
 #include "programs/options/empty_values.h"
 #include "programs/options/number_in.h"

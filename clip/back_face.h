@@ -26,10 +26,6 @@ inline Point3 newell_normal(std::span<const Point3> vertices) {
   return sum;
 }
 
-/// BACK-FACE-CHECK (algorithm 9.3): true if the polygon, in device coordinates, turns its
-/// dark face or its edge to the viewer.
-bool is_back_face(std::span<const Point3> vertices);
-
 /// The z component of newell_normal alone.
 inline double newell_c(std::span<const Point3> vertices) {
   double c = 0.0;
@@ -45,6 +41,8 @@ inline double newell_c(std::span<const Point3> vertices) {
   return c;
 }
 
+/// BACK-FACE-CHECK (algorithm 9.3): true if the polygon, in device coordinates, turns its
+/// dark face or its edge to the viewer.
 inline bool is_back_face(std::span<const Point3> vertices) { return newell_c(vertices) <= 0.0; }
 
 }  // namespace displayfile

@@ -305,8 +305,8 @@ TEST(DefinedPoints, SideOfAPointToALineOfPointsThatShareDefinitions) {
 
 struct CompareCase : SceneCase {
   static constexpr int kPoints = 2;
-  int axis = 0;  // 3: by x then y, 4: by x then y then z
-  void choose(Source& s) { axis = s.below(5); }
+  int axis = 0;  // 2: by x then y
+  void choose(Source& s) { axis = s.below(3); }
   bool make(Source& s, Input input) {
     choose(s);
     if (input == Input::random) {
@@ -316,7 +316,7 @@ struct CompareCase : SceneCase {
       const Grid grid(s);
       const Step g = step(s, 100);
       Step h = s.below(2) == 0 ? g : step(s, 100);
-      if (axis < 3) h[static_cast<std::size_t>(axis)] = g[static_cast<std::size_t>(axis)];
+      if (axis < 2) h[static_cast<std::size_t>(axis)] = g[static_cast<std::size_t>(axis)];
       scene.define_at(s, grid, g);
       scene.define_at(s, grid, h);
     }
@@ -331,9 +331,7 @@ struct CompareCase : SceneCase {
     switch (axis) {
       case 0: return d.x;
       case 1: return d.y;
-      case 2: return d.z;
-      case 3: return d.x != 0 ? d.x : d.y;
-      default: return d.x != 0 ? d.x : (d.y != 0 ? d.y : d.z);
+      default: return d.x != 0 ? d.x : d.y;
     }
   }
   int predicate() const {
@@ -342,12 +340,10 @@ struct CompareCase : SceneCase {
     switch (axis) {
       case 0: return compare_x(built.all, a, b);
       case 1: return compare_y(built.all, a, b);
-      case 2: return compare_z(built.all, a, b);
-      case 3: {
+      default: {
         const int order = compare_xy(built.all, a, b);
         return compare_xy_at_hand(built.all, a, b).value_or(order) == order ? order : 2;
       }
-      default: return compare_xyz(built.all, a, b);
     }
   }
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "clip/base/error.h"
+#include "clip/base/files.h"
 #include "displayfile/files.h"
 #include "displayfile/text/dump_compare.h"
 #include "tests/error_of.h"
@@ -180,9 +181,13 @@ class GoldenFile : public test::TemporaryFolder {
 
   std::string content() const { return test::content(golden_); }
   void write(const std::string& text) const { file("scene.txt", text); }
+  std::optional<std::string> difference() const {
+    return first_difference(dump(system_.display_file()), read_text_file(golden_), "the dump",
+                            golden_);
+  }
   std::string check_error() const {
     try {
-      check_golden(system_.display_file(), golden_);
+      difference();
     } catch (const Error& error) {
       return error.what();
     }
@@ -196,13 +201,13 @@ class GoldenFile : public test::TemporaryFolder {
 TEST_F(GoldenFile, HoldsAfterAnUpdate) {
   update_golden(system_.display_file(), golden_);
   EXPECT_EQ(content(), dump(system_.display_file()));
-  EXPECT_EQ(check_golden(system_.display_file(), golden_), std::nullopt);
+  EXPECT_EQ(difference(), std::nullopt);
 }
 
 TEST_F(GoldenFile, TellsTheFirstDifference) {
   update_golden(system_.display_file(), golden_);
   system_.set_image_translation(1, 0, 0.25);
-  EXPECT_EQ(check_golden(system_.display_file(), golden_),
+  EXPECT_EQ(difference(),
             "segment 1, instruction 4 (polygon 3 0.75 1 0.75): y is 1, expected 0.75");
 }
 

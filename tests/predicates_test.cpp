@@ -102,60 +102,6 @@ struct PlaneFacingCase : OrientationCase {
 };
 TEST(Predicates, FacingOfAPlane) { agrees<PlaneFacingCase>(Predicate::orientation_2); }
 
-struct FacingCase {
-  std::vector<Point3> p;
-  bool make(Source& s, Input input) {
-    if (input == Input::random) {
-      const Style style(s, true);
-      for (int k = s.between(3, 9); k > 0; --k) p.push_back(style.point(s));
-      return true;
-    }
-    const Grid grid(s);
-    const Step g = step(s, s.below(2) == 0 ? 100 : 1), u = step(s, step_size(s)),
-               v = step(s, step_size(s));
-    if (s.below(2) == 0) {  // a bow tie of two equal wings
-      for (const Step& corner : {g, g + u, g + v, g + u + v}) p.push_back(grid.place(s, corner));
-      return true;
-    }
-    std::vector<Step> way = {g, g + u, g + v, g + u + 2 * v};  // there and back again
-    for (std::size_t k = way.size() - 1; k-- > 1;) way.push_back(way[k]);
-    for (const Step& corner : way) p.push_back(grid.place(s, corner));
-    return true;
-  }
-  std::optional<Q> truth() const {
-    Shift shift;
-    for (const Point3& v : p) shift.include(v);
-    Q sum = 0;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const QPoint a = exact(p[k], shift.value());
-      const QPoint b = exact(p[(k + 1) % p.size()], shift.value());
-      sum += (a.x - b.x) * (a.y + b.y);
-    }
-    return sum;
-  }
-  int predicate() const { return facing(p); }
-  std::string text() const {
-    std::string all;
-    for (const Point3& v : p) all += hex(v);
-    return all;
-  }
-};
-TEST(Predicates, FacingOfAPolygon) { agrees<FacingCase>(Predicate::facing); }
-
-TEST(Predicates, FacingOfVeryManySides) {
-  // A comb whose teeth cancel but for one ulp.
-  std::vector<Point3> p;
-  for (int k = 0; k < 50000; ++k) p.emplace_back(k * 0.1, k % 2, 0.0);
-  for (std::size_t k = p.size(); k-- > 0;) p.push_back(p[k]);
-  EXPECT_EQ(facing(p), 0);
-  p.back() = {0.05, 0.5, 0.0};  // half-way along the last side: still nothing
-  EXPECT_EQ(facing(p), 0);
-  p.back().x = std::nextafter(0.05, 1.0);
-  EXPECT_EQ(facing(p), -1);
-  p.back().x = std::nextafter(0.05, 0.0);
-  EXPECT_EQ(facing(p), 1);
-}
-
 // ---------------------------------------------------------------- pixel centres
 
 struct CentresCase {

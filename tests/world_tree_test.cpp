@@ -309,21 +309,6 @@ TEST(WorldTree, EverySideIsTrue) {
   EXPECT_GT(judged, 9000u);
 }
 
-TEST(WorldTree, NearToFarIsTheReverse) {
-  for (const test::SortFamily& family : test::sort_families()) {
-    Source s(5);
-    const ItemList list = family.make(s);
-    const WorldTree tree = tree_of(list);
-    for (int k = 0; k < 20; ++k) {
-      const Eye eye = k % 4 == 0 ? Eye::at(list.points[0]) : any_eye(s);
-      Order near_first;
-      tree.near_to_far(eye, near_first);
-      std::ranges::reverse(near_first);
-      EXPECT_EQ(near_first, far_to_near(tree, eye)) << family.name;
-    }
-  }
-}
-
 TEST(WorldTree, CoplanarPiecesAreInOrderOfEntryFromBothSides) {
   ItemList list;
   for (int k = 0; k < 5; ++k) {
@@ -363,10 +348,7 @@ TEST(WorldTree, RoundoffBuildsTheSameCode) {
 TEST(WorldTree, EmptyScenesHaveEmptyOrders) {
   const WorldTree tree = tree_of({});
   Order order(7);
-  EXPECT_EQ(tree.far_to_near_until(Eye::at(Point3(0.0)), order),
-            std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(order.empty());
-  tree.near_to_far(Eye::toward({0, 0, 1}), order);
+  EXPECT_EQ(tree.far_to_near(Eye::at(Point3(0.0)), order), std::numeric_limits<double>::infinity());
   EXPECT_TRUE(order.empty());
   MovingEye moving(tree);
   EXPECT_TRUE(moving.far_to_near(Eye::at(Point3(1.0))).empty());
@@ -435,7 +417,7 @@ TEST(WorldTree, DeepTreesDoNotRecur) {
     double until = 0.0;
     on_a_small_stack([&] {
       tree->far_to_near(outside, near_outside);
-      until = tree->far_to_near_until(inside, near_inside);
+      until = tree->far_to_near(inside, near_inside);
     });
     EXPECT_GT(until, 0.0);
     Source s(1);
@@ -501,7 +483,7 @@ TEST(MovingEye, StaysBetweenPlanes) {
   const WorldTree tree = tree_of(list);
   Order order;
   // The plane of one of the two divides; the other is a leaf, and decides nothing.
-  const double until = tree.far_to_near_until(Eye::at({0.3, 0.3, 5.0}), order);
+  const double until = tree.far_to_near(Eye::at({0.3, 0.3, 5.0}), order);
   EXPECT_TRUE(std::abs(until - 4.0) < 1e-12 || std::abs(until - 5.0) < 1e-12) << until;
   MovingEye moving(tree);
   moving.far_to_near(Eye::at({0.3, 0.3, 5.0}));

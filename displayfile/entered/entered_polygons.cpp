@@ -4,12 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "clip/base/growing_array.h"
+#include "clip/bounds.h"
 #include "hidden/exact/entered_plane.h"
 
 namespace displayfile {
@@ -32,34 +32,16 @@ PointRow EnteredPolygons::points(std::size_t i) const {
 }
 
 const EnteredPolygons::Matrix* EnteredPolygons::modelling(std::size_t i) const {
-  const auto after = std::ranges::upper_bound(runs_, i, {}, &Run::first);
-  if (after == runs_.begin()) return nullptr;
-  const Matrix& matrix = std::prev(after)->matrix;
-  return matrix == Matrix(1.0) ? nullptr : &matrix;
+  return runs_.at(i);
 }
 
-double EnteredPolygons::largest_in_world() const {
-  double most = largest_;
-  for (const auto& [first, m] : runs_) {
-    for (int k = 0; k < 3; ++k) {
-      const double row = std::abs(m[0][k]) + std::abs(m[1][k]) + std::abs(m[2][k]);
-      most = std::max(most, row * largest_ + std::abs(m[3][k]));
-    }
-  }
-  return most;
-}
+double EnteredPolygons::largest_in_world() const { return runs_.largest_in_world(largest_); }
 
-double EnteredPolygons::longest() const {
-  double most = 1.0;
-  for (const auto& [first, m] : runs_) {
-    for (int k = 0; k < 3; ++k) most = std::max(most, glm::length(m[k]));
-  }
-  return most;
-}
+double EnteredPolygons::longest() const { return runs_.longest_column(); }
 
 std::size_t EnteredPolygons::bytes() const {
   const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return size(points_) + size(corners_) + size(first_) + size(runs_) + size(not_seen_) +
+  return size(points_) + size(corners_) + size(first_) + size(runs_.runs()) + size(not_seen_) +
          size(bent_) + size(line_ends_);
 }
 
@@ -176,21 +158,10 @@ void EnteredPolygons::begin_polygon(const Matrix* modelling) {
   first_.push_back(static_cast<std::uint32_t>(this->corners()));
 }
 
-void EnteredPolygons::begin_modelling(const Matrix* modelling) {
-  if (modelling != nullptr) {
-    begin_run(*modelling);
-  } else if (!runs_.empty()) {
-    begin_run(Matrix(1.0));
-  }
-}
-
-void EnteredPolygons::begin_run(const Matrix& matrix) {
-  if (!runs_.empty() && runs_.back().matrix == matrix) return;
-  runs_.push_back({static_cast<std::uint32_t>(size()), matrix});
-}
+void EnteredPolygons::begin_modelling(const Matrix* modelling) { runs_.begin(size(), modelling); }
 
 void EnteredPolygons::include(const Point3& p) {
-  largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  largest_ = std::max(largest_, largest_coordinate(p));
 }
 
 }  // namespace displayfile

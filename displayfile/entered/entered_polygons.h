@@ -9,6 +9,7 @@
 #include "clip/point_row.h"
 #include "clip/surfaces.h"
 #include "clip/view_volume.h"
+#include "displayfile/entered/modelling_runs.h"
 #include "displayfile/entered/retained_polygons.h"
 #include "hidden/exact/entered_polygon.h"
 
@@ -21,7 +22,7 @@ namespace displayfile {
 /// retained scene holds too are stored once.
 class EnteredPolygons {
  public:
-  using Matrix = glm::dmat4x3;  ///< x' = column 0 x + column 1 y + column 2 z + column 3
+  using Matrix = ModellingRuns::Matrix;
 
   EnteredPolygons(const Touching& touching, const ViewVolume& volume)
       : touching_(touching), volume_(volume) {}
@@ -100,10 +101,6 @@ class EnteredPolygons {
 
  private:
   static constexpr std::uint32_t kNotKept = 0xffffffffu;
-  struct Run {
-    std::uint32_t first;  ///< polygon
-    Matrix matrix;
-  };
   std::size_t corners() const { return corners_.empty() ? points_.size() : corners_.size(); }
   bool are_those_of(const RetainedPolygons& retained) const;
   void enter_again(const PointRow& points, const Matrix* modelling);
@@ -111,7 +108,6 @@ class EnteredPolygons {
   void begin_polygon(const Matrix* modelling);
   void begin_modelling(const Matrix* modelling);
   void note_if_bent(const PointRow& points, const Matrix* modelling);
-  void begin_run(const Matrix& matrix);
 
   Touching touching_;
   ViewVolume volume_;
@@ -122,7 +118,7 @@ class EnteredPolygons {
   std::vector<Point3> points_;
   std::vector<std::uint32_t> corners_;  // their points; empty: the points in order
   std::vector<std::uint32_t> first_;    // corner of each polygon
-  std::vector<Run> runs_;               // polygons before the first are in world coordinates
+  ModellingRuns runs_;                  // of polygons
   double largest_ = 0.0;
   std::vector<std::uint32_t> not_seen_, bent_;
   std::vector<Point3> line_ends_;

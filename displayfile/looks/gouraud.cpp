@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <glm/geometric.hpp>
 
 #include "clip/back_face.h"

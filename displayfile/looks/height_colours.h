@@ -24,6 +24,7 @@ inline Colour height_colour(double part) {
   const double rest = place - static_cast<double>(k);
   return kColours[k] + rest * (kColours[k + 1] - kColours[k]);
 }
+
 /// The same in steps, as many as kHeightColours.
 inline Colour height_colour_of_step(int step) {
   return height_colour((step + 0.5) / kHeightColours);

@@ -1,7 +1,6 @@
 #include "displayfile/mesh/import_library_files.h"
 
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "clip/base/files.h"
 #include "displayfile/mesh/compressed_data.h"

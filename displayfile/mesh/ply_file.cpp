@@ -7,10 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <set>
-#include <span>
 #include <string_view>
 #include <vector>
 

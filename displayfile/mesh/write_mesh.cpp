@@ -14,7 +14,6 @@
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "clip/corners.h"

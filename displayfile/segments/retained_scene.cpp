@@ -10,6 +10,7 @@
 #include "clip/back_face.h"
 #include "clip/base/error.h"
 #include "clip/base/growing_array.h"
+#include "clip/bounds.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/side_kinds.h"
@@ -37,8 +38,8 @@ const RetainedScene::ModellingMatrix& RetainedScene::modelling_matrix(std::uint3
   static constexpr ModellingMatrix kIdentity(1.0);
   const std::uint32_t first = primitives_[i].first;
   const std::uint32_t point = corners_.empty() ? first : corners_[first];
-  const auto after = std::ranges::upper_bound(modellings_, point, {}, &Modelling::first_point);
-  return after == modellings_.begin() ? kIdentity : std::prev(after)->matrix;
+  const ModellingMatrix* const matrix = modellings_.at(point);
+  return matrix == nullptr ? kIdentity : *matrix;
 }
 
 std::uint32_t RetainedScene::primitive_of_corner(std::uint32_t first) const {
@@ -51,37 +52,15 @@ RetainedPolygons RetainedScene::entered_polygons(const Segment& segment) const {
           segment.first, segment.end - segment.first};
 }
 
-double RetainedScene::longest_column() const {
-  double most = 1.0;
-  for (const auto& [first, m] : modellings_) {
-    for (int k = 0; k < 3; ++k) most = std::max(most, glm::length(m[k]));
-  }
-  return most;
-}
-
 double RetainedScene::reach_in_world(const Segment& segment) const {
   const std::span<const Point3> entered = entered_.empty() ? points_ : entered_;
-  double largest = 0.0;
-  for (const Point3& p :
-       entered.subspan(segment.first_point, segment.end_point - segment.first_point)) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return entered_reach(segment.touching, largest) * longest_column();
+  const double largest = largest_coordinate(
+      entered.subspan(segment.first_point, segment.end_point - segment.first_point));
+  return entered_reach(segment.touching, largest) * modellings_.longest_column();
 }
 
 double RetainedScene::largest_in_world() const {
-  double entered = 0.0;
-  for (const Point3& p : entered_.empty() ? points_ : entered_) {
-    entered = std::max({entered, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  double most = entered;
-  for (const auto& [first, m] : modellings_) {
-    for (int k = 0; k < 3; ++k) {
-      const double row = std::abs(m[0][k]) + std::abs(m[1][k]) + std::abs(m[2][k]);
-      most = std::max(most, row * entered + std::abs(m[3][k]));
-    }
-  }
-  return most;
+  return modellings_.largest_in_world(largest_coordinate(entered_.empty() ? points_ : entered_));
 }
 
 const RetainedScene::Segment& RetainedScene::segment_of(std::uint32_t primitive) const {
@@ -277,12 +256,12 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
     if (!modellings_.empty()) entered_.append(points);
     return;
   }
-  auto next =
-      std::ranges::upper_bound(other.modellings_, segment.first_point, {}, &Modelling::first_point);
-  begin_modelling(next == other.modellings_.begin() ? ModellingMatrix(1.0)
-                                                    : std::prev(next)->matrix);
+  const auto& runs = other.modellings_.runs();
+  auto next = std::ranges::upper_bound(runs, segment.first_point, {}, &ModellingRuns::Run::first);
+  const ModellingMatrix identity(1.0);
+  begin_modelling(next == runs.begin() ? &identity : &std::prev(next)->matrix);
   for (std::uint32_t k = segment.first_point; k < segment.end_point; ++k) {
-    if (next != other.modellings_.end() && next->first_point == k) begin_modelling(next++->matrix);
+    if (next != runs.end() && next->first == k) begin_modelling(&next++->matrix);
     enter_point(other.points_[k], other.entered_[k]);
   }
 }
@@ -527,17 +506,10 @@ void RetainedScene::enter_point(const Point3& world, const Point3& entered) {
   if (!modellings_.empty()) entered_.push_back(entered);
 }
 
-/// Null: the identity.
+/// The matrix of the points that are entered next; null: the identity.
 void RetainedScene::begin_modelling(const ModellingMatrix* matrix) {
-  if (matrix == nullptr && modellings_.empty()) return;
-  begin_modelling(matrix == nullptr ? ModellingMatrix(1.0) : *matrix);
-}
-
-/// The matrix of the points that are entered next.
-void RetainedScene::begin_modelling(const ModellingMatrix& matrix) {
-  if (modellings_.empty()) entered_ = points_;
-  if (!modellings_.empty() && modellings_.back().matrix == matrix) return;
-  modellings_.push_back({static_cast<std::uint32_t>(points_.size()), matrix});
+  if (matrix != nullptr && modellings_.empty()) entered_ = points_;
+  modellings_.begin(points_.size(), matrix);
 }
 
 /// What it has besides its corners, which have been entered.

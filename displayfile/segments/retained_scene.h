@@ -14,6 +14,7 @@
 #include "clip/base/watched.h"
 #include "clip/surfaces.h"
 #include "clip/view.h"
+#include "displayfile/entered/modelling_runs.h"
 #include "displayfile/entered/retained_polygons.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/segments/polygon_stage.h"
@@ -75,7 +76,7 @@ class RetainedScene : public Watched<RetainedScene> {
   }
 
   /// A modelling matrix: x' = column 0 x + column 1 y + column 2 z + column 3.
-  using ModellingMatrix = glm::dmat4x3;
+  using ModellingMatrix = ModellingRuns::Matrix;
 
   /// Segments in order of creation. Their visibility and image transformation are in the display
   /// file, under the same name.
@@ -99,7 +100,7 @@ class RetainedScene : public Watched<RetainedScene> {
   /// The indices of its points. Requires shared points.
   std::span<const std::uint32_t> corners(std::uint32_t i) const { return of(corners_, i); }
   /// The length of the longest column of the modelling matrices, at least 1.
-  double longest_column() const;
+  double longest_column() const { return modellings_.longest_column(); }
   /// The distance within which vertices of the segment's polygons are merged, in world coordinates.
   double reach_in_world(const Segment& segment) const;
   /// Bound on all world coordinates, and on the products summed for them.
@@ -242,7 +243,6 @@ class RetainedScene : public Watched<RetainedScene> {
   void enter_corners(std::span<const Point3> points, std::span<const Point3> entered);
   void enter_point(const Point3& world, const Point3& entered);
   void begin_modelling(const ModellingMatrix* matrix);
-  void begin_modelling(const ModellingMatrix& matrix);
   void finish_primitive(const WorldPolygon& polygon);
   void name_points();
   void free_room(const Segment& segment);
@@ -264,12 +264,8 @@ class RetainedScene : public Watched<RetainedScene> {
   std::vector<std::uint32_t> attributes_of_look_;  // in attributes_
   std::vector<Colour> colours_;                    // of looks
   GrowingArray<Point3> points_;
-  GrowingArray<Point3> entered_;  // the same as entered; empty: equal
-  struct Modelling {
-    std::uint32_t first_point;
-    ModellingMatrix matrix;
-  };
-  std::vector<Modelling> modellings_;       // of the points from there on; the identity before
+  GrowingArray<Point3> entered_;            // the same as entered; empty: equal
+  ModellingRuns modellings_;                // of points
   GrowingArray<std::uint32_t> corners_;     // their points; empty: the points in order
   std::vector<std::uint8_t> edge_visible_;  // of the side that ends at the corner
   std::vector<Point3> normals_;  // where they are not Newell's, of primitives up to the last such

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "clip/back_face.h"
 #include "displayfile/segments/viewed_scene.h"

@@ -176,8 +176,6 @@ class ViewedScene : public EndsAsEntered {
   /// Upper bound on the fills, and their corners, in any view of the same retained scene, for
   /// reserving capacity.
   std::size_t most_fills() const { return items_.capacity(); }
-  std::size_t most_corners() const { return std::max(points_.size(), corners_.size()); }
-  std::size_t all_points() const { return points_.size(); }
   /// The largest |z| of the fills' vertices.
   double largest_depth() const { return largest_depth_; }
   /// Bound, per coordinate, on the distance in the scene of points of one plane as entered, where

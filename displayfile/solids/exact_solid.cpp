@@ -5,7 +5,6 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <utility>
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"

@@ -16,7 +16,6 @@
 #include <random>
 #include <span>
 #include <stdexcept>
-#include <unordered_map>
 #include <variant>
 
 #include "clip/point.h"

@@ -184,13 +184,6 @@ std::optional<std::string> first_difference(std::string_view actual, std::string
   return difference->text;
 }
 
-std::optional<std::string> check_golden(const DisplayFile& display_file,
-                                        const std::string& golden_file) {
-  const std::string golden = read_text_file(golden_file);
-  require_dump(golden, golden_file);
-  return first_difference(dump(display_file), golden);
-}
-
 void update_golden(const DisplayFile& display_file, const std::string& golden_file,
                    const std::optional<Colour>& fills) {
   OutputFile file(golden_file);

@@ -34,11 +34,6 @@ std::optional<std::string> first_difference(std::string_view actual, std::string
 /// Throws Error, with the name and position, if the text is not a complete dump.
 void require_dump(std::string_view text, std::string_view name);
 
-/// The first difference between the display file's dump and a golden file, which holds a dump.
-/// Throws Error, naming the file, if it cannot be read or is not a complete dump.
-std::optional<std::string> check_golden(const DisplayFile& display_file,
-                                        const std::string& golden_file);
-
 /// Writes the golden file, completely or not at all. Throws Error if that fails.
 void update_golden(const DisplayFile& display_file, const std::string& golden_file,
                    const std::optional<Colour>& fills = {});

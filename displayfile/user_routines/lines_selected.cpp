@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <glm/mat3x3.hpp>
-#include <string>
-#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/memory.h"

@@ -1,6 +1,5 @@
 #include "displayfile/views/shared_planes.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

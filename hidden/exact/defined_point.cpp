@@ -425,10 +425,6 @@ int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint&
   return compare(all, a, b, 1);
 }
 
-int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  return compare(all, a, b, 2);
-}
-
 int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
   const int by_x = compare_x(all, a, b);
   return by_x != 0 ? by_x : compare_y(all, a, b);
@@ -438,11 +434,6 @@ std::optional<int> compare_xy_at_hand(const Definitions& all, const DefinedPoint
                                       const DefinedPoint& b) {
   const auto by_x = compare_at_hand(all, a, b, 0);
   return by_x == 0 ? compare_at_hand(all, a, b, 1) : by_x;
-}
-
-int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
-  const int by_xy = compare_xy(all, a, b);
-  return by_xy != 0 ? by_xy : compare_z(all, a, b);
 }
 
 DefinedPoint refined(const Definitions& all, const DefinedPoint& v) {

@@ -109,10 +109,9 @@ std::optional<int> orientation_at_hand(const Definitions& all, const DefinedPoin
                                        const DefinedPoint& b, const DefinedPoint& c);
 
 /// The sign of a's coordinate less b's: compare(a, b) = -compare(b, a), and points are in one order
-/// by it. So are they by compare_xy and compare_xyz below.
+/// by it. So are they by compare_xy below.
 int compare_x(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 int compare_y(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
-int compare_z(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
 /// True if the points lie on lines with that coordinate constant, as the sides of polygons clipped
 /// by a window do.
@@ -124,8 +123,6 @@ int compare_xy(const Definitions& all, const DefinedPoint& a, const DefinedPoint
 /// The same without exact arithmetic; nothing if that is needed.
 std::optional<int> compare_xy_at_hand(const Definitions& all, const DefinedPoint& a,
                                       const DefinedPoint& b);
-/// The order by x, then y, then z: 0 if they are the same point.
-int compare_xyz(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b);
 
 /// The point with correctly rounded doubles, so that filters decide as often as possible: worth its
 /// cost once for a badly conditioned point, such as a cut by nearly parallel planes, which is used

@@ -31,6 +31,31 @@ double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   return share;
 }
 
+// Of ends that are no doubles, below.
+Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
+                        const DefinedEnd& v);
+Estimate estimated_value(const Plane& plane, const DefinedEnd& v);
+
+/// For both kinds of ends: their estimates, and if these do not decide, the exact numbers.
+template <class End>
+double crossing_between(const End& a, const End& b, const Point2& p, const Point2& q) {
+  if (is_double_double_sound()) {
+    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
+    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
+    if (t) return *t;
+  }
+  return exact_crossing_parameter(a, b, p, q);
+}
+
+template <class End>
+double meeting_between(const End& a, const End& b, const Plane& plane) {
+  if (is_double_double_sound()) {
+    const auto t = rounded_share(estimated_value(plane, a), estimated_value(plane, b));
+    if (t) return *t;
+  }
+  return exact_meeting_parameter(a, b, plane);
+}
+
 }  // namespace
 
 double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& p,
@@ -40,12 +65,7 @@ double exact_crossing_parameter(const Point2& a, const Point2& b, const Point2& 
 }
 
 double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q) {
-  if (is_double_double_sound()) {
-    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
-    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
-    if (t) return *t;
-  }
-  return exact_crossing_parameter(a, b, p, q);
+  return crossing_between(a, b, p, q);
 }
 
 double exact_point_parameter(const Point2& a, const Point2& b, const Point2& p) {
@@ -74,11 +94,7 @@ double exact_meeting_parameter(const Point3& a, const Point3& b, const Plane& pl
 }
 
 double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane) {
-  if (is_double_double_sound()) {
-    const auto t = rounded_share(estimated_value(plane, a), estimated_value(plane, b));
-    if (t) return *t;
-  }
-  return exact_meeting_parameter(a, b, plane);
+  return meeting_between(a, b, plane);
 }
 
 double exact_meeting_parameter(const Point2& a, const Point2& b, const Plane& one,
@@ -181,12 +197,7 @@ double exact_crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const 
 
 double crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
                           const Point2& q) {
-  if (is_double_double_sound()) {
-    const DoubleDouble dx = exact_difference(q.x, p.x), dy = exact_difference(q.y, p.y);
-    const auto t = rounded_share(estimated_turn(p, dx, dy, a), estimated_turn(p, dx, dy, b));
-    if (t) return *t;
-  }
-  return exact_crossing_parameter(a, b, p, q);
+  return crossing_between(a, b, p, q);
 }
 
 double exact_point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p) {
@@ -212,11 +223,7 @@ double exact_meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const P
 }
 
 double meeting_parameter(const DefinedEnd& a, const DefinedEnd& b, const Plane& plane) {
-  if (is_double_double_sound()) {
-    const auto t = rounded_share(estimated_value(plane, a), estimated_value(plane, b));
-    if (t) return *t;
-  }
-  return exact_meeting_parameter(a, b, plane);
+  return meeting_between(a, b, plane);
 }
 
 }  // namespace displayfile

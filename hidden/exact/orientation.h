@@ -15,7 +15,6 @@ namespace displayfile {
 // The middle and the exact stages, where the filter is undecided.
 int exact_orientation(const Point2& a, const Point2& b, const Point2& c);
 int exact_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-int exact_facing(std::span<const Point3> vertices);
 
 /// The determinant in doubles; beyond its bound it has the true sign.
 struct OrientationValue {
@@ -70,13 +69,5 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c, const 
     return decided_sign(determinant);
   return exact_orientation(a, b, c, d);
 }
-
-/// The sign of Newell's C (equation 9.3), twice the signed area of the projection: 1 if the
-/// polygon turns its light face to the viewer, 0 if it has no area. Fewer than three vertices
-/// have none.
-///
-/// The same from whichever vertex it begins; the sign flips where the vertices are in the reverse
-/// order. For a triangle a, b, c it is orientation(a, b, c).
-int facing(std::span<const Point3> vertices);
 
 }  // namespace displayfile

@@ -11,9 +11,9 @@ namespace displayfile {
 namespace {
 
 constexpr std::array<std::string_view, kPredicates> kNames = {
-    "orientation-2",  "orientation-3",  "facing",         "row",
-    "crossing",       "side-of-plane",  "side-of-line",   "compare",
-    "depth-at-pixel", "depth-at-point", "line-parameter", "within-reach"};
+    "orientation-2",  "orientation-3",  "row",         "crossing",
+    "side-of-plane",  "side-of-line",   "compare",     "depth-at-pixel",
+    "depth-at-point", "line-parameter", "within-reach"};
 
 /// Written by one thread, read by any.
 struct ThreadCounts {

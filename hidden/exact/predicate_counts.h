@@ -11,7 +11,6 @@ namespace displayfile {
 enum class Predicate : std::uint8_t {
   orientation_2,   ///< side of a point to a line in the projection
   orientation_3,   ///< side of a point to the plane of three others
-  facing,          ///< sign of Newell's C
   row,             ///< vertex against a row or a column of pixel centres
   crossing,        ///< pixel centre against an edge
   side_of_plane,   ///< stored or defined point against a plane
@@ -22,7 +21,7 @@ enum class Predicate : std::uint8_t {
   line_parameter,  ///< where along a line something meets it
   within_reach,    ///< point as entered against a plane as entered
 };
-inline constexpr std::size_t kPredicates = 12;
+inline constexpr std::size_t kPredicates = 11;
 std::string_view name_of(Predicate predicate);
 
 /// How often a predicate's filter was undecided, by the stage that decided.

@@ -1,7 +1,6 @@
 #include "hidden/lines/chains.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>

@@ -1,20 +1,17 @@
 #include "hidden/lines/far_planes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "clip/base/parallel.h"
+#include "clip/bounds.h"
 
 namespace displayfile {
 
 FarPlanes::FarPlanes(const LineTable& scene, int threads) {
   constexpr double kRounding = 0x1p-48;  // of a sum of four products, several times
   if (!(scene.touching() > 0.0)) return;
-  double largest = 0.0;
-  for (const Point3& p : scene.points()) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
+  const double largest = largest_coordinate(scene.points());
   planes_.resize(scene.items());
   in_even_parts(scene.items(), threads, [&](std::uint32_t i) {
     if (!scene.hides(i) || scene.has_rests(i)) return;

@@ -1,8 +1,6 @@
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <tuple>

@@ -1,6 +1,5 @@
 #include "hidden/lines/strokes_once.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

@@ -1,5 +1,4 @@
 #include <array>
-#include <span>
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/parallel.h"

@@ -129,17 +129,17 @@ void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
 /// where its tree's begin, and after them what comes before: so the nodes are met in the order in
 /// which they stand, whatever the eye, and nothing recurs. `visit` gets each node with its plane's
 /// value at the eye, and how far off that may be.
-template <bool far_first, class Visitor>
+template <class Visitor>
 void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const {
   order.resize(size());
   const double size = size_of(eye), w = eye.at_infinity ? 0.0 : 1.0;
   const auto put = [&](Index at, Index first, Index count) {
-    for (Index k = 0; k < count; ++k) order[at + k] = far_first ? first + k : first + count - 1 - k;
+    for (Index k = 0; k < count; ++k) order[at + k] = first + k;
   };
-  put(far_first ? 0 : static_cast<Index>(order.size()) - degenerate_, 0, degenerate_);
+  put(0, 0, degenerate_);
   std::vector<Index> begins(pieces_.depth + 2);  // of the trees still to come, in back of nodes
   std::size_t waiting = 1;                       // the first is nobody's
-  Index begin = far_first ? degenerate_ : 0, first = degenerate_;
+  Index begin = degenerate_, first = degenerate_;
   for (const Node& node : nodes_) {
     const NodePlane& plane = node.plane;
     const double value = dot(plane.normal, eye.place) + plane.offset * w;
@@ -149,13 +149,12 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
       eye_in_front = side_of_plane(eye, planes_[node.exact_plane]) >= 0;
     }
     visit(node, value, error);
-    const bool back_first = eye_in_front == far_first;
-    const Index at = begin + (back_first ? node.back : node.front);
+    const Index at = begin + (eye_in_front ? node.back : node.front);
     put(at, first, node.here);
     first += node.here;
     const Index after = at + node.here;
-    const Index begin_of_front = back_first ? after : begin;
-    const Index begin_of_back = back_first ? begin : after;
+    const Index begin_of_front = eye_in_front ? after : begin;
+    const Index begin_of_back = eye_in_front ? begin : after;
     // Next stand the nodes in front; if there are none, those in back of the last that has any.
     assert(waiting < begins.size());
     begins[waiting] = begin_of_back;
@@ -168,17 +167,9 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
   assert(first == order.size() && (nodes_.empty() || waiting == 0));
 }
 
-void WorldTree::far_to_near(const Eye& eye, std::vector<Index>& order) const {
-  walk<true>(eye, order, [](const Node&, double, double) {});
-}
-
-void WorldTree::near_to_far(const Eye& eye, std::vector<Index>& order) const {
-  walk<false>(eye, order, [](const Node&, double, double) {});
-}
-
-double WorldTree::far_to_near_until(const Eye& eye, std::vector<Index>& order) const {
+double WorldTree::far_to_near(const Eye& eye, std::vector<Index>& order) const {
   double nearest = std::numeric_limits<double>::infinity();
-  walk<true>(eye, order, [&](const Node& node, double value, double error) {
+  walk(eye, order, [&](const Node& node, double value, double error) {
     if (node.is_leaf()) return;
     const double distance = (std::abs(value) - error) * node.plane.per_length;
     nearest = std::min(nearest, std::max(distance, 0.0));
@@ -198,7 +189,7 @@ std::span<const WorldTree::Index> MovingEye::far_to_near(const Eye& eye) {
   if (is_still_right(eye)) {
     ++reused_;
   } else {
-    may_move_ = tree_->far_to_near_until(eye, order_);
+    may_move_ = tree_->far_to_near(eye, order_);
     walked_for_ = eye;
     ++walks_;
   }

@@ -33,13 +33,9 @@ class WorldTree {
   /// Indices of all pieces, each once: each piece follows those that it hides, for an eye anywhere,
   /// also among the pieces. Coplanar ones are in order of entry, lines last. The eye's coordinates
   /// are up to kCoordinateLimit.
-  void far_to_near(const Eye& eye, std::vector<Index>& order) const;
-  /// The reverse of far_to_near.
-  void near_to_far(const Eye& eye, std::vector<Index>& order) const;
-
-  /// As far_to_near; returns a lower bound on how far the eye may move before the order can change,
-  /// its distance to the nearest plane. For an eye at infinity, how far the vector's end may move.
-  double far_to_near_until(const Eye& eye, std::vector<Index>& order) const;
+  /// Returns a lower bound on how far the eye may move before the order can change, its distance to
+  /// the nearest plane. For an eye at infinity, how far the vector's end may move.
+  double far_to_near(const Eye& eye, std::vector<Index>& order) const;
 
  private:
   /// A x + B y + C z + D w at an eye, with w 0 at infinity and otherwise 1; with a bound on its
@@ -69,7 +65,7 @@ class WorldTree {
              bool names_sides);
   template <class Scene>
   void add_nodes(const Scene& scene, std::span<const Placed> placed);
-  template <bool far_first, class Visitor>
+  template <class Visitor>
   void walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const;
 
   std::vector<Node> nodes_;

@@ -71,7 +71,7 @@ void ClipPipeline::clip_stage(ClipPlane plane, Stages<V>& stage) const {
 template <class V, class Values>
 void ClipPipeline::run_stages(std::span<const Point3> world,
                               std::span<const std::uint8_t> edge_visible,
-                              [[maybe_unused]] const Values& values, Stages<V>& stage) const {
+                              [[maybe_unused]] const Values& values, Stages<V>& stage) {
   const std::size_t n = world.size();
   assert(edge_visible.empty() || edge_visible.size() == n);
   if constexpr (HasValue<V>) assert(values.size() == n);
@@ -86,6 +86,7 @@ void ClipPipeline::run_stages(std::span<const Point3> world,
     any |= v.outcode;
     all &= v.outcode;
   }
+  met_ |= any;
   if (all != 0) return stage.in.clear();  // wholly outside of one plane
   if (any == 0) return;
   if constexpr (HasValue<V>) {
@@ -149,11 +150,11 @@ ClippedPolygon ClipPipeline::clip_shaded(std::span<const Point3> world,
   return in_device_coordinates<ShadedVertex<Value>>(stage.in);
 }
 
-bool ClipPipeline::clip_line(const Point3& a, const Point3& b, Point3& device_a,
-                             Point3& device_b) const {
+bool ClipPipeline::clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) {
   Vertex from{volume_.transform(a), 0, 1}, to{volume_.transform(b), 0, 1};
   from.outcode = volume_.outcode(from.position);
   to.outcode = volume_.outcode(to.position);
+  met_ |= from.outcode | to.outcode;
   for (ClipPlane plane : kStages) {
     if ((from.outcode & to.outcode) != 0) return false;
     const Outcode bit = bit_of(plane);

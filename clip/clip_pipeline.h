@@ -54,7 +54,7 @@ class ClipPipeline {
 
   /// Clips the line from a to b (world) and returns its ends in device coordinates; false if it is
   /// outside. From b to a it gives the same two ends, bit for bit.
-  bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b) const;
+  bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b);
 
   /// A polygon with all vertices inside has their device coordinates.
   PipelineVertex view(const Point3& world) const {
@@ -64,6 +64,8 @@ class ClipPipeline {
   }
 
   const ViewVolume& volume() const { return volume_; }
+  /// The planes outside of which a point of a polygon or line lay, of all that were clipped.
+  Outcode met() const { return met_; }
 
  private:
   struct Vertex {
@@ -91,7 +93,7 @@ class ClipPipeline {
   /// are a span, if the stages' vertices have them.
   template <class V, class Values>
   void run_stages(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
-                  const Values& values, Stages<V>& stage) const;
+                  const Values& values, Stages<V>& stage);
   template <class V>
   ClippedPolygon in_device_coordinates(std::span<const V> clipped);
   template <class Value>
@@ -101,6 +103,7 @@ class ClipPipeline {
                              std::vector<Value>& of_clipped);
 
   ViewVolume volume_;
+  Outcode met_ = 0;
   Stages<Vertex> stage_;
   Stages<ShadedVertex<double>> intensity_stage_;
   Stages<ShadedVertex<Point3>> normal_stage_;

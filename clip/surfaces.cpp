@@ -58,6 +58,10 @@ Precision precision(std::string_view text) {
               std::string(text) + "'");
 }
 
+std::string word_of(const Precision& precision) {
+  return precision.exact ? "exact" : fmt::format("roundoff={}", precision.roundoff);
+}
+
 RootChoice root_choice(std::string_view name) {
   if (name == "last") return RootChoice::last;
   if (name == "first") return RootChoice::first;

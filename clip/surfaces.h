@@ -1,7 +1,7 @@
 #pragma once
 
-/// Hidden-surface settings and line selection: methods, scope, precision, hidden lines, kinds of
-/// lines and touching, each with its words in drawing programs.
+/// How hidden surfaces and lines are found: methods, scope, precision, hidden lines, kinds of lines
+/// and touching, each with its words in drawing programs; the options and the plan made of them.
 
 #include <cstddef>
 #include <cstdint>
@@ -118,6 +118,8 @@ struct Precision {
 
 /// Reads `exact`, `roundoff` or `roundoff=EPS`, 0 <= EPS < 1; throws Error for anything else.
 Precision precision(std::string_view text);
+/// The word that precision() reads back.
+std::string word_of(const Precision& precision);
 
 /// How hidden parts of lines are drawn.
 enum class HiddenLines {
@@ -157,30 +159,6 @@ RootChoice root_choice(std::string_view name);
 
 /// The default limit on the pieces into which a sort cuts polygons.
 inline constexpr std::size_t kMostPieces = 10'000'000;
-
-/// Hidden-surface options of one call. Members that have a value override the application's
-/// settings.
-struct HiddenSurfaceOptions {
-  std::optional<HiddenMethod> method = std::nullopt;
-  std::optional<HiddenScope> scope = std::nullopt;
-  std::optional<Precision> precision = std::nullopt;
-  std::optional<HiddenLines> hidden_lines = std::nullopt;
-  /// `depth`: all visible segments are taken together, whatever the scope. Error where the method
-  /// or the device cannot draw so.
-  std::optional<LineOrder> line_order = std::nullopt;
-  /// With `depth`: the gap beside a line that crosses another one in front of it, in pixels of the
-  /// picture, as widths of lines; 0: none. Error outside of 0 to kWidestHalo, and without `depth`.
-  std::optional<double> line_halo = std::nullopt;
-  RootChoice root = RootChoice::free;     ///< for `bsp`; Error with any other method
-  int threads = 1;                        ///< maximum, at least 1; the result does not depend on it
-  std::size_t most_pieces = kMostPieces;  ///< limit on pieces that a sort makes; Error above it
-  /// Called by methods that find lines with the number of lines done, starting anew for each
-  /// segment or group of segments processed together.
-  WorkProgress progress = {};
-  /// Limits of the call and a way to stop it, if not null: beyond them LimitReached is thrown and
-  /// no file is written (clip/base/work_budget.md).
-  WorkBudget* budget = nullptr;
-};
 
 // Lines.
 
@@ -291,5 +269,125 @@ std::string word_of(const Touching& touching);
 
 /// Reads `auto`, `off` or a positive number up to kCoordinateLimit; throws Error for anything else.
 Touching touching(std::string_view word);
+
+// How surfaces and lines are found.
+
+/// How hidden surfaces and lines are found: by one call (DrawOptions::surfaces), or, unless the
+/// call sets otherwise, whenever the application draws (GraphicsSystem::set_hidden_surfaces).
+/// Members without a value leave what is in force.
+struct HiddenSurfaceOptions {
+  // Of the application. Error in a call.
+
+  /// Also turns back-face removal on or off, as in the textbook. When off, pictures are drawn in
+  /// order of entry. If neither this nor `method` was ever set, segments are stored unsorted, and
+  /// pictures are drawn by `automatic` unless all points have the same depth.
+  std::optional<bool> removal = std::nullopt;
+  std::optional<bool> z_buffer = std::nullopt;  ///< draws with the z-buffer whatever the method
+
+  // Of both.
+
+  /// For the application: world_ray_cast, ray casting in object space, reads the primitives in
+  /// world coordinates: if no scene is retained, setting it retains one in the system from now on.
+  /// Errors: an unknown method; world_ray_cast when there are segments that were not retained.
+  std::optional<HiddenMethod> method = std::nullopt;
+  /// A segment closed while the application's scope is `all` is sorted when it is drawn, if the
+  /// scope is `segment` then.
+  std::optional<HiddenScope> scope = std::nullopt;
+  std::optional<Precision> precision = std::nullopt;  ///< Error: a ROUNDOFF outside of [0,1)
+  /// Whether hidden parts of lines are drawn dashed or not at all, by the methods that find lines
+  /// (hidden/lines/README.md): when a segment is closed, or with scope `all` when a picture is
+  /// drawn.
+  std::optional<HiddenLines> hidden_lines = std::nullopt;
+  /// Whether of two lines that overlap in a picture the one entered later is drawn over the other,
+  /// or the nearer one. `depth` takes all visible segments together, whatever the scope, and acts
+  /// where lines are drawn over fills or without them: not in order of entry, nor in vectors by bsp
+  /// or depth-sort. A call that sets it where it cannot act is an Error.
+  std::optional<LineOrder> line_order = std::nullopt;
+  /// With `depth`: the gap beside a line that crosses another one in front of it, in pixels of the
+  /// picture, as widths of lines; 0: none. Error: outside of 0 to kWidestHalo, and in a call
+  /// without `depth`.
+  std::optional<double> line_halo = std::nullopt;
+
+  // Of the application. Error in a call.
+
+  /// Which sides of polygons are drawn as lines (displayfile/segments/line_kinds.md), for segments
+  /// closed from now on, whatever the method: the selected kinds, of sides that have a line style.
+  /// Any value except `all` alone retains the scene in the system from now on, if none is retained.
+  /// Errors: no kind; a crease outside of 0 to 180 degrees; there are segments that were not
+  /// retained.
+  std::optional<LineSelection> lines = std::nullopt;
+  /// The distance within which polygons touch, for segments opened from now on
+  /// (hidden/touching/touching_planes.md): a polygon that touches another's plane is taken to lie
+  /// in it. Error: a length that is not above 0 and at most kCoordinateLimit.
+  std::optional<Touching> touching = std::nullopt;
+
+  // Of one call. Error for the application.
+
+  RootChoice root = RootChoice::free;     ///< for `bsp`; Error with any other method
+  int threads = 1;                        ///< maximum, at least 1; the result does not depend on it
+  std::size_t most_pieces = kMostPieces;  ///< limit on pieces that a sort makes; Error above it
+  /// Called by methods that find lines with the number of lines done, starting anew for each
+  /// segment or group of segments processed together.
+  WorkProgress progress = {};
+  /// Limits of the call and a way to stop it, if not null: beyond them LimitReached is thrown and
+  /// no file is written (clip/base/work_budget.md).
+  WorkBudget* budget = nullptr;
+
+  bool sets_applications() const { return removal || z_buffer || lines || touching; }
+  bool sets_calls() const {
+    return root != RootChoice::free || threads != 1 || most_pieces != kMostPieces || progress ||
+           budget != nullptr;
+  }
+};
+
+/// The plan by which one picture's hidden surfaces and lines are found: made once per picture from
+/// a call's HiddenSurfaceOptions and the application's settings, and read by every method.
+struct SurfacePlan {
+  HiddenMethod method = HiddenMethod::automatic;  ///< `automatic` until one is chosen
+  Precision precision = {};
+  RootChoice root = RootChoice::free;
+  /// Whether methods that find lines also draw hidden parts (hidden/lines/lines_in_order.h).
+  HiddenLines hidden_lines = HiddenLines::none;
+  /// The order of visible lines that overlap, and with `depth` the gap beside the farther one, in
+  /// pixels of a picture of that size.
+  LineOrder line_order = LineOrder::entry;
+  double line_halo = 0.0;
+  int width = 512, height = 512;
+  /// Whether they also draw lines along which polygons intersect
+  /// (hidden/lines/intersection_lines.h).
+  bool intersections = false;
+  /// Whether the map finds which of its pieces are lit, for shadows.
+  bool shadows = false;
+  std::optional<HiddenScope> scope = std::nullopt;  ///< none: the default of the drawing function
+  int threads = 1;                                  ///< the result does not depend on it
+  std::size_t most_pieces = kMostPieces;            ///< limit of a sort; Error above it
+  WorkProgress progress = {};    ///< called by methods that find lines, with lines done
+  WorkBudget* budget = nullptr;  ///< limits, if not null
+
+  /// The same with another method.
+  SurfacePlan by(HiddenMethod other) const {
+    SurfacePlan plan = *this;
+    plan.method = other;
+    return plan;
+  }
+  /// The part to keep after the call: without progress and budget.
+  SurfacePlan kept() const {
+    SurfacePlan plan = *this;
+    plan.progress = {};
+    plan.budget = nullptr;
+    return plan;
+  }
+  /// True if both find the same surfaces and lines of the same scene, shadows apart.
+  bool finds_as(const SurfacePlan& o) const {
+    return method == o.method && precision == o.precision && root == o.root &&
+           hidden_lines == o.hidden_lines && intersections == o.intersections && orders_lines_as(o);
+  }
+  /// True if both draw lines that overlap in the same way.
+  bool orders_lines_as(const SurfacePlan& o) const {
+    if (line_order == LineOrder::entry || o.line_order == LineOrder::entry)
+      return line_order == o.line_order;
+    return line_halo == o.line_halo && width == o.width && height == o.height;
+  }
+};
 
 }  // namespace displayfile

@@ -140,59 +140,22 @@ inline constexpr std::string_view kUsualSpacing = "usual";
 CutFaces::Kind cut_faces_kind(std::string_view text);
 std::string_view name_of(CutFaces::Kind kind);
 
-/// Hidden-surface settings of an application.
-struct HiddenSurfaces {
-  bool removal = false;   ///< set-hidden-line-removal
-  bool z_buffer = false;  ///< set-z-buffer
-  HiddenMethod method = HiddenMethod::automatic;
-  std::optional<HiddenScope> scope = std::nullopt;  ///< none: `segment` when segments are closed
-  Precision precision = {};
-  HiddenLines hidden_lines = HiddenLines::none;
-  LineOrder line_order = LineOrder::entry;
-  double line_halo = 0.0;
-  LineSelection lines = {};
-  Touching touching = kUnlessSet;
+/// Attributes of the primitives that follow, and the background of pictures.
+struct Looks {
+  Attributes attributes = {};
+  AnnotationStyle annotation = {};
+  SurfaceLooks surfaces = {};
+  CutFaces cut_faces = {};
+  double crease_degrees = 180.0;  ///< of smooth shading (set_crease_angle)
+  Background background = {};
 };
 
-/// Hidden-surface settings to change; members without a value stay as they are. Each is a routine
-/// of drawing programs and is recorded as such.
-struct HiddenSurfaceSettings {
-  /// Also turns back-face removal on or off, as in the textbook. When off, pictures are drawn in
-  /// order of entry. If neither this nor `method` was ever set, segments are stored unsorted, and
-  /// pictures are drawn by `automatic` unless all points have the same depth.
-  std::optional<bool> removal = std::nullopt;
-  /// Draws with the z-buffer whatever the method.
-  std::optional<bool> z_buffer = std::nullopt;
-  /// world_ray_cast, ray casting in object space, reads the primitives in world coordinates: if no
-  /// scene is retained, setting it retains one in the system from now on. Errors: an unknown
-  /// method; world_ray_cast when there are segments that were not retained.
-  std::optional<HiddenMethod> method = std::nullopt;
-  /// A segment closed while the scope is `all` is sorted when it is drawn, if the scope is
-  /// `segment` then.
-  std::optional<HiddenScope> scope = std::nullopt;
-  /// Error: a ROUNDOFF outside of [0,1).
-  std::optional<Precision> precision = std::nullopt;
-  /// Whether hidden parts of lines are drawn dashed or not at all, by the methods that find lines
-  /// (hidden/lines/README.md): when a segment is closed, or with scope `all` when a picture is
-  /// drawn.
-  std::optional<HiddenLines> hidden_lines = std::nullopt;
-  /// Whether of two lines that overlap in a picture the one entered later is drawn over the other,
-  /// or the nearer one. `depth` takes all visible segments together, and acts where lines are drawn
-  /// over fills or without them: not in order of entry, nor in vectors by bsp or depth-sort.
-  std::optional<LineOrder> line_order = std::nullopt;
-  /// With `depth`: the gap beside a line where another one crosses in front of it, in pixels, as
-  /// widths of lines. Error: outside of 0 to kWidestHalo.
-  std::optional<double> line_halo = std::nullopt;
-  /// Which sides of polygons are drawn as lines (displayfile/segments/line_kinds.md), for segments
-  /// closed from now on, whatever the method: the selected kinds, of sides that have a line style.
-  /// Any value except `all` alone retains the scene in the system from now on, if none is retained.
-  /// Errors: no kind; a crease outside of 0 to 180 degrees; there are segments that were not
-  /// retained.
-  std::optional<LineSelection> lines = std::nullopt;
-  /// The distance within which polygons touch, for segments opened from now on
-  /// (hidden/touching/touching_planes.md): a polygon that touches another's plane is taken to lie
-  /// in it. Error: a length that is not above 0 and at most kCoordinateLimit.
-  std::optional<Touching> touching = std::nullopt;
+/// How the application's hidden surfaces are found.
+struct HiddenSurfaces : SurfacePlan {
+  bool removal = false;   ///< set-hidden-line-removal
+  bool z_buffer = false;  ///< set-z-buffer
+  LineSelection lines = {};
+  Touching touching = kUnlessSet;
 };
 
 /// A window mapped to a viewport with another aspect ratio (width over height) in the picture.
@@ -211,6 +174,8 @@ struct SystemCounts {
   /// True if a segment may have hatching, whose directions are fixed by the view in which it was
   /// entered.
   bool has_hatching = false;
+  /// The window stretched most, of those stretched by default (set_window_fit).
+  std::optional<StretchedWindow> stretched_window = std::nullopt;
 };
 
 /// Settings with a default that holds until the application sets them; a mesh brings its own
@@ -296,8 +261,6 @@ class GraphicsSystem {
 
   const View& view() const;
   double aspect_ratio() const;
-  /// The window stretched most, of those stretched by default (set_window_fit).
-  const std::optional<StretchedWindow>& stretched_window() const;
   /// Maps a point by the modelling transformation and the view in force to normalised device
   /// coordinates, before a segment's image transformation: the coordinates that set_image_centre
   /// and pixel_at (interp/device/picture.h) take. Points outside of the view volume are mapped too.
@@ -438,11 +401,9 @@ class GraphicsSystem {
   /// `dashed`.
   void set_line_kind_style(StyledLines lines, const LineKindStyle& style);
   void set_text_style(const TextStyle& style);  ///< Error: a size not above 0, or above 1.
-  /// Errors: a size not above 0, or above 1000; decimals that are not 0 to 9.
-  void set_annotation_size(double size, AnnotationStyle::Unit unit = {});
-  void set_annotation_ends(AnnotationStyle::Ends ends);
-  void set_annotation_decimals(int decimals);
-  void set_annotation_placement(AnnotationStyle::Placement placement);
+  /// Errors: a size not above 0, or above 1000; decimals that are not 0 to 9. Each member that
+  /// changes is a routine of drawing programs, and is recorded as such.
+  void set_annotation_style(const AnnotationStyle& style);
   /// Sets the light: a world direction toward it, of any non-zero length; ambient in [0,1]. A
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle
   /// between the light and the normal of its visible side).
@@ -500,17 +461,13 @@ class GraphicsSystem {
   /// The background of pictures, shared by all segments. Error: a colour outside of [0,1].
   void set_background(const Background& background);
 
-  const Attributes& attributes() const;
-  const AnnotationStyle& annotation_style() const;
-  double crease_degrees() const;
-  const CutFaces& cut_faces() const;
-  const SurfaceLooks& surface_looks() const;
-  const Background& background() const;
+  const Looks& looks() const;
 
   // ---- How hidden surfaces are found ------------------------------------------------------------
 
-  /// Throws the Errors of all settings before it changes any.
-  void set_hidden_surfaces(const HiddenSurfaceSettings& settings);
+  /// Each option that has a value is a routine of drawing programs, and is recorded as such. Throws
+  /// the Errors of all before it sets any.
+  void set_hidden_surfaces(const HiddenSurfaceOptions& options);
   const HiddenSurfaces& hidden_surfaces() const;
 
   // ---- Work, records, retained scenes -----------------------------------------------------------

@@ -105,8 +105,9 @@ Assembly assembly(unsigned seed,
   view.set_window({room * w.x_min, room * w.x_max, room * w.y_min, room * w.y_max});
   g.set_view(view);
   g.open_segment(1);
-  g.set_annotation_placement(placement);
-  g.set_annotation_ends(seed % 2 == 0 ? AnnotationStyle::Ends::arrow : AnnotationStyle::Ends::dot);
+  g.set_annotation_style(
+      {.ends = seed % 2 == 0 ? AnnotationStyle::Ends::arrow : AnnotationStyle::Ends::dot,
+       .placement = placement});
   const int parts = 4 + static_cast<int>(random() % 12);
   for (int k = 0; k < parts; ++k) {
     const Point3 low(uniform(-1, 0.6), uniform(-1, 0.6), uniform(-1, 0.6));

@@ -117,11 +117,11 @@ TEST(Annotation, TheApiRefusesWhatCannotBeDrawn) {
   g.begin_solid();
   EXPECT_THROW(g.annotate(Title{"a"}), Error);
   g.discard_solid();
-  EXPECT_THROW(g.set_annotation_size(kNan), Error);
-  EXPECT_THROW(g.set_annotation_decimals(-1), Error);
+  EXPECT_THROW(g.set_annotation_style({.size = kNan}), Error);
+  EXPECT_THROW(g.set_annotation_style({.size = 7, .decimals = -1}), Error);
   EXPECT_EQ(dump(g.display_file()), before);
   EXPECT_FALSE(g.display_file().has_annotations());
-  EXPECT_EQ(g.annotation_style(), AnnotationStyle());
+  EXPECT_EQ(g.looks().annotation, AnnotationStyle());
 }
 
 /// After all else of the segment, in the colour of the line style, with the style in force.
@@ -238,10 +238,8 @@ TEST(Annotation, LinesOfTheRecording) {
   g.annotate(Balloon{{0, 0, 0}, 3});
   g.annotate(Balloon{{0, 0, 0}, 3, "Nut"});
   g.annotate(Balloon{{0, 0, 0}, 3, "", Point2(1, 2)});
-  g.set_annotation_size(2.5, AnnotationStyle::Unit::pixels);
-  g.set_annotation_ends(AnnotationStyle::Ends::dot);
-  g.set_annotation_decimals(1);
-  g.set_annotation_placement(AnnotationStyle::Placement::automatic);
+  g.set_annotation_style({2.5, AnnotationStyle::Unit::pixels, AnnotationStyle::Ends::dot, 1,
+                          AnnotationStyle::Placement::automatic});
   g.annotate(LinearDimension{LinearDimension::Axis::y, {0, 0, 0}, {0, 0.5, 0}, {0.25, 0, 0}});
   g.annotate(AlignedDimension{{0, 0, 0}, {0, 0.5, 0}, {0.25, 0, 0}});
   g.annotate(DiameterDimension{{0, 0, 0}, {0, 0.5, 0}});

@@ -135,7 +135,7 @@ TEST(Application, LooksAtAPointAndFitsABox) {
     displayfile::GraphicsSystem fitted;
     fitted.set_aspect_ratio(aspect);
     fitted.set_view(displayfile::fit(view, low, high, aspect));
-    EXPECT_FALSE(fitted.stretched_window());
+    EXPECT_FALSE(fitted.counts().stretched_window);
     double left = 1.0, right = 0.0, bottom = 1.0, top = 0.0;
     for (int k = 0; k < 8; ++k) {
       const Point3 corner((k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
@@ -218,7 +218,7 @@ TEST(Application, SetsHowHiddenSurfacesAreFound) {
   g.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
   g.set_hidden_surfaces({.hidden_lines = displayfile::HiddenLines::dashed});
   EXPECT_TRUE(g.hidden_surfaces().removal);
-  EXPECT_TRUE(g.attributes().back_face_removal);
+  EXPECT_TRUE(g.looks().attributes.back_face_removal);
   EXPECT_EQ(g.hidden_surfaces().method, HiddenMethod::bsp);
   EXPECT_EQ(g.hidden_surfaces().hidden_lines, displayfile::HiddenLines::dashed);
   EXPECT_THROW(g.set_hidden_surfaces({.removal = false,

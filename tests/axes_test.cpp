@@ -338,11 +338,11 @@ TEST(Axes, AreMadeOfUserRoutines) {
   GraphicsSystem g;
   g.set_recorder(&recorder);
   g.set_text_style({.size = 0.05, .alignment = TextStyle::Alignment::right, .always = true});
-  const TextStyle style = g.attributes().text;
+  const TextStyle style = g.looks().attributes.text;
   g.scale_3(0.01, 0.5, 1);
   g.open_segment(1);
   axes_3(g, {0, 0, 0}, {50, 1, 0});
-  EXPECT_EQ(g.attributes().text, style);
+  EXPECT_EQ(g.looks().attributes.text, style);
   g.line_rel_3(10, 1, 0);  // from the box's corner
   g.close_segment();
   EXPECT_EQ(texts_of(g).front(), "0");

@@ -104,7 +104,7 @@ TEST_F(BackgroundTest, TheApplicationsHoldsUnlessThePictureHasItsOwn) {
   g.set_background(kNone);
   EXPECT_EQ(draw(g, asked).pixels[1], 0u);
   EXPECT_THROW(g.set_background({Background::Kind::solid, {0, 1.5, 0}}), Error);
-  EXPECT_EQ(g.background(), kNone);
+  EXPECT_EQ(g.looks().background, kNone);
 }
 
 TEST_F(BackgroundTest, SamplesOnNothingHaveTheirColourAndAlphaForWhatTheyCover) {
@@ -197,11 +197,11 @@ TEST_F(BackgroundTest, PdfWithNoneIsShorterByARectangle) {
 
 TEST_F(BackgroundTest, RoutineOfDrawingPrograms) {
   GraphicsSystem g;
-  EXPECT_EQ(g.background(), Background{});
+  EXPECT_EQ(g.looks().background, Background{});
   replay("set-background 0.25 0.5 1\n", "program", g);
-  EXPECT_EQ(g.background(), (Background{Background::Kind::solid, {0.25, 0.5, 1}}));
+  EXPECT_EQ(g.looks().background, (Background{Background::Kind::solid, {0.25, 0.5, 1}}));
   replay("open-segment 1\nset-background none\nclose-segment\n", "program", g);
-  EXPECT_EQ(g.background(), kNone);
+  EXPECT_EQ(g.looks().background, kNone);
 }
 
 }  // namespace

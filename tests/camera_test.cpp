@@ -345,7 +345,7 @@ TEST_F(SettingsBeforeAMesh, OnlyTheCameraLeavesTheRestToTheMesh) {
   enter("set-window -3 3 -3 3\nset-perspective 3 2 6\n", g);
   EXPECT_EQ(g.view().window, (Rectangle{-3, 3, -3, 3}));
   EXPECT_TRUE(g.hidden_surfaces().removal);
-  EXPECT_TRUE(g.attributes().light.has_value());
+  EXPECT_TRUE(g.looks().attributes.light.has_value());
   EXPECT_EQ(g.display_file().polygons(), 3u);
   const std::string text = dump(g.display_file());
   EXPECT_NE(text.find("line-style none"), std::string::npos);
@@ -358,7 +358,7 @@ class ViewBeforeAMesh : public SettingsBeforeAMesh {
   View view_after(const std::string& program) {
     GraphicsSystem g;
     enter(program, g);
-    EXPECT_FALSE(g.stretched_window()) << program;
+    EXPECT_FALSE(g.counts().stretched_window) << program;
     return g.view();
   }
   /// How near to a side of the viewport a vertex is, in parts of the viewport.
@@ -434,15 +434,15 @@ TEST_F(ViewBeforeAMesh, AMeshThatIsNotBeforeTheSaidEyeIsRefused) {
 TEST_F(SettingsBeforeAMesh, StylesAreThenWhatTheyWere) {
   GraphicsSystem g;
   enter("", g);
-  EXPECT_EQ(g.attributes().fill, FillStyle{});
-  EXPECT_EQ(g.attributes().line, LineStyle{});
+  EXPECT_EQ(g.looks().attributes.fill, FillStyle{});
+  EXPECT_EQ(g.looks().attributes.line, LineStyle{});
   EXPECT_FALSE(g.explicit_settings().contains(Setting::fill_style));
   EXPECT_FALSE(g.explicit_settings().contains(Setting::light));
   EXPECT_FALSE(g.explicit_settings().contains(Setting::hidden_line_removal));
   GraphicsSystem red;
   enter("set-fill-style solid 1 0 0\nset-line-style dashed 0 1 0\n", red);
-  EXPECT_EQ(red.attributes().fill.colour, Colour(1, 0, 0));
-  EXPECT_EQ(red.attributes().line.kind, LineStyle::Kind::dashed);
+  EXPECT_EQ(red.looks().attributes.fill.colour, Colour(1, 0, 0));
+  EXPECT_EQ(red.looks().attributes.line.kind, LineStyle::Kind::dashed);
 }
 
 TEST_F(SettingsBeforeAMesh, ManyPolygonsWithStylesOfTheirOwnSayNoStyle) {

@@ -249,7 +249,7 @@ TEST(CreaseAngle, OthersAreRefused) {
     const std::string expected = fmt::format("crease of {} degrees: expected 0 to 180", bad);
     EXPECT_EQ(error_of([&] { g.set_crease_angle(bad); }), expected);
     EXPECT_EQ(error_of([&] { complete_normals(mesh, bad); }), expected);
-    EXPECT_EQ(g.crease_degrees(), 180.0);
+    EXPECT_EQ(g.looks().crease_degrees, 180.0);
   }
   EXPECT_TRUE(mesh.normals.empty());
   EXPECT_EQ(error_of([&] { replay("set-crease-angle 200\n", "a.draw", g); }),
@@ -283,7 +283,7 @@ TEST_F(CreaseOfMesh, IsRecordedAndReplaysToTheSameDisplayFile) {
   sharp.set_recorder(&recorder);
   for (GraphicsSystem* g : {&sharp, &melted}) g->set_shading(Shading::gouraud);
   sharp.set_crease_angle(30.0);
-  EXPECT_EQ(sharp.crease_degrees(), 30.0);
+  EXPECT_EQ(sharp.looks().crease_degrees, 30.0);
   import_mesh(path, sharp);
   import_mesh(path, melted);
   EXPECT_NE(recording.str().find("set-crease-angle 30\n"), std::string::npos);

@@ -437,14 +437,14 @@ TEST(CutFaces, TheAngleIsRecordedWithTheUsualSpacing) {
     g.close_segment();
     EXPECT_NE(program.str().find(line), std::string::npos) << program.str();
     replay(program.str(), "recorded", again);
-    EXPECT_EQ(again.cut_faces().spacing, std::nullopt);
-    EXPECT_EQ(again.cut_faces().angle, faces.angle);
+    EXPECT_EQ(again.looks().cut_faces.spacing, std::nullopt);
+    EXPECT_EQ(again.looks().cut_faces.angle, faces.angle);
     EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
   }
   GraphicsSystem g;
   replay("set-cut-faces hatched usual\n", "p", g);
-  EXPECT_EQ(g.cut_faces().spacing, std::nullopt);
-  EXPECT_EQ(g.cut_faces().angle, 45.0);
+  EXPECT_EQ(g.looks().cut_faces.spacing, std::nullopt);
+  EXPECT_EQ(g.looks().cut_faces.angle, 45.0);
 }
 
 TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {
@@ -454,7 +454,7 @@ TEST(CutFaces, WordsThatAreNoneAreRefusedAndTheOldOnesStay) {
   expect_error([&] { g.set_cut_faces({Kind::hatched, 0.0}); }, "hatching 0 apart");
   expect_error([&] { g.set_cut_faces({Kind::hatched, kNone}); }, "hatching nan apart");
   expect_error([&] { g.set_cut_faces({Kind::hatched, 1.0, kNone}); }, "angle");
-  EXPECT_EQ(g.cut_faces().angle, 30.0);
+  EXPECT_EQ(g.looks().cut_faces.angle, 30.0);
   g.set_cut_faces({Kind::hatched, 1e-9});
   g.set_cutting_plane(1, 0, 1, 0, 0);
   g.open_segment(1);

@@ -199,6 +199,30 @@ TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
   EXPECT_FALSE(resolve_surfaces(GraphicsSystem(), {}).intersections);
 }
 
+/// One type holds the options of both: what only the other takes is refused, and changes nothing.
+TEST(SurfacePlan, RefusesOptionsOfTheOther) {
+  GraphicsSystem g;
+  const HiddenSurfaceOptions applications[]{{.removal = true},
+                                            {.z_buffer = false},
+                                            {.lines = line_selection("outline")},
+                                            {.touching = touching("off")}};
+  for (const HiddenSurfaceOptions& options : applications) {
+    EXPECT_THROW(resolve_surfaces(g, options), Error);
+    EXPECT_THROW(draw(g, {.surfaces = options}), Error);
+    EXPECT_THROW(draw_as(g, "svg", {.surfaces = options}), Error);
+  }
+  WorkBudget budget;
+  const HiddenSurfaceOptions calls[]{{.removal = true, .root = RootChoice::last},
+                                     {.removal = true, .threads = 2},
+                                     {.removal = true, .most_pieces = 7},
+                                     {.removal = true, .progress = [](std::size_t, std::size_t) {}},
+                                     {.removal = true, .budget = &budget}};
+  for (const HiddenSurfaceOptions& options : calls) {
+    EXPECT_THROW(g.set_hidden_surfaces(options), Error);
+    EXPECT_FALSE(g.hidden_surfaces().removal);
+  }
+}
+
 /// In another view a method of the application acts on each segment, any other on all together.
 TEST(PicturePlan, OfAnotherViewHasAScope) {
   GraphicsSystem g;

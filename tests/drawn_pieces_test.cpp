@@ -176,7 +176,8 @@ GraphicsSystem drawn_anew(const DrawnPieces& pieces) {
 
 /// What has one colour in each piece, and no texts.
 bool is_of_pieces(const GraphicsSystem& system) {
-  bool plain = system.attributes().shading == Shading::flat && !system.attributes().shadows;
+  bool plain =
+      system.looks().attributes.shading == Shading::flat && !system.looks().attributes.shadows;
   for (const Segment& segment : system.display_file().segments()) {
     plain = plain && !segment.entered()->has_texts() && !segment.has_annotations();
   }

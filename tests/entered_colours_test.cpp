@@ -116,7 +116,7 @@ TEST_F(EnteredColours, AreRecordedWithTheNamesOfObjects) {
       EXPECT_NE(program.str().find("# mixed\nopen-segment 1\n"), std::string::npos);
       EXPECT_NE(program.str().find("# green\nopen-segment 2\n"), std::string::npos);
       EXPECT_NE(program.str().find("# \xC3\xA4 none?\nopen-segment 3\n"), std::string::npos);
-      EXPECT_EQ(imported.attributes().fill, replayed.attributes().fill);
+      EXPECT_EQ(imported.looks().attributes.fill, replayed.looks().attributes.fill);
     }
   }
 }

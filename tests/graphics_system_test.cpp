@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "displayfile/segments/display_file.h"
+#include "displayfile/user_routines/system_inside.h"
 #include "tests/error_of.h"
 #include "tests/listing.h"
 #include "tests/order_of_entry.h"
@@ -311,6 +312,51 @@ TEST(GraphicsSystem, ErrorsLeaveEverythingAsItWas) {
   expect_error([&] { g.open_segment(3); }, "centre of projection on the wrong side");
   g.set_parallel({0, 0, 1});
   g.open_segment(3);
+}
+
+/// A point that lies outside of the view volume is noticed, whichever routine enters it.
+TEST(GraphicsSystem, KnowsWhetherAllIsInView) {
+  const auto is_all_in_view = [](const std::function<void(GraphicsSystem&)>& enter) {
+    GraphicsSystem g;
+    g.open_segment(1);
+    g.polygon_abs_3({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}});  // up to the window's sides
+    enter(g);
+    g.close_segment();
+    return SystemInside::is_all_in_view(g);
+  };
+  const std::vector<double> heights(4, 0.0);
+  const std::vector<std::function<void(GraphicsSystem&, double)>> routines{
+      [](GraphicsSystem& g, double x) {
+        g.polygon_abs_3({{0, 0, 0}, {x, 0, 0}, {0, 1, 0}});
+      },
+      [](GraphicsSystem& g, double x) {
+        g.polygon_abs_3({{x, 0, 0}, {x, 1, 0}, {x + 0.5, 1, 0}});
+      },
+      [](GraphicsSystem& g, double x) {
+        g.move_abs_2(0, 0);
+        g.line_abs_2(x, 0);
+      },
+      [](GraphicsSystem& g, double x) {
+        g.move_abs_2(x, 0);
+        g.text("a");
+      },
+      [](GraphicsSystem& g, double x) {
+        box_3(g, {0, 0, 0}, {x, 1, 1});
+      },
+      [&](GraphicsSystem& g, double x) {
+        g.surface_3({0, x, 2, 0, 1, 2, heights});
+      }};
+  for (std::size_t k = 0; k < routines.size(); ++k) {
+    EXPECT_TRUE(is_all_in_view([&](GraphicsSystem& g) { routines[k](g, 0.5); })) << k;
+    EXPECT_FALSE(is_all_in_view([&](GraphicsSystem& g) { routines[k](g, 1.25); })) << k;
+  }
+  // What takes more than a look at each point may lie outside.
+  EXPECT_FALSE(is_all_in_view([](GraphicsSystem& g) { g.annotate(Title{"a"}); }));
+  GraphicsSystem selected;
+  selected.set_hidden_surfaces({.lines = line_selection("outline")});
+  selected.open_segment(1);
+  selected.close_segment();
+  EXPECT_FALSE(SystemInside::is_all_in_view(selected));
 }
 
 TEST(GraphicsSystem, LineStyleNoneDrawsNoLines) {

@@ -117,7 +117,7 @@ TEST(LineKindStyles, AreEqualByWhatTheySet) {
 TEST(LineKindStyles, ProgramsSetThem) {
   const auto style_of = [](const std::string& arguments, StyledLines lines) {
     const GraphicsSystem g = replayed("set-line-kind-style " + arguments + "\n");
-    return g.attributes().line.of_kinds.of(lines);
+    return g.looks().attributes.line.of_kinds.of(lines);
   };
   using Kind = LineStyle::Kind;
   EXPECT_EQ(style_of("crease 0.18", StyledLines::crease), (LineKindStyle{.width = 0.18}));
@@ -166,7 +166,7 @@ TEST(LineKindStyles, WrongWordsAreRefusedWithTheirPlace) {
         LineKindStyle{.kind = Kind::solid, .dash = 1.0, .gap = 1.0}}) {
     EXPECT_NE(error_of([&] { g.set_line_kind_style(StyledLines::crease, bad); }), "");
   }
-  EXPECT_TRUE(g.attributes().line.of_kinds.empty());
+  EXPECT_TRUE(g.looks().attributes.line.of_kinds.empty());
 }
 
 TEST(LineKindStyles, AreRecordedAndReplayed) {
@@ -186,15 +186,15 @@ TEST(LineKindStyles, AreRecordedAndReplayed) {
   }
   const GraphicsSystem again = replayed(program.str());
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
-  EXPECT_EQ(again.attributes().line, g.attributes().line);
+  EXPECT_EQ(again.looks().attributes.line, g.looks().attributes.line);
 }
 
 TEST(LineKindStyles, ReplacedOnesStay) {
   GraphicsSystem g;
   SystemInside::replace_line_kind_style(g, StyledLines::crease, {.width = 3.0});
   replay("set-line-kind-style crease 1\nset-line-kind-style outline 1\n", "scene.draw", g);
-  EXPECT_EQ(g.attributes().line.of_kinds.of(StyledLines::crease).width, 3.0);
-  EXPECT_EQ(g.attributes().line.of_kinds.of(StyledLines::outline).width, 1.0);
+  EXPECT_EQ(g.looks().attributes.line.of_kinds.of(StyledLines::crease).width, 3.0);
+  EXPECT_EQ(g.looks().attributes.line.of_kinds.of(StyledLines::outline).width, 1.0);
   EXPECT_NE(error_of_program("set-line-kind-style crease 0\n", g), "");
 }
 

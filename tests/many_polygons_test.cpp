@@ -178,7 +178,7 @@ std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
     g.polygon_abs_3({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}});
     g.close_segment();
   }
-  EXPECT_EQ(g.attributes().fill, FillStyle{});
+  EXPECT_EQ(g.looks().attributes.fill, FillStyle{});
   const std::string view = dump(SceneViewer(scene, g.display_file()).display_file(g.view()));
   if (!alone) {
     EXPECT_EQ(view, dump(g.display_file()));

@@ -132,7 +132,7 @@ TEST_F(MeshTest, AModellingTransformationThatMirrorsLeavesTheLightFacesOutside) 
         system.translate_3(0.5, 0, 0);
       }
       import_mesh(path, system, 1.0);
-      EXPECT_TRUE(system.attributes().back_face_removal);
+      EXPECT_TRUE(system.looks().attributes.back_face_removal);
       pictures[mirrored] =
           draw(system, {.width = 60, .height = 60, .samples = 1, .with_depth = true});
     }
@@ -266,10 +266,10 @@ TEST_F(MeshTest, FittedViewRefusesWhatItCannotFit) {
 TEST_F(MeshTest, BackFacesGoOnlyFromClosedMeshes) {
   GraphicsSystem closed, open;
   import_mesh(file("closed.obj", cube()), closed);
-  EXPECT_TRUE(closed.attributes().back_face_removal);
+  EXPECT_TRUE(closed.looks().attributes.back_face_removal);
   EXPECT_EQ(closed.display_file().polygons(), 3u) << "three faces of a cube are seen";
   import_mesh(file("open.obj", cube_vertices(0) + cube_faces(1, 5)), open);
-  EXPECT_FALSE(open.attributes().back_face_removal);
+  EXPECT_FALSE(open.looks().attributes.back_face_removal);
   EXPECT_EQ(open.display_file().polygons(), 5u);
 }
 

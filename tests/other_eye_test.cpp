@@ -173,7 +173,7 @@ TEST(OtherEye, BackgroundIsNoPartOfTheView) {
   view.set_perspective({1.0, 0.0, 5.0});
   eye.set_view(view);
   EXPECT_NE(eye.program().find("set-background 0 0 1\n"), std::string::npos);
-  EXPECT_EQ(eye.system().background(), system.background());
+  EXPECT_EQ(eye.system().looks().background, system.looks().background);
 }
 
 TEST(OtherEye, AViewThatDoesNotFitTogetherChangesNothing) {

@@ -182,18 +182,22 @@ class RandomApplication {
     }
   }
   void annotation_setting() {
-    using Style = AnnotationStyle;
+    AnnotationStyle style = system_.looks().annotation;
     switch (below(4)) {
       case 0:
-        return system_.set_annotation_size(
-            uniform(-1, 20), chance(50) ? Style::Unit::millimetres : Style::Unit::pixels);
+        style.size = uniform(-1, 20);
+        style.unit =
+            chance(50) ? AnnotationStyle::Unit::millimetres : AnnotationStyle::Unit::pixels;
+        break;
       case 1:
-        return system_.set_annotation_ends(chance(50) ? Style::Ends::arrow : Style::Ends::dot);
-      case 2: return system_.set_annotation_decimals(static_cast<int>(below(12)) - 1);
+        style.ends = chance(50) ? AnnotationStyle::Ends::arrow : AnnotationStyle::Ends::dot;
+        break;
+      case 2: style.decimals = static_cast<int>(below(12)) - 1; break;
       default:
-        return system_.set_annotation_placement(chance(50) ? Style::Placement::entered
-                                                           : Style::Placement::automatic);
+        style.placement = chance(50) ? AnnotationStyle::Placement::entered
+                                     : AnnotationStyle::Placement::automatic;
     }
+    system_.set_annotation_style(style);
   }
 
   void call_primitive() {

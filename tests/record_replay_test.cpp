@@ -28,23 +28,23 @@ namespace {
 /// What a drawing program sets beside the display file.
 void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_surfaces().removal, b.hidden_surfaces().removal);
-  EXPECT_EQ(a.attributes().back_face_removal, b.attributes().back_face_removal);
+  EXPECT_EQ(a.looks().attributes.back_face_removal, b.looks().attributes.back_face_removal);
   EXPECT_EQ(a.hidden_surfaces().method, b.hidden_surfaces().method);
   EXPECT_EQ(a.hidden_surfaces().hidden_lines, b.hidden_surfaces().hidden_lines);
   EXPECT_EQ(a.hidden_surfaces().line_order, b.hidden_surfaces().line_order);
   EXPECT_EQ(a.hidden_surfaces().line_halo, b.hidden_surfaces().line_halo);
   EXPECT_EQ(a.hidden_surfaces().z_buffer, b.hidden_surfaces().z_buffer);
-  EXPECT_EQ(a.attributes().shading, b.attributes().shading);
-  EXPECT_EQ(a.crease_degrees(), b.crease_degrees());
-  EXPECT_EQ(a.annotation_style(), b.annotation_style());
-  EXPECT_EQ(a.attributes().shadows, b.attributes().shadows);
+  EXPECT_EQ(a.looks().attributes.shading, b.looks().attributes.shading);
+  EXPECT_EQ(a.looks().crease_degrees, b.looks().crease_degrees);
+  EXPECT_EQ(a.looks().annotation, b.looks().annotation);
+  EXPECT_EQ(a.looks().attributes.shadows, b.looks().attributes.shadows);
   EXPECT_EQ(a.counts().polygons, b.counts().polygons);
   EXPECT_EQ(a.counts().triangulated, b.counts().triangulated);
   EXPECT_EQ(a.explicit_settings().contains_view(), b.explicit_settings().contains_view());
-  EXPECT_EQ(a.background(), b.background());
-  EXPECT_EQ(a.cut_faces().kind, b.cut_faces().kind);
-  EXPECT_EQ(a.cut_faces().spacing, b.cut_faces().spacing);
-  EXPECT_EQ(a.cut_faces().angle, b.cut_faces().angle);
+  EXPECT_EQ(a.looks().background, b.looks().background);
+  EXPECT_EQ(a.looks().cut_faces.kind, b.looks().cut_faces.kind);
+  EXPECT_EQ(a.looks().cut_faces.spacing, b.looks().cut_faces.spacing);
+  EXPECT_EQ(a.looks().cut_faces.angle, b.looks().cut_faces.angle);
   EXPECT_EQ(words_of(a.hidden_surfaces().lines), words_of(b.hidden_surfaces().lines));
   for (const Segment& segment : a.display_file().segments()) {
     EXPECT_EQ(segment.title(), b.display_file().segment(segment.name()).title());
@@ -221,10 +221,8 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     system.set_light({0, 0, 1});
     system.set_shading(Shading::phong);
     system.set_crease_angle(30.0);
-    system.set_annotation_size(2.5, AnnotationStyle::Unit::pixels);
-    system.set_annotation_ends(AnnotationStyle::Ends::dot);
-    system.set_annotation_decimals(0);
-    system.set_annotation_placement(AnnotationStyle::Placement::automatic);
+    system.set_annotation_style({2.5, AnnotationStyle::Unit::pixels, AnnotationStyle::Ends::dot, 0,
+                                 AnnotationStyle::Placement::automatic});
     system.set_shadows(true);
     system.set_back_face_removal(true);
     system.set_pick_id(7);
@@ -242,15 +240,15 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
   }),
                Error);
   EXPECT_EQ(system.counts().solids_open, 0u);
-  EXPECT_EQ(system.attributes(), GraphicsSystem().attributes());
-  EXPECT_EQ(system.crease_degrees(), 180.0);
-  EXPECT_EQ(system.annotation_style(), AnnotationStyle());
+  EXPECT_EQ(system.looks().attributes, GraphicsSystem().looks().attributes);
+  EXPECT_EQ(system.looks().crease_degrees, 180.0);
+  EXPECT_EQ(system.looks().annotation, AnnotationStyle());
   EXPECT_FALSE(system.explicit_settings().contains(Setting::fill_style));
   EXPECT_FALSE(system.explicit_settings().contains(Setting::light));
   EXPECT_FALSE(system.explicit_settings().contains(Setting::crease_angle));
-  EXPECT_EQ(system.cut_faces().kind, CutFaces::Kind::open);
+  EXPECT_EQ(system.looks().cut_faces.kind, CutFaces::Kind::open);
   EXPECT_EQ(system.counts().transformations_saved, 1u);
-  EXPECT_EQ(system.background(), Background());
+  EXPECT_EQ(system.looks().background, Background());
   system.open_segment(1);
   enter_triangle(system);
   const std::vector<double> heights{0, 1, 1, 0};

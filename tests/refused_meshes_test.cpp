@@ -206,7 +206,7 @@ TEST_F(MeshTest, AStoppedImportChangesNothing) {
   }
   EXPECT_TRUE(system.display_file().segments().empty());
   EXPECT_FALSE(system.explicit_settings().contains_view());
-  EXPECT_FALSE(system.attributes().light);
+  EXPECT_FALSE(system.looks().attributes.light);
   import_mesh(path, system);
   import_mesh(path, other);
   EXPECT_EQ(dump(system.display_file()), dump(other.display_file()));

@@ -578,7 +578,7 @@ TEST(Shadows, OffChangeNothing) {
   const GraphicsSystem off = drawn(scene, {0.5, 0.7, 1}, {}, false);
   EXPECT_EQ(dump(off.display_file()), dump(plain.display_file()));
   EXPECT_EQ(picture(off).pixels, picture(plain).pixels);
-  EXPECT_FALSE(GraphicsSystem().attributes().shadows);
+  EXPECT_FALSE(GraphicsSystem().looks().attributes.shadows);
 }
 
 TEST(Shadows, WithoutLightThereAreNone) {

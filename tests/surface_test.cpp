@@ -103,7 +103,7 @@ TEST(Surface, CurvesOfOneFamilyAreDrawnAlone) {
   // Along x, y stays the same: all ends of sides that are drawn, seen from above.
   GraphicsSystem g;
   g.set_surface_curves(SurfaceCurves::x);
-  EXPECT_EQ(g.surface_looks().curves, SurfaceCurves::x);
+  EXPECT_EQ(g.looks().surfaces.curves, SurfaceCurves::x);
   g.open_segment(1);
   const std::vector<double> flat(4);
   g.surface_3({0, 1, 2, 0, 1, 2, flat});
@@ -258,8 +258,8 @@ TEST(Surface, EachSideHasItsLineStyle) {
       g.set_lower_line_style(lower);
       enter_roof(g);
       EXPECT_EQ(polygons_by_style(dump(g.display_file())), expected);
-      EXPECT_EQ(g.attributes().line.colour, Colour(1, 0, 0));
-      EXPECT_FALSE(g.attributes().dark_line);
+      EXPECT_EQ(g.looks().attributes.line.colour, Colour(1, 0, 0));
+      EXPECT_FALSE(g.looks().attributes.dark_line);
       // From the other side, what was above is below.
       View back = g.view();
       back.set_plane_normal({0, -1, -0.5});
@@ -312,8 +312,8 @@ TEST(Surface, SidesAreRecorded) {
   GraphicsSystem again;
   replay(program.str(), "recorded", again);
   EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
-  EXPECT_EQ(again.surface_looks().sides, SurfaceSides::lower);
-  EXPECT_FALSE(again.surface_looks().lower_line);
+  EXPECT_EQ(again.looks().surfaces.sides, SurfaceSides::lower);
+  EXPECT_FALSE(again.looks().surfaces.lower_line);
   EXPECT_EQ(count(program.str(), "set-lower-line-style same"), 1u);
   expect_error(
       [&] {

@@ -26,7 +26,7 @@ TEST(ViewRounding, BoundsWhatTheTransformationRounds) {
   for (int trial = 0; trial < 20000; ++trial) {
     const View view = test::any_view(s);
     const ViewVolume volume(view);
-    const ClipPipeline pipeline(volume);
+    ClipPipeline pipeline(volume);
     const double scale = std::pow(10.0, s.between(-3, 2));
     const Point3 ends[] = {Point3(0.5) + scale * (test::in_cube(s) - Point3(0.5)),
                            Point3(0.5) + scale * (test::in_cube(s) - Point3(0.5))};

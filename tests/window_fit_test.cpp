@@ -76,20 +76,20 @@ TEST(WindowFit, TellsTheWorstOfTheWindowsThatWereStretched) {
   g.open_segment(9);
   g.close_segment();
   open(1, {0, 3, 0, 2});
-  EXPECT_FALSE(g.stretched_window());
+  EXPECT_FALSE(g.counts().stretched_window);
   open(2, {0, 2, 0, 2});
   open(3, {0, 1, 0, 4});
   open(4, {0, 2, 0, 2});
-  ASSERT_TRUE(g.stretched_window());
-  EXPECT_EQ(g.stretched_window()->segment, 3);
-  EXPECT_EQ(g.stretched_window()->window, 0.25);
-  EXPECT_EQ(g.stretched_window()->viewport, 1.5);
+  ASSERT_TRUE(g.counts().stretched_window);
+  EXPECT_EQ(g.counts().stretched_window->segment, 3);
+  EXPECT_EQ(g.counts().stretched_window->window, 0.25);
+  EXPECT_EQ(g.counts().stretched_window->viewport, 1.5);
   GraphicsSystem said;
   said.set_window_fit(WindowFit::stretch);
   said.set_window(0, 1, 0, 4);
   said.open_segment(1);
   said.close_segment();
-  EXPECT_FALSE(said.stretched_window());
+  EXPECT_FALSE(said.counts().stretched_window);
 }
 
 TEST(WindowFit, RefusesWhatCannotBe) {

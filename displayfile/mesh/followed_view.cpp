@@ -280,7 +280,7 @@ namespace {
 
 /// Calls enter() with a light that leaves colours as they are, and without shadows.
 void without_light(GraphicsSystem& system, const std::function<void()>& enter) {
-  const Attributes before = system.attributes();
+  const Attributes before = system.looks().attributes;
   const auto set = [&](double ambient, bool shadows) {
     if (before.light) system.set_light(before.light->toward, ambient);
     if (before.shadows) system.set_shadows(shadows);

@@ -107,7 +107,7 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     if (!fills.empty()) {
       const FillStyle& fill = fills.size() == 1 ? fills[0] : fills[i - object.first_face];
-      if (fill != system.attributes().fill) system.set_fill_style(fill);
+      if (fill != system.looks().attributes.fill) system.set_fill_style(fill);
     }
     polygon.clear();
     for (const std::uint32_t corner : mesh.face(i)) polygon.push_back(mesh.vertices[corner]);
@@ -212,7 +212,8 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
         system.set_segment_title(next, title);
       }
       ++next;
-      enter_object(mesh, object, fills_of(mesh, object, system.attributes().fill, options), system);
+      enter_object(mesh, object, fills_of(mesh, object, system.looks().attributes.fill, options),
+                   system);
       system.close_segment();
     }
   };
@@ -237,7 +238,7 @@ Point3 over_left_shoulder(const GraphicsSystem& system) {
 
 /// Removed faces would hide no light, and have no sides that are drawn where they are hidden.
 bool needs_back_faces(const GraphicsSystem& system, const MeshOptions& options) {
-  return system.attributes().shadows || options.hidden_sides_drawn ||
+  return system.looks().attributes.shadows || options.hidden_sides_drawn ||
          system.hidden_surfaces().hidden_lines != HiddenLines::none;
 }
 
@@ -270,7 +271,7 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   bring_light(system);
   bring_styles(system, options);
   SystemInside::by_default(system, Setting::hidden_line_removal, [&] {
-    const bool back_face_removal = system.attributes().back_face_removal;
+    const bool back_face_removal = system.looks().attributes.back_face_removal;
     const bool was_set = system.explicit_settings().contains(Setting::back_face_removal);
     system.set_hidden_surfaces({.removal = true});
     if (was_set) system.set_back_face_removal(back_face_removal);
@@ -287,7 +288,7 @@ Point3 mesh_light(const GraphicsSystem& system) {
 void with_mesh_looks(GraphicsSystem& system, const MeshOptions& options,
                      const std::function<void()>& enter) {
   const RoundToNearest nearest;
-  const Attributes before = system.attributes();
+  const Attributes before = system.looks().attributes;
   bring_light(system);
   bring_styles(system, options);
   try {
@@ -303,7 +304,7 @@ void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options) {
   const RoundToNearest nearest;
   require_no_open_segment(system);
-  const Attributes before = system.attributes();
+  const Attributes before = system.looks().attributes;
   MeshOptions entering = options;
   entering.file_colours &= !system.explicit_settings().contains(Setting::fill_style);
   bring_defaults(system, options);
@@ -334,7 +335,7 @@ ImportedMeshes import_meshes(std::span<const std::string> paths, GraphicsSystem&
   std::vector<Mesh> meshes;
   std::int64_t name = name_after_all_in_use(system.display_file());
   for (const std::string& path : paths) {
-    const bool smooth = system.attributes().shading != Shading::flat;
+    const bool smooth = system.looks().attributes.shading != Shading::flat;
     meshes.push_back(read_mesh(path, smooth, options.import_limits));
     if (smooth) complete_normals(meshes.back(), system);
     require_free_names(meshes.back(), system, name);

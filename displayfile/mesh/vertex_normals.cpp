@@ -347,7 +347,7 @@ void complete_normals(Mesh& mesh, const GraphicsSystem& system) {
   if (system.explicit_settings().contains(Setting::crease_angle) && has_all_normals(mesh)) {
     mesh.skipped.warnings.emplace_back(kHasNormals);
   }
-  complete_normals(mesh, system.crease_degrees());
+  complete_normals(mesh, system.looks().crease_degrees);
 }
 
 }  // namespace displayfile

@@ -77,7 +77,7 @@ void PolygonStage::view_vertices(std::span<const Point3> world, std::uint32_t fi
   entered_shared_ = {};
   shared_.clear();
   shared_.reserve(world.size());
-  for (const Point3& p : world) shared_.push_back(pipeline_.view(p));
+  for (const Point3& p : world) met_ |= shared_.emplace_back(pipeline_.view(p)).outcode;
 }
 
 PolygonStage::Outcodes PolygonStage::outcodes(std::span<const std::uint32_t> corners) const {
@@ -224,6 +224,7 @@ bool PolygonStage::enter_line(const Point3& from, const Point3& to, const LineSt
 bool PolygonStage::enter_text(const Point3& anchor, std::string_view characters,
                               const Attributes& attributes, Segment& segment) {
   const PipelineVertex viewed = pipeline_.view(anchor);
+  met_ |= viewed.outcode;
   if (viewed.outcode != 0) return false;
   segment.set_style(attributes.line);
   segment.set_style(attributes.text);
@@ -232,6 +233,7 @@ bool PolygonStage::enter_text(const Point3& anchor, std::string_view characters,
 }
 
 bool PolygonStage::enter_annotation(const KeptAnnotation& annotation, Segment& segment) {
+  met_ |= pipeline_.volume().active();
   std::optional<KeptAnnotation> in_view = displayfile::viewed(annotation, pipeline_.volume());
   if (!in_view) return false;
   segment.enter_annotation(*std::move(in_view));

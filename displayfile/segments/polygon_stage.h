@@ -79,6 +79,8 @@ class PolygonStage {
   bool enter_annotation(const KeptAnnotation& annotation, Segment& segment);
 
   ClipPipeline& pipeline() { return pipeline_; }
+  /// The planes outside of which a point of what was entered lay; annotation counts as outside.
+  Outcode met() const { return met_ | pipeline_.met(); }
 
  private:
   struct Outcodes {
@@ -101,6 +103,7 @@ class PolygonStage {
                      ClippedPolygon& clipped) const;
 
   ClipPipeline pipeline_;
+  Outcode met_ = 0;  // of shared vertices, texts and annotation
   GouraudLighting gouraud_;
   PhongNormals phong_;
   FillStyle lit_;

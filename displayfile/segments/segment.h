@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/looks/style.h"

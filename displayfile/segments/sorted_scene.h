@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "clip/transformation.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/segments/viewed_scene.h"

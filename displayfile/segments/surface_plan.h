@@ -1,6 +1,6 @@
 #pragma once
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile {
@@ -9,8 +9,9 @@ namespace displayfile {
 /// The method is that of the options, or the one set by set_z_buffer, set_hidden_line_removal and
 /// set_hidden_method; it may be `automatic`. The scope is that of either, if set.
 SurfacePlan resolve_surfaces(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
-/// The plan without an application: exact, without hidden lines, by `automatic`, unless the options
-/// set otherwise.
-SurfacePlan resolve_surfaces(const HiddenSurfaceOptions& options);
+/// The plan without an application, and what it is unless the options set otherwise. Throws Error,
+/// here and above, for options that are of the application.
+SurfacePlan resolve_surfaces(const HiddenSurfaceOptions& options,
+                             const SurfacePlan& unless_set = {});
 
 }  // namespace displayfile

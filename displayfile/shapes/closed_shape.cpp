@@ -56,7 +56,8 @@ void enter_with_normals(GraphicsSystem& system, const ClosedShape& solid) {
 }
 
 void enter_as_it_is(GraphicsSystem& system, const ClosedShape& solid) {
-  const bool smooth = system.attributes().light && system.attributes().shading != Shading::flat;
+  const bool smooth =
+      system.looks().attributes.light && system.looks().attributes.shading != Shading::flat;
   if (solid.normals.empty() || !smooth) {
     return system.polygons_abs_3({solid.vertices, solid.corners, solid.sides});
   }

@@ -37,10 +37,18 @@ void parts_list(GraphicsSystem& system, ProgramLine& line, const Routine& routin
 /// A hidden-surface setting.
 template <auto member>
 void setting(GraphicsSystem& system, ProgramLine& line, const Routine&) {
-  HiddenSurfaceSettings settings;
-  auto& value = settings.*member;
+  HiddenSurfaceOptions options;
+  auto& value = options.*member;
   value = line.take<typename std::decay_t<decltype(value)>::value_type>();
-  system.set_hidden_surfaces(settings);
+  system.set_hidden_surfaces(options);
+}
+
+/// Parts of the style of annotation.
+template <auto... members>
+void annotation_style(GraphicsSystem& system, ProgramLine& line, const Routine&) {
+  AnnotationStyle style = system.looks().annotation;
+  ((style.*members = line.take<std::decay_t<decltype(style.*members)>>()), ...);
+  system.set_annotation_style(style);
 }
 
 /// Any number of points.
@@ -50,7 +58,8 @@ void points(GraphicsSystem& system, ProgramLine& line, const Routine& entry) {
   (system.*routine)(line.take_points<Point>());
 }
 
-// The three below, the setting, and sphere read the number of words in the table, in its order.
+// The three below, the setting, the style of annotation, and sphere read the number of words in the
+// table, in its order.
 
 /// The least and the greatest coordinate of each axis.
 template <auto shape>

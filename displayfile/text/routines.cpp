@@ -213,16 +213,16 @@ constexpr auto kAnnotation = std::to_array<Routine>({
     varying<parts_list>("parts-list", "[top-left|top-right|bottom-left|bottom-right]",
                         "A table of the balloons that have names, with their quantities, in this "
                         "corner of the picture [bottom-right]."),
-    fixed<&G::set_annotation_size>(
+    counted<annotation_style<&AnnotationStyle::size, &AnnotationStyle::unit>>(
         "set-annotation-size", "size mm|px",
         "Height of the capital letters of annotation that follows; lines and arrows are in "
         "proportion. In millimetres on paper, or in pixels [3.5 mm]."),
-    fixed<&G::set_annotation_ends>("set-annotation-ends", "arrow|dot",
-                                   "Ends of leaders that follow, at the model [arrow]."),
-    fixed<&G::set_annotation_decimals>(
+    counted<annotation_style<&AnnotationStyle::ends>>(
+        "set-annotation-ends", "arrow|dot", "Ends of leaders that follow, at the model [arrow]."),
+    counted<annotation_style<&AnnotationStyle::decimals>>(
         "set-annotation-decimals", "n",
         "Most decimals of measures that follow, 0 to 9; trailing zeros are omitted [2]."),
-    fixed<&G::set_annotation_placement>(
+    counted<annotation_style<&AnnotationStyle::placement>>(
         "set-annotation-placement", "entered|auto",
         "Where annotation that follows stands: as entered, or outside of the figure, clear of "
         "other annotation, with leaders that do not cross [entered]."),
@@ -322,18 +322,18 @@ constexpr auto kView = std::to_array<Routine>({
 });
 
 constexpr auto kHiddenSurfaces = std::to_array<Routine>({
-    counted<setting<&HiddenSurfaceSettings::removal>>(
+    counted<setting<&HiddenSurfaceOptions::removal>>(
         "set-hidden-line-removal", "on|off",
         "Whether hidden surfaces and lines are removed by the hidden method, and back faces too "
         "[unset: pictures use auto and keep back faces, unless all points have one depth]."),
     fixed<&G::set_back_face_removal>(
         "set-back-face-removal", "on|off",
         "Whether polygons that face away from the viewer are removed [off]."),
-    counted<setting<&HiddenSurfaceSettings::method>>(
+    counted<setting<&HiddenSurfaceOptions::method>>(
         "set-hidden-method", "method",
         "Method for hidden surfaces or lines: auto, map, bsp, depth-sort, z-buffer, franklin and "
         "others [auto]."),
-    counted<setting<&HiddenSurfaceSettings::scope>>(
+    counted<setting<&HiddenSurfaceOptions::scope>>(
         "set-hidden-scope", "segment|all",
         "Whether each segment is sorted by itself when it is closed, or all visible segments "
         "together when they are drawn [segment]."),
@@ -341,28 +341,28 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
                    "one or more of all outline boundary crease[=DEGREES] material intersection",
                    "Kinds of polygon sides drawn as lines, for segments closed from now on. Any "
                    "value except all alone must be set before the first segment [all; crease 30]."),
-    counted<setting<&HiddenSurfaceSettings::precision>>(
+    counted<setting<&HiddenSurfaceOptions::precision>>(
         "set-precision", "exact|roundoff[=EPS]",
         "Exact decisions, or the textbook's ROUNDOFF as a fraction of the scene's size; the map is "
         "always exact, but the lines over it use ROUNDOFF [exact; EPS 1e-9]."),
-    counted<setting<&HiddenSurfaceSettings::hidden_lines>>(
+    counted<setting<&HiddenSurfaceOptions::hidden_lines>>(
         "set-hidden-lines", "none|dashed",
         "Whether hidden parts of lines are drawn dashed [none]."),
-    counted<setting<&HiddenSurfaceSettings::line_order>>(
+    counted<setting<&HiddenSurfaceOptions::line_order>>(
         "set-line-order", "entry|depth",
         "Which of two lines that overlap in the picture is drawn over the other: the one entered "
         "later, or the nearer one [entry]."),
-    counted<setting<&HiddenSurfaceSettings::line_halo>>(
+    counted<setting<&HiddenSurfaceOptions::line_halo>>(
         "set-line-halo", "width",
         "With line order depth, the gap beside a line where another one crosses in front of it, in "
         "pixels [0]."),
-    counted<setting<&HiddenSurfaceSettings::touching>>(
+    counted<setting<&HiddenSurfaceOptions::touching>>(
         "set-touching", "auto|off|LENGTH",
         "Distance within which polygons touch, for segments opened from now on: a polygon that "
         "touches a plane is taken to lie in it, and of coplanar polygons the one entered last is "
         "visible. auto: from the precision of the numbers; a LENGTH is before the modelling "
         "transformation [auto]."),
-    counted<setting<&HiddenSurfaceSettings::z_buffer>>(
+    counted<setting<&HiddenSurfaceOptions::z_buffer>>(
         "set-z-buffer", "on|off",
         "Whether to draw with the interpreter's z-buffer, whatever the method [off]."),
 });

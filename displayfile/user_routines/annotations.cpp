@@ -177,16 +177,16 @@ struct GraphicsSystem::State::AnnotationEntry {
     for (const Point3& p : points) {
       if (!in_range(p)) throw Error("annotation: coordinate out of range");
     }
-    const LineStyle& line = state.attributes_.line;
+    const LineStyle& line = state.looks_.attributes.line;
     const Colour colour = line.kind == LineStyle::Kind::none ? Colour(0.0) : line.colour;
-    return {kind, state.annotation_style_, colour, offset, std::move(points), std::move(characters),
+    return {kind, state.looks_.annotation, colour, offset, std::move(points), std::move(characters),
             {}};
   }
   std::string measured(double measure) const {
-    return measure_text(measure, state.annotation_style_.decimals);
+    return measure_text(measure, state.looks_.annotation.decimals);
   }
   Point2 offset_of(const std::optional<Point2>& offset) const {
-    if (!offset) return Point2(kUsualOffset * state.annotation_style_.size);
+    if (!offset) return Point2(kUsualOffset * state.looks_.annotation.size);
     require_within({kLargestOffset, "1e6"}, {offset->x, offset->y}, "offset of annotation");
     return *offset;
   }
@@ -234,31 +234,25 @@ void GraphicsSystem::annotate(const Annotation& annotation) {
   state_->record(entry.routine, {std::string_view(entry.arguments)});
 }
 
-void GraphicsSystem::set_annotation_size(double size, AnnotationStyle::Unit unit) {
-  if (!(size > 0.0 && size <= 1000.0)) {
-    throw Error(fmt::format("annotation size {}: expected more than 0 and at most 1000", size));
+void GraphicsSystem::set_annotation_style(const AnnotationStyle& style) {
+  if (!(style.size > 0.0 && style.size <= 1000.0)) {
+    throw Error(
+        fmt::format("annotation size {}: expected more than 0 and at most 1000", style.size));
   }
-  state_->annotation_style_.size = size;
-  state_->annotation_style_.unit = unit;
-  state_->record("set-annotation-size", {size, name_of(unit)});
-}
-
-void GraphicsSystem::set_annotation_ends(AnnotationStyle::Ends ends) {
-  state_->annotation_style_.ends = ends;
-  state_->record("set-annotation-ends", {name_of(ends)});
-}
-
-void GraphicsSystem::set_annotation_decimals(int decimals) {
-  if (decimals < 0 || decimals > 9) {
-    throw Error(fmt::format("annotation decimals {}: expected 0 to 9", decimals));
+  if (style.decimals < 0 || style.decimals > 9) {
+    throw Error(fmt::format("annotation decimals {}: expected 0 to 9", style.decimals));
   }
-  state_->annotation_style_.decimals = decimals;
-  state_->record("set-annotation-decimals", {decimals});
-}
-
-void GraphicsSystem::set_annotation_placement(AnnotationStyle::Placement placement) {
-  state_->annotation_style_.placement = placement;
-  state_->record("set-annotation-placement", {name_of(placement)});
+  const AnnotationStyle before = std::exchange(state_->looks_.annotation, style);
+  if (style.size != before.size || style.unit != before.unit) {
+    state_->record("set-annotation-size", {style.size, name_of(style.unit)});
+  }
+  if (style.ends != before.ends) state_->record("set-annotation-ends", {name_of(style.ends)});
+  if (style.decimals != before.decimals) {
+    state_->record("set-annotation-decimals", {style.decimals});
+  }
+  if (style.placement != before.placement) {
+    state_->record("set-annotation-placement", {name_of(style.placement)});
+  }
 }
 
 }  // namespace displayfile

@@ -50,12 +50,12 @@ std::string words_of(const LineKindStyle& style) {
 void GraphicsSystem::set_fill_style(const FillStyle& style) {
   state_->attributes_changed();
   if (style.kind == FillStyle::Kind::hollow) {
-    state_->attributes_.fill = {
+    state_->looks_.attributes.fill = {
         FillStyle::Kind::hollow};  // a colour has no meaning here: one representation
     return state_->record_setting(Setting::fill_style, "set-fill-style", {"hollow"});
   }
   require_colour(style.colour);
-  state_->attributes_.fill = {FillStyle::Kind::solid, style.colour};
+  state_->looks_.attributes.fill = {FillStyle::Kind::solid, style.colour};
   state_->record_setting(Setting::fill_style, "set-fill-style",
                          {"solid", style.colour.r, style.colour.g, style.colour.b});
 }
@@ -63,7 +63,7 @@ void GraphicsSystem::set_fill_style(const FillStyle& style) {
 void GraphicsSystem::set_line_style(const LineStyle& style) {
   const LineStyle checked = state_->require_line_style(style);
   state_->attributes_changed();
-  LineStyle& line = state_->attributes_.line;
+  LineStyle& line = state_->looks_.attributes.line;
   line = {checked.kind, checked.colour, checked.width, checked.dash, checked.gap, line.of_kinds};
   state_->replace_width(line);
   state_->explicit_.insert(Setting::line_style);
@@ -97,7 +97,7 @@ void GraphicsSystem::set_line_kind_style(StyledLines lines, const LineKindStyle&
 
 void GraphicsSystem::State::change_line_kind_style(StyledLines lines, const LineKindStyle& style) {
   attributes_changed();
-  LineKindStyles& of_kinds = attributes_.line.of_kinds;
+  LineKindStyles& of_kinds = looks_.attributes.line.of_kinds;
   of_kinds = of_kinds.with(lines, style);
 }
 
@@ -110,8 +110,8 @@ void SystemInside::replace_line_width(GraphicsSystem& system, double pixels) {
   GraphicsSystem::State& s = *system.state_;
   s.attributes_changed();
   s.width_replaced_ = pixels;
-  s.replace_width(s.attributes_.line);
-  if (auto& lower = s.surface_looks_.lower_line) s.replace_width(*lower);
+  s.replace_width(s.looks_.attributes.line);
+  if (auto& lower = s.looks_.surfaces.lower_line) s.replace_width(*lower);
 }
 
 void SystemInside::replace_line_kind_style(GraphicsSystem& system, StyledLines lines,
@@ -126,7 +126,7 @@ void GraphicsSystem::set_text_style(const TextStyle& style) {
     throw Error(fmt::format(
         "text size {}: expected more than 0 and at most 1, the picture's height", style.size));
   }
-  state_->attributes_.text = style;
+  state_->looks_.attributes.text = style;
   if (style.always) {
     state_->record("set-text-style", {style.size, name_of(style.alignment), "always"});
   } else {
@@ -142,23 +142,23 @@ void GraphicsSystem::set_light(const Point3& toward, double ambient) {
     throw Error(fmt::format("ambient light {}: expected 0 to 1", ambient));
   }
   state_->attributes_changed();
-  state_->attributes_.light = {unit(toward), ambient};
+  state_->looks_.attributes.light = {unit(toward), ambient};
   state_->record_setting(Setting::light, "set-light", {toward.x, toward.y, toward.z, ambient});
 }
 
 void GraphicsSystem::set_shading(Shading shading) {
-  state_->attributes_.shading = shading;
+  state_->looks_.attributes.shading = shading;
   state_->record("set-shading", {name_of(shading)});
 }
 
 void GraphicsSystem::set_crease_angle(double degrees) {
   require_crease_angle(degrees);
-  state_->crease_degrees_ = degrees;
+  state_->looks_.crease_degrees = degrees;
   state_->record_setting(Setting::crease_angle, "set-crease-angle", {degrees});
 }
 
 void GraphicsSystem::set_shadows(bool on) {
-  state_->attributes_.shadows = on;
+  state_->looks_.attributes.shadows = on;
   state_->record("set-shadows", {on});
 }
 
@@ -173,17 +173,17 @@ void GraphicsSystem::set_vertex_normals(PointList<Point3> normals) {
 }
 
 void GraphicsSystem::set_back_face_removal(bool on) {
-  state_->attributes_.back_face_removal = on;
+  state_->looks_.attributes.back_face_removal = on;
   state_->record_setting(Setting::back_face_removal, "set-back-face-removal", {on});
 }
 
 void GraphicsSystem::set_background(const Background& background) {
   if (background.kind == Background::Kind::none) {
-    state_->background_ = {Background::Kind::none};
+    state_->looks_.background = {Background::Kind::none};
     return state_->record("set-background", {"none"});
   }
   require_colour(background.colour);
-  state_->background_ = background;
+  state_->looks_.background = background;
   const Colour& c = background.colour;
   state_->record("set-background", {c.r, c.g, c.b});
 }

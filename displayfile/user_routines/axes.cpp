@@ -88,7 +88,7 @@ std::size_t letters(std::string_view text) {
 class AxesOfBox {
  public:
   AxesOfBox(const GraphicsSystem& system, const Point3& low, const Point3& high)
-      : system_(system), ends_{low, high}, size_(system.attributes().text.size) {
+      : system_(system), ends_{low, high}, size_(system.looks().attributes.text.size) {
     const Point3 extent = high - low;
     const double widest = std::max({extent.x, extent.y, extent.z});
     for (int a = 0; a < 3; ++a) unit_[a] = extent[a] > 0.0 ? extent[a] : widest;
@@ -434,7 +434,7 @@ void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
   const Axes axes = AxesOfBox(system, low, high).axes(names);
   require_in_range(system, axes);
 
-  const TextStyle in_force = system.attributes().text;
+  const TextStyle in_force = system.looks().attributes.text;
   for (const auto& [from, to] : axes.lines) {
     system.move_abs_3(from.x, from.y, from.z);
     system.line_abs_3(to.x, to.y, to.z);
@@ -442,11 +442,11 @@ void axes_3(GraphicsSystem& system, const Point3& low, const Point3& high,
   for (const Label& label : axes.labels) {
     TextStyle style = in_force;
     style.alignment = label.alignment;
-    if (system.attributes().text != style) system.set_text_style(style);
+    if (system.looks().attributes.text != style) system.set_text_style(style);
     system.move_abs_3(label.at.x, label.at.y, label.at.z);
     system.text(label.text);
   }
-  if (system.attributes().text != in_force) system.set_text_style(in_force);
+  if (system.looks().attributes.text != in_force) system.set_text_style(in_force);
   system.move_abs_3(low.x, low.y, low.z);
 }
 

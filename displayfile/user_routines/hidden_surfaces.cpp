@@ -17,71 +17,73 @@ void require_precision(const Precision& precision) {
   throw Error(fmt::format("ROUNDOFF {}: expected 0 or more and less than 1", roundoff));
 }
 
-std::string word_of(const Precision& precision) {
-  return precision.exact ? "exact" : fmt::format("roundoff={}", precision.roundoff);
-}
-
 }  // namespace
 
-/// Throws the Errors of all settings; retains a scene where one of them needs it.
-void GraphicsSystem::State::require(const HiddenSurfaceSettings& settings) {
-  if (settings.precision) require_precision(*settings.precision);
-  if (settings.lines) require_selection(*settings.lines);
-  if (settings.touching) require_touching(*settings.touching);
-  if (settings.line_halo) require_line_halo(*settings.line_halo);
-  if (settings.method) {
-    const HiddenMethod known = hidden_method(name_of(*settings.method));  // or refuses
+/// Throws the Errors of all; retains a scene where one of them needs it.
+void GraphicsSystem::State::require(const HiddenSurfaceOptions& options) {
+  if (options.sets_calls()) {
+    throw Error(
+        "root, threads, most_pieces, progress and budget are of one call, such as of draw: "
+        "expected "
+        "none of them where the application's hidden surfaces are set");
+  }
+  if (options.precision) require_precision(*options.precision);
+  if (options.lines) require_selection(*options.lines);
+  if (options.touching) require_touching(*options.touching);
+  if (options.line_halo) require_line_halo(*options.line_halo);
+  if (options.method) {
+    const HiddenMethod known = hidden_method(name_of(*options.method));  // or refuses
     if (surfaces_of(known) == HiddenMethod::world_ray_cast) retain_for("world-ray-cast");
   }
-  if (settings.lines && !lines_replaced_ && !settings.lines->is_all_alone()) {
+  if (options.lines && !lines_replaced_ && !options.lines->is_all_alone()) {
     retain_for("set-lines");
   }
 }
 
-void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceSettings& settings) {
+void GraphicsSystem::set_hidden_surfaces(const HiddenSurfaceOptions& options) {
   State& s = *state_;
-  s.require(settings);
-  if (settings.removal) {
-    s.surfaces_.removal = *settings.removal;
-    s.attributes_.back_face_removal = *settings.removal;
+  s.require(options);
+  if (options.removal) {
+    s.surfaces_.removal = *options.removal;
+    s.looks_.attributes.back_face_removal = *options.removal;
     s.explicit_.insert(Setting::back_face_removal);
-    s.record_setting(Setting::hidden_line_removal, "set-hidden-line-removal", {*settings.removal});
+    s.record_setting(Setting::hidden_line_removal, "set-hidden-line-removal", {*options.removal});
   }
-  if (settings.method) {
-    s.surfaces_.method = *settings.method;
-    s.record_setting(Setting::hidden_method, "set-hidden-method", {name_of(*settings.method)});
+  if (options.method) {
+    s.surfaces_.method = *options.method;
+    s.record_setting(Setting::hidden_method, "set-hidden-method", {name_of(*options.method)});
   }
-  if (settings.z_buffer) {
-    s.surfaces_.z_buffer = *settings.z_buffer;
-    s.record("set-z-buffer", {*settings.z_buffer});
+  if (options.z_buffer) {
+    s.surfaces_.z_buffer = *options.z_buffer;
+    s.record("set-z-buffer", {*options.z_buffer});
   }
-  if (settings.scope) {
-    s.surfaces_.scope = *settings.scope;
-    s.record("set-hidden-scope", {name_of(*settings.scope)});
+  if (options.scope) {
+    s.surfaces_.scope = *options.scope;
+    s.record("set-hidden-scope", {name_of(*options.scope)});
   }
-  if (settings.precision) {
-    s.surfaces_.precision = *settings.precision;
-    s.record("set-precision", {std::string_view(word_of(*settings.precision))});
+  if (options.precision) {
+    s.surfaces_.precision = *options.precision;
+    s.record("set-precision", {std::string_view(word_of(*options.precision))});
   }
-  if (settings.hidden_lines) {
-    s.surfaces_.hidden_lines = *settings.hidden_lines;
-    s.record("set-hidden-lines", {name_of(*settings.hidden_lines)});
+  if (options.hidden_lines) {
+    s.surfaces_.hidden_lines = *options.hidden_lines;
+    s.record("set-hidden-lines", {name_of(*options.hidden_lines)});
   }
-  if (settings.line_order) {
-    s.surfaces_.line_order = *settings.line_order;
-    s.record("set-line-order", {name_of(*settings.line_order)});
+  if (options.line_order) {
+    s.surfaces_.line_order = *options.line_order;
+    s.record("set-line-order", {name_of(*options.line_order)});
   }
-  if (settings.line_halo) {
-    s.surfaces_.line_halo = *settings.line_halo;
-    s.record("set-line-halo", {*settings.line_halo});
+  if (options.line_halo) {
+    s.surfaces_.line_halo = *options.line_halo;
+    s.record("set-line-halo", {*options.line_halo});
   }
-  if (settings.lines) {
-    if (!s.lines_replaced_) s.surfaces_.lines = *settings.lines;
-    s.record_setting(Setting::lines, "set-lines", {std::string_view(words_of(*settings.lines))});
+  if (options.lines) {
+    if (!s.lines_replaced_) s.surfaces_.lines = *options.lines;
+    s.record_setting(Setting::lines, "set-lines", {std::string_view(words_of(*options.lines))});
   }
-  if (settings.touching) {
-    if (!s.touching_replaced_) s.surfaces_.touching = *settings.touching;
-    s.record_touching(*settings.touching);
+  if (options.touching) {
+    if (!s.touching_replaced_) s.surfaces_.touching = *options.touching;
+    s.record_touching(*options.touching);
   }
 }
 

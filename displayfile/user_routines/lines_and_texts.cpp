@@ -19,7 +19,7 @@ void GraphicsSystem::State::line_to(const Point3& object) {
   require_no_solid("a line");
   const Pen end{object, to_world(object)};
   Point3 from = pen_.world, to = end.world;
-  if (attributes_.line.kind != LineStyle::Kind::none && cutting_planes_.cut_line(from, to)) {
+  if (looks_.attributes.line.kind != LineStyle::Kind::none && cutting_planes_.cut_line(from, to)) {
     enter_world_line(from, to);
   }
   pen_ = end;
@@ -30,8 +30,9 @@ void GraphicsSystem::State::line_to(const Point3& object) {
 void GraphicsSystem::State::enter_world_line(const Point3& from, const Point3& to, bool is_there) {
   Segment& segment = display_file_.segment(*open_);
   segment.set_line_pick(pick_);
-  if (RetainedScene* scene = retaining()) scene->enter_line(from, to, attributes_, pick_);
-  if (!is_viewed_later() && is_there) view_stage_->enter_line(from, to, attributes_.line, segment);
+  if (RetainedScene* scene = retaining()) scene->enter_line(from, to, looks_.attributes, pick_);
+  if (!is_viewed_later() && is_there)
+    view_stage_->enter_line(from, to, looks_.attributes.line, segment);
 }
 
 void GraphicsSystem::move_abs_3(double x, double y, double z) {
@@ -99,10 +100,10 @@ void GraphicsSystem::text(std::string_view characters) {
   require_characters(characters);
   if (!characters.empty() && state_->cutting_planes_.outcode(state_->pen_.world) == 0) {
     if (RetainedScene* scene = state_->retaining()) {
-      scene->enter_text(state_->pen_.world, characters, state_->attributes_);
+      scene->enter_text(state_->pen_.world, characters, state_->looks_.attributes);
     }
     if (!state_->is_viewed_later()) {
-      state_->view_stage_->enter_text(state_->pen_.world, characters, state_->attributes_,
+      state_->view_stage_->enter_text(state_->pen_.world, characters, state_->looks_.attributes,
                                       state_->display_file_.segment(*state_->open_));
     }
   }

@@ -91,9 +91,9 @@ void GraphicsSystem::State::polygon(std::span<const Point3> object) {
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = next_pick();
   ++ordinal_;
-  const Point3 normal = attributes_.light ? newell_normal(world_points_) : Point3(0.0);
-  const bool smooth =
-      attributes_.light && attributes_.shading != Shading::flat && !vertex_normals_.empty();
+  const Point3 normal = looks_.attributes.light ? newell_normal(world_points_) : Point3(0.0);
+  const bool smooth = looks_.attributes.light && looks_.attributes.shading != Shading::flat &&
+                      !vertex_normals_.empty();
   const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
   const bool flat = is_flat(world_points_);
   if (flat && (object.size() == 3 || !differ(vertex_normals))) {
@@ -136,17 +136,17 @@ void GraphicsSystem::State::enter_triangles(std::span<const Point3> entered, con
 
 void GraphicsSystem::State::enter(const WorldPolygon& polygon) {
   if (!solids_.empty()) {
-    return solids_.add(polygon, attributes_, static_cast<std::uint32_t>(ordinal_));
+    return solids_.add(polygon, looks_.attributes, static_cast<std::uint32_t>(ordinal_));
   }
   cutting_planes_.any() ? enter_cut(polygon) : enter_whole(polygon);
 }
 
 void GraphicsSystem::State::enter_whole(const WorldPolygon& polygon) {
   if (RetainedScene* scene = retaining()) {
-    scene->enter_polygon(polygon, attributes_);
+    scene->enter_polygon(polygon, looks_.attributes);
     if (is_viewed_later()) return;
   }
-  view_stage_->enter_polygon(polygon, attributes_, display_file_.segment(*open_));
+  view_stage_->enter_polygon(polygon, looks_.attributes, display_file_.segment(*open_));
 }
 
 namespace {
@@ -222,7 +222,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   require_looks(many, polygons);
   ask_budget();  // nothing is entered yet, and all is when it is asked again
   Segment& segment = state_->display_file_.segment(*state_->open_);
-  const std::size_t styles = state_->attributes_.light ? polygons : fills.size();
+  const std::size_t styles = state_->looks_.attributes.light ? polygons : fills.size();
   bool is_solid = SystemInside::takes_whole_solids(*this);
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
@@ -243,15 +243,15 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
     const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
     const bool at_once = of_one_kind && !state_->cutting_planes_.any() && state_->solids_.empty();
     if (state_->is_viewed_later() && at_once && state_->recorder_ == nullptr) {
-      if (!fills.empty() && fills[0] != state_->attributes_.fill) set_fill_style(fills[0]);
-      state_->retaining()->enter_shared_triangles(shared, corners, state_->attributes_,
+      if (!fills.empty() && fills[0] != state_->looks_.attributes.fill) set_fill_style(fills[0]);
+      state_->retaining()->enter_shared_triangles(shared, corners, state_->looks_.attributes,
                                                   state_->next_pick(), state_->pick_ >= 0 ? 0 : 1);
       state_->ordinal_ += static_cast<std::int64_t>(polygons);
       return;
     }
     std::size_t first = 0;
     for (std::size_t k = 0; k < polygons; ++k) {
-      if (k < fills.size() && fills[k] != state_->attributes_.fill) set_fill_style(fills[k]);
+      if (k < fills.size() && fills[k] != state_->looks_.attributes.fill) set_fill_style(fills[k]);
       if (!picks.empty() && picks[k] != state_->pick_) set_pick_id(picks[k]);
       const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
       first += polygon.size();
@@ -311,12 +311,12 @@ void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& sh
   const bool plain = corners.size() == 3 && retaining() == nullptr && whole;
   if (plain &&
       view_stage_->enter_triangle(world, {{corners[0], corners[1], corners[2]}, {1, 1, 1}, pick},
-                                  attributes_, segment)) {
+                                  looks_.attributes, segment)) {
     return;
   }
   const PointRow vertices(world, corners);
   const PointRow entered(shared.entered, corners);
-  const Point3 normal = attributes_.light ? newell_normal(vertices) : Point3(0.0);
+  const Point3 normal = looks_.attributes.light ? newell_normal(vertices) : Point3(0.0);
   if (corners.size() != 3 && !is_flat(vertices)) {
     ++triangulated_;
     world_points_.assign(vertices.begin(), vertices.end());
@@ -331,8 +331,8 @@ void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& sh
                              shared.modelling};
   if (!solids_.empty()) return enter(polygon);
   if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
-  if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, attributes_);
-  if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, attributes_, segment);
+  if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, looks_.attributes);
+  if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, looks_.attributes, segment);
 }
 
 void SystemInside::cut_bent_polygons_as_seen_along_z(GraphicsSystem& system) {

@@ -67,6 +67,7 @@ void GraphicsSystem::close_segment() {
     throw;
   }
   state_->open_.reset();
+  if (state_->is_viewed_later() || state_->view_stage_->met() != 0) state_->is_all_in_view_ = false;
   state_->view_stage_.reset();  // vertices that polygons shared are in them
   state_->shared_world_ = decltype(state_->shared_world_)();
   state_->record("close-segment", {});
@@ -92,10 +93,10 @@ void GraphicsSystem::State::close(Segment& segment) {
 void GraphicsSystem::State::sort(Segment& whole) const {
   const bool each_on_its_own =
       surfaces_.scope.value_or(HiddenScope::segment) == HiddenScope::segment;
-  SurfacePlan plan = as_closed_;  // threads and progress
-  plan.method = surfaces_.method;
-  plan.precision = surfaces_.precision;
-  plan.hidden_lines = surfaces_.hidden_lines;
+  SurfacePlan plan = surfaces_;
+  plan.scope.reset();
+  plan.line_order = LineOrder::entry;  // that of depth takes all segments together
+  plan.line_halo = 0.0;
   plan.intersections = contains(surfaces_.lines.kinds, LineKind::intersection);
   if (surfaces_.removal && is_object_space(plan.method)) {
     if (each_on_its_own) {
@@ -140,14 +141,9 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .has_hatching = has_hatching_,
           .explicit_settings = explicit_,
           .modelling = modelling_,
-          .attributes = attributes_,
-          .annotation_style = annotation_style_,
-          .background = background_,
-          .crease_degrees = crease_degrees_,
+          .looks = looks_,
           .vertex_normals = vertex_normals_,
-          .cutting_planes = cutting_planes_,
-          .cut_faces = cut_faces_,
-          .surface_looks = surface_looks_};
+          .cutting_planes = cutting_planes_};
 }
 
 void GraphicsSystem::State::take_back(const Entered& before) {
@@ -168,14 +164,9 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   has_hatching_ = before.has_hatching;
   explicit_ = before.explicit_settings;
   modelling_ = before.modelling;
-  attributes_ = before.attributes;
-  annotation_style_ = before.annotation_style;
-  background_ = before.background;
-  crease_degrees_ = before.crease_degrees;
+  looks_ = before.looks;
   vertex_normals_ = before.vertex_normals;
   cutting_planes_ = before.cutting_planes;
-  cut_faces_ = before.cut_faces;
-  surface_looks_ = before.surface_looks;
 }
 
 void GraphicsSystem::enter_segments(const std::function<void()>& enter) {
@@ -313,13 +304,13 @@ void SystemInside::enter_segment_of_lines(GraphicsSystem& system,
   if (last == std::numeric_limits<int>::max()) {
     throw Error(fmt::format("segment {} is in use: expected smaller names", last));
   }
-  const Attributes before = s.attributes_;
+  const Attributes before = s.looks_.attributes;
   system.open_segment(last + 1);
   const LineStyle style = before.line;
-  s.attributes_.line = {LineStyle::Kind::solid, style.colour, narrower * style.width};
+  s.looks_.attributes.line = {LineStyle::Kind::solid, style.colour, narrower * style.width};
   s.attributes_changed();
   for (const auto& [from, to] : lines) s.enter_world_line(from, to);
-  s.attributes_ = before;
+  s.looks_.attributes = before;
   s.attributes_changed();
   system.close_segment();
 }

@@ -94,7 +94,7 @@ void GraphicsSystem::discard_solid() { state_->discard_solid(); }
 bool SystemInside::takes_whole_solids(const GraphicsSystem& system) {
   const GraphicsSystem::State& s = *system.state_;
   return !s.solids_.empty() ||
-         (s.cut_faces_.kind != CutFaces::Kind::open && s.cutting_planes_.any());
+         (s.looks_.cut_faces.kind != CutFaces::Kind::open && s.cutting_planes_.any());
 }
 
 void SystemInside::as_solid(GraphicsSystem& system, const std::function<void()>& enter) {
@@ -117,20 +117,22 @@ void GraphicsSystem::set_cut_faces(const CutFaces& faces) {
     throw Error(
         fmt::format("hatching {} apart: expected a number above 0, at most 1e100", *faces.spacing));
   }
-  state_->cut_faces_ = {faces.kind};
-  if (faces.kind == CutFaces::Kind::hatched) state_->cut_faces_ = faces;  // or they have no meaning
+  state_->looks_.cut_faces = {faces.kind};
+  if (faces.kind == CutFaces::Kind::hatched)
+    state_->looks_.cut_faces = faces;  // or they have no meaning
   const std::string_view kind = name_of(faces.kind);
-  if (state_->cut_faces_.spacing) {
-    state_->record("set-cut-faces", {kind, *state_->cut_faces_.spacing, state_->cut_faces_.angle});
-  } else if (state_->cut_faces_.angle != CutFaces{}.angle) {
-    state_->record("set-cut-faces", {kind, kUsualSpacing, state_->cut_faces_.angle});
+  if (state_->looks_.cut_faces.spacing) {
+    state_->record("set-cut-faces",
+                   {kind, *state_->looks_.cut_faces.spacing, state_->looks_.cut_faces.angle});
+  } else if (state_->looks_.cut_faces.angle != CutFaces{}.angle) {
+    state_->record("set-cut-faces", {kind, kUsualSpacing, state_->looks_.cut_faces.angle});
   } else {
     state_->record("set-cut-faces", {kind});
   }
 }
 
 bool GraphicsSystem::State::hatches_cut_faces() const {
-  return cut_faces_.kind == CutFaces::Kind::hatched && cutting_planes_.any();
+  return looks_.cut_faces.kind == CutFaces::Kind::hatched && cutting_planes_.any();
 }
 
 namespace {
@@ -167,7 +169,7 @@ double GraphicsSystem::State::hatching_spacing(const SolidFaces& solid) const {
   const Point3 extent = high - low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   constexpr double kParts = 24.0;
-  const double spacing = cut_faces_.spacing.value_or(longest > 0.0 ? longest / kParts : 1.0);
+  const double spacing = looks_.cut_faces.spacing.value_or(longest > 0.0 ? longest / kParts : 1.0);
   if (2.0 * longest / spacing > kMostHatchingLines ||
       std::max({farthest.x, farthest.y, farthest.z}) / spacing > 1e12) {
     throw Error(fmt::format(
@@ -192,8 +194,8 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
     ++empty_solids_;
     return;
   }
-  const bool is_cut = cut_faces_.kind != CutFaces::Kind::open && cutting_planes_.any();
-  const Attributes in_force = attributes_;
+  const bool is_cut = looks_.cut_faces.kind != CutFaces::Kind::open && cutting_planes_.any();
+  const Attributes in_force = looks_.attributes;
   const SolidFaces* solid = &whole;
   SolidFaces cut;
   if (is_cut) {
@@ -202,7 +204,7 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
     solid = &cut;
   }
   const auto restore = [&] {
-    attributes_ = in_force;
+    looks_.attributes = in_force;
     attributes_changed();
   };
   // Back-face removal takes a face that is turned away out of the scene, and its hatching with it;
@@ -220,7 +222,7 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
     throw;
   }
   restore();
-  if (!is_cut || cut_faces_.kind != CutFaces::Kind::hatched) return;
+  if (!is_cut || looks_.cut_faces.kind != CutFaces::Kind::hatched) return;
   for (std::size_t i = 0; i < solid->faces.size(); ++i) {
     if (solid->faces[i].cut_by != 0) enter_hatching(*solid, i, {spacing, is_there[i]});
   }
@@ -231,8 +233,8 @@ void GraphicsSystem::State::enter_face(const SolidFaces& solid, std::size_t i, b
   const SolidFaces::Face& face = solid.faces[i];
   FacePolygon polygon;
   set_to_face(polygon, solid, i);
-  if (const Attributes& own = solid.attributes[face.attributes]; attributes_ != own) {
-    attributes_ = own;
+  if (const Attributes& own = solid.attributes[face.attributes]; looks_.attributes != own) {
+    looks_.attributes = own;
     attributes_changed();
   }
   int pick = face.pick;
@@ -240,7 +242,7 @@ void GraphicsSystem::State::enter_face(const SolidFaces& solid, std::size_t i, b
     pick = next_pick();
     if (pick_ < 0) ++ordinal_;
   }
-  const Point3 normal = attributes_.light ? face.normal : Point3(0.0);
+  const Point3 normal = looks_.attributes.light ? face.normal : Point3(0.0);
   const auto enter_one = [&](const WorldPolygon& one) {
     is_to_be_cut ? enter(one) : enter_whole(one);
   };
@@ -280,7 +282,7 @@ struct DirectionsInPlane {
 /// it, and end a little before its outline, so that none sticks out where it is seen from aside.
 void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t face,
                                            const Hatching& hatching) {
-  if (attributes_.line.kind == LineStyle::Kind::none) return;
+  if (looks_.attributes.line.kind == LineStyle::Kind::none) return;
   has_hatching_ = true;
   constexpr double kBefore = 1e-6;
   const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
@@ -299,7 +301,7 @@ void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t 
   const Point3 extent = high - low;
   const double before = kBefore * std::max({extent.x, extent.y, extent.z}), short_of = 4.0 * before;
   const Point3 origin = -(offset + before) * inward;
-  const auto [sine, cosine] = sine_cosine_of_degrees(cut_faces_.angle);
+  const auto [sine, cosine] = sine_cosine_of_degrees(looks_.cut_faces.angle);
   const Point3 along = cosine * in_plane.right + sine * in_plane.up;
   for (const auto& [from, to] :
        hatched_loops(loops, WithinLoops::odd, hatching.spacing, {cosine, sine})) {

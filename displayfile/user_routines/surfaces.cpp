@@ -32,24 +32,24 @@ Point3 point_of(const SurfaceGrid& grid, std::size_t k) {
 }  // namespace
 
 void GraphicsSystem::set_surface_curves(SurfaceCurves curves) {
-  state_->surface_looks_.curves = curves;
+  state_->looks_.surfaces.curves = curves;
   state_->record("set-surface-curves", {name_of(curves)});
 }
 
 void GraphicsSystem::set_surface_sides(SurfaceSides sides) {
-  state_->surface_looks_.sides = sides;
+  state_->looks_.surfaces.sides = sides;
   state_->record("set-surface-sides", {name_of(sides)});
 }
 
 void GraphicsSystem::set_lower_line_style(const std::optional<LineStyle>& style) {
   if (!style) {
-    state_->surface_looks_.lower_line.reset();
+    state_->looks_.surfaces.lower_line.reset();
     return state_->record("set-lower-line-style", {"same"});
   }
   const LineStyle checked = state_->require_line_style(*style);
   state_->record_line_style("set-lower-line-style", checked);
-  state_->surface_looks_.lower_line = checked;
-  state_->replace_width(*state_->surface_looks_.lower_line);
+  state_->looks_.surfaces.lower_line = checked;
+  state_->replace_width(*state_->looks_.surfaces.lower_line);
 }
 
 void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
@@ -81,7 +81,8 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
       state_->view_stage_->note_entered(entered, state_->modelling_matrix(), segment);
     }
     const std::size_t triangles = 2 * grid.cells();
-    segment.reserve_polygons(triangles, 3 * triangles, state_->attributes_.light ? triangles : 0);
+    segment.reserve_polygons(triangles, 3 * triangles,
+                             state_->looks_.attributes.light ? triangles : 0);
   }
   state_->enter_cells(grid, world, segment);
   state_->pen_ = {{grid.x_max, grid.y_max, known_height(grid.heights.back())}, world.back()};
@@ -96,19 +97,19 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
 void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
                                         Segment& segment) {
   const LineStyle not_drawn{LineStyle::Kind::none};
-  const LineStyle in_force = attributes_.line;
-  const LineStyle upper = surface_looks_.sides == SurfaceSides::lower ? not_drawn : in_force;
-  LineStyle lower = surface_looks_.sides == SurfaceSides::upper
+  const LineStyle in_force = looks_.attributes.line;
+  const LineStyle upper = looks_.surfaces.sides == SurfaceSides::lower ? not_drawn : in_force;
+  LineStyle lower = looks_.surfaces.sides == SurfaceSides::upper
                         ? not_drawn
-                        : surface_looks_.lower_line.value_or(in_force);
+                        : looks_.surfaces.lower_line.value_or(in_force);
   lower.of_kinds = upper.of_kinds;
   if (upper != lower) {
-    attributes_.line = upper;
-    attributes_.dark_line = lower;
+    looks_.attributes.line = upper;
+    looks_.attributes.dark_line = lower;
   }
   const auto restore = [&] {
-    attributes_.line = in_force;
-    attributes_.dark_line.reset();
+    looks_.attributes.line = in_force;
+    looks_.attributes.dark_line.reset();
     attributes_changed();
   };
   attributes_changed();
@@ -166,8 +167,8 @@ void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const 
   const auto& [i, j, ordinal] = cell;
   std::uint32_t b = index(i + 1, j), d = index(i, j + 1);
   const std::uint32_t a = index(i, j), c = index(i + 1, j + 1);
-  std::uint8_t along_ab = surface_looks_.curves != SurfaceCurves::y;
-  std::uint8_t along_ad = surface_looks_.curves != SurfaceCurves::x;
+  std::uint8_t along_ab = looks_.surfaces.curves != SurfaceCurves::y;
+  std::uint8_t along_ad = looks_.surfaces.curves != SurfaceCurves::x;
   if (modelling_.mirrors()) {
     std::swap(b, d);
     std::swap(along_ab, along_ad);
@@ -176,19 +177,20 @@ void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const 
   const bool plain = retaining() == nullptr && !is_viewed_later() && !cutting_planes_.any();
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
                                   const std::array<std::uint8_t, 3>& edge_visible) {
-    if (plain && view_stage_->enter_triangle(world, {of_triangle, edge_visible, pick}, attributes_,
-                                             segment)) {
+    if (plain && view_stage_->enter_triangle(world, {of_triangle, edge_visible, pick},
+                                             looks_.attributes, segment)) {
       return;
     }
     const Point3 normal =
-        attributes_.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
+        looks_.attributes.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
     const std::array entered{point_of(grid, of_triangle[0]), point_of(grid, of_triangle[1]),
                              point_of(grid, of_triangle[2])};
     const WorldPolygon triangle{
         PointRow(world, of_triangle), edge_visible, normal, {}, pick, entered, modelling_matrix()};
     if (cutting_planes_.any()) return enter_cut(triangle);
-    if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, attributes_);
-    if (!is_viewed_later()) view_stage_->enter_shared(of_triangle, triangle, attributes_, segment);
+    if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, looks_.attributes);
+    if (!is_viewed_later())
+      view_stage_->enter_shared(of_triangle, triangle, looks_.attributes, segment);
   };
   enter_triangle({a, b, c}, {0, along_ab, along_ad});
   enter_triangle({a, c, d}, {along_ad, 0, along_ab});

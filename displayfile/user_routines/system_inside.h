@@ -42,7 +42,7 @@ class SystemInside {
   /// world coordinates, where they do not cross themselves so: for a scene that is seen along it.
   static void cut_bent_polygons_as_seen_along_z(GraphicsSystem& system);
 
-  /// Sets touching; from now on HiddenSurfaceSettings::touching has no effect, except that its
+  /// Sets touching; from now on HiddenSurfaceOptions::touching has no effect, except that its
   /// errors are reported. Not recorded.
   static void replace_touching(GraphicsSystem& system, const Touching& touching);
   /// The same for the selection of lines.
@@ -105,6 +105,9 @@ class SystemInside {
   /// Calls enter(), which may set line styles, and restores the line style in force, as
   /// keep_fill_style.
   static void keep_line_style(GraphicsSystem& system, const std::function<void()>& enter);
+  /// False if a point of the closed segments may lie outside of the view volume in which it was
+  /// entered.
+  static bool is_all_in_view(const GraphicsSystem& system);
   /// True if primitives are only in the retained scene.
   static bool retains_alone(const GraphicsSystem& system);
 };

@@ -32,22 +32,12 @@ GraphicsSystem& GraphicsSystem::operator=(GraphicsSystem&& other) noexcept {
 
 const View& GraphicsSystem::view() const { return state_->view_; }
 double GraphicsSystem::aspect_ratio() const { return state_->windows_.aspect(); }
-const std::optional<StretchedWindow>& GraphicsSystem::stretched_window() const {
-  return state_->windows_.stretched();
-}
 const ModellingTransformation& GraphicsSystem::modelling_transformation() const {
   return state_->modelling_;
 }
 std::optional<int> GraphicsSystem::open_segment_name() const { return state_->open_; }
 const DisplayFile& GraphicsSystem::display_file() const { return state_->display_file_; }
-const Attributes& GraphicsSystem::attributes() const { return state_->attributes_; }
-const AnnotationStyle& GraphicsSystem::annotation_style() const {
-  return state_->annotation_style_;
-}
-double GraphicsSystem::crease_degrees() const { return state_->crease_degrees_; }
-const CutFaces& GraphicsSystem::cut_faces() const { return state_->cut_faces_; }
-const SurfaceLooks& GraphicsSystem::surface_looks() const { return state_->surface_looks_; }
-const Background& GraphicsSystem::background() const { return state_->background_; }
+const Looks& GraphicsSystem::looks() const { return state_->looks_; }
 const RetainedScene* GraphicsSystem::retained() const { return state_->retained(); }
 const ExplicitSettings& GraphicsSystem::explicit_settings() const { return state_->explicit_; }
 SystemCounts GraphicsSystem::counts() const {
@@ -56,19 +46,24 @@ SystemCounts GraphicsSystem::counts() const {
           .solids_open = state_->solids_.depth(),
           .empty_solids = state_->empty_solids_,
           .transformations_saved = state_->modelling_.saved(),
-          .has_hatching = state_->has_hatching_};
+          .has_hatching = state_->has_hatching_,
+          .stretched_window = state_->windows_.stretched()};
 }
 
 // Work and records.
 
-void GraphicsSystem::set_threads(int threads) { state_->as_closed_.threads = threads; }
+void GraphicsSystem::set_threads(int threads) { state_->surfaces_.threads = threads; }
 void GraphicsSystem::set_progress(WorkProgress progress) {
-  state_->as_closed_.progress = std::move(progress);
+  state_->surfaces_.progress = std::move(progress);
 }
 void GraphicsSystem::set_recorder(Recorder* recorder) { state_->recorder_ = recorder; }
 
 const CuttingPlanes& SystemInside::cutting_planes(const GraphicsSystem& system) {
   return system.state_->cutting_planes_;
+}
+
+bool SystemInside::is_all_in_view(const GraphicsSystem& system) {
+  return system.state_->is_all_in_view_;
 }
 
 void SystemInside::comment(GraphicsSystem& system, std::string_view text) {
@@ -85,19 +80,19 @@ void SystemInside::by_default(GraphicsSystem& system, Setting setting,
 }
 
 void SystemInside::keep_fill_style(GraphicsSystem& system, const std::function<void()>& enter) {
-  const FillStyle in_force = system.attributes().fill;
+  const FillStyle in_force = system.looks().attributes.fill;
   const ExplicitSettings before = system.explicit_settings();
   restoring(enter, [&] {
-    if (system.attributes().fill != in_force) system.set_fill_style(in_force);
+    if (system.looks().attributes.fill != in_force) system.set_fill_style(in_force);
     system.state_->explicit_ = before;
   });
 }
 
 void SystemInside::keep_line_style(GraphicsSystem& system, const std::function<void()>& enter) {
-  const LineStyle in_force = system.attributes().line;
+  const LineStyle in_force = system.looks().attributes.line;
   const ExplicitSettings before = system.explicit_settings();
   restoring(enter, [&] {
-    if (system.attributes().line != in_force) system.set_line_style(in_force);
+    if (system.looks().attributes.line != in_force) system.set_line_style(in_force);
     system.state_->explicit_ = before;
   });
 }

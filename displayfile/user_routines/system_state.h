@@ -40,14 +40,9 @@ struct GraphicsSystem::State {
     bool has_hatching;
     ExplicitSettings explicit_settings;
     ModellingTransformation modelling;
-    Attributes attributes;
-    AnnotationStyle annotation_style;
-    Background background;
-    double crease_degrees;
+    Looks looks;
     std::vector<Point3> vertex_normals;
     CuttingPlanes cutting_planes;
-    CutFaces cut_faces;
-    SurfaceLooks surface_looks;
   };
   struct AnnotationEntry;
   Entered entered() const;
@@ -56,7 +51,7 @@ struct GraphicsSystem::State {
   void record(std::string_view routine, std::initializer_list<Recorder::Argument> arguments) {
     if (recorder_ != nullptr) recorder_->write(routine, arguments);
   }
-  void require(const HiddenSurfaceSettings& settings);
+  void require(const HiddenSurfaceOptions& options);
   void record_touching(const Touching& touching);
   void record_setting(Setting setting, std::string_view routine,
                       std::initializer_list<Recorder::Argument> arguments) {
@@ -138,13 +133,9 @@ struct GraphicsSystem::State {
   std::optional<int> open_;
   std::optional<PolygonStage> view_stage_;  // of the open segment
   Pen pen_;
-  Attributes attributes_;
-  AnnotationStyle annotation_style_;
-  Background background_;
-  double crease_degrees_ = kNoCrease;
+  Looks looks_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
   CuttingPlanes cutting_planes_;
-  CutFaces cut_faces_;
   OpenSolids solids_;
   struct BeforeSolid {
     Pen pen;
@@ -152,13 +143,12 @@ struct GraphicsSystem::State {
   };
   std::vector<BeforeSolid> before_solids_;  // of each that is open
   std::int64_t empty_solids_ = 0;
-  bool has_hatching_ = false;  // since all segments were deleted
+  bool has_hatching_ = false;   // since all segments were deleted
+  bool is_all_in_view_ = true;  // as is known without another look
   bool touching_replaced_ = false;
-  SurfaceLooks surface_looks_;
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
-  HiddenSurfaces surfaces_;
-  SurfacePlan as_closed_;  // of close_segment: threads and progress
+  HiddenSurfaces surfaces_;  // with threads and progress of close_segment
   bool lines_replaced_ = false;
   unsigned styles_replaced_ = 0;          // a bit for each StyledLines
   std::optional<double> width_replaced_;  // of line styles

@@ -85,7 +85,7 @@ void SystemInside::replace_view(GraphicsSystem& system, const View& view) {
 
 void SystemInside::turn_light(GraphicsSystem& system, const Point3& toward) {
   GraphicsSystem::State& s = *system.state_;
-  std::optional<Light>& light = s.attributes_.light;
+  std::optional<Light>& light = s.looks_.attributes.light;
   if (!light || light->toward == toward) return;
   if (RetainedScene* const scene = s.retaining()) {
     std::vector<Light> lights;  // of any ambient light

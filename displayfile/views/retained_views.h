@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "clip/view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"

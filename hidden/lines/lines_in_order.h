@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"
 #include "hidden/sort/hidden_surface_sort.h"

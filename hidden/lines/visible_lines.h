@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/base/work_progress.h"
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "hidden/lines/intersection_lines.h"
 #include "hidden/primitives.h"
 

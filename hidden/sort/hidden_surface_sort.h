@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "hidden/primitives.h"
 
 namespace displayfile {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "interp/device/picture.h"
 
 namespace displayfile {

@@ -63,7 +63,7 @@ MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, P
   if (options.pens && !is_colour_rule(method)) {
     return {HiddenMethod::map, "for pens: visible fills are hatched"};
   }
-  std::optional<Background> background = options.background.value_or(system.background());
+  std::optional<Background> background = options.background.value_or(system.looks().background);
   if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are wanted
   if (is_colour_rule(method)) background.reset();                          // they hide at least
   MethodChoice chosen = choose_method(system.display_file(), kind, background);

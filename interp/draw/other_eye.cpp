@@ -27,7 +27,8 @@ auto settings_of(const GraphicsSystem& system) {
                     system.hidden_surfaces().method, system.hidden_surfaces().scope,
                     system.hidden_surfaces().precision, system.hidden_surfaces().hidden_lines,
                     system.hidden_surfaces().line_order, system.hidden_surfaces().line_halo,
-                    system.hidden_surfaces().lines, system.background(), system.aspect_ratio());
+                    system.hidden_surfaces().lines, system.looks().background,
+                    system.aspect_ratio());
 }
 
 }  // namespace

@@ -169,10 +169,6 @@ bool is_method_of(const OrderMade& order, HiddenMethod method) {
          (surfaces == HiddenMethod::back_face && order.method() == HiddenMethod::none);
 }
 
-std::string words_of(const Precision& precision) {
-  return precision.exact ? "exact" : fmt::format("roundoff={}", precision.roundoff);
-}
-
 /// `what` is as it is, and not as asked for.
 [[noreturn]] void refuse_for_order(std::string_view what, std::string_view asked,
                                    std::string_view made) {
@@ -197,7 +193,7 @@ void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options)
                          shape == system.aspect_ratio() ||
                          system.explicit_settings().contains(Setting::window_fit);
   if (!options.warn || is_as_set) return;
-  const auto& stretched = system.stretched_window();
+  const auto stretched = system.counts().stretched_window;
   const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
   const double wider = shape / (system.aspect_ratio() * meant);
   if (!is_stretched(wider, options)) return;
@@ -277,7 +273,7 @@ std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
   if (set.precision && !set.precision->exact) {
     const std::string why = why_nothing_rounds(method, drawn, by);
     if (!why.empty()) {
-      all.push_back(fmt::format("precision {} has no effect: {}", words_of(*set.precision), why));
+      all.push_back(fmt::format("precision {} has no effect: {}", word_of(*set.precision), why));
     }
   }
   if (set.scope && drawn.visible_segments().size() > 1) {
@@ -410,7 +406,7 @@ void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& 
     if (order.sorted == nullptr) continue;
     const Precision made = order.sorted->plan.precision;
     if (set.precision && !(*set.precision == made)) {
-      refuse_for_order("precision", words_of(*set.precision), words_of(made));
+      refuse_for_order("precision", word_of(*set.precision), word_of(made));
     }
     const bool of_several = display_file.visible_segments().size() > 1;
     if (set.scope && of_several && *set.scope != order.scope) {

@@ -248,7 +248,7 @@ namespace {
 PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given,
                           const Destination* to) {
   DrawOptions options = given;
-  if (!options.background) options.background = system.background();
+  if (!options.background) options.background = system.looks().background;
   PicturePlan plan = resolve_picture(options, to);
   plan.surfaces = surfaces_of_picture(system, options);
   require_root(plan);

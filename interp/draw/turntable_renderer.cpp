@@ -102,11 +102,11 @@ DrawOptions of_view(DrawOptions options, int number, int views) {
 
 }  // namespace
 
-void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
+void require_views_drawable(const TurntableViews& views, const std::filesystem::path& file,
                             const DrawOptions& options) {
   picture_kind(file, options);  // an unknown extension is told with the name as given
   for (int k = views.first; k < views.end; ++k) {
-    require_drawable(numbered(file, k, views.all), of_view(options, k, views.all));
+    require_drawable(numbered(file, k, views.number), of_view(options, k, views.number));
   }
 }
 

@@ -14,6 +14,7 @@ struct TurntableViews {
   static constexpr int kMost = 10000;
 
   int number = 0;                             ///< 1 to kMost
+  int first = 0, end = number;                ///< those in [first, end) are drawn into files
   std::optional<Point3> axis = std::nullopt;  ///< none: the view's up
   bool fit_window = false;                    ///< to all of them
 };
@@ -29,18 +30,13 @@ void require_turntable_method(const DrawOptions& options);
 /// Throws Error for options out of range.
 DrawOptions options_of_views(const GraphicsSystem& system, const DrawOptions& options);
 
-/// The views of a turntable to draw: of all, those in [first, end).
-struct ViewsDrawn {
-  int all = 0, first = 0, end = 0;
-};
-
 /// The name of one of `views` files: with a number of at least three digits before the extension,
 /// as OUT-000.png for OUT.png.
 std::filesystem::path numbered(const std::filesystem::path& file, int number, int views);
 
 /// Throws the Errors that drawing these views into numbered files would throw before drawing, as
 /// require_drawable (interp/draw/draw.h) does.
-void require_views_drawable(const ViewsDrawn& views, const std::filesystem::path& file,
+void require_views_drawable(const TurntableViews& views, const std::filesystem::path& file,
                             const DrawOptions& options);
 
 /// Draws a retained scene rotated about an axis through its middle (displayfile/views/turntable.h),

@@ -43,7 +43,7 @@ void enter(GraphicsSystem& system, const Beside& all) {
     system.move_abs_3(x, y, kFront);
     system.line_abs_3(to_x, to_y, kFront);
   }
-  const TextStyle before = system.attributes().text;
+  const TextStyle before = system.looks().attributes.text;
   for (const auto& [x, y, size, characters] : all.texts) {
     system.set_text_style({.size = size, .alignment = TextStyle::Alignment::left, .always = true});
     system.move_abs_3(x, y, kFront);

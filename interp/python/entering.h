@@ -96,7 +96,7 @@ int in_followed_segment(System& self, const Entry& entry, const Enter& enter) {
 /// which enters the faces, for their sides alone.
 inline void enter_in_pieces(GraphicsSystem& system, const ManyPolygons& pieces,
                             const std::function<void()>& enter_whole) {
-  const bool draws_sides = system.attributes().is_outlined();
+  const bool draws_sides = system.looks().attributes.is_outlined();
   SystemInside::keep_line_style(system, [&] {
     if (draws_sides) system.set_line_style({LineStyle::Kind::none});
     system.polygons_abs_3(pieces);

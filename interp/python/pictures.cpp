@@ -405,8 +405,8 @@ std::string dump_of(System& self, const py::kwargs& keywords) {
     const DisplayFile& file = sorted.update(system, options, plan, unsorted_if_automatic(method));
     require_hidden_lines_dumped(file, method, options);
     if (!is_colour_rule(method)) return dump(file);
-    require_colour_of_fills(method, system.background());
-    return dump(file, system.background().colour);
+    require_colour_of_fills(method, system.looks().background);
+    return dump(file, system.looks().background.colour);
   });
 }
 

@@ -264,7 +264,7 @@ void replay_path(System& self, py::handle file) {
 /// A mesh beside others that a camera follows. Returns what was skipped.
 Mesh::Skipped import_followed(const std::string& path, GraphicsSystem& system,
                               FollowedView& followed, const MeshOptions& options) {
-  const bool is_smooth = system.attributes().shading != Shading::flat;
+  const bool is_smooth = system.looks().attributes.shading != Shading::flat;
   Mesh mesh = placing_errors([&] { return read_mesh(path, is_smooth, options.import_limits); });
   if (is_smooth) complete_normals(mesh, system);
   followed.place(system);

@@ -127,12 +127,12 @@ py::str numbered_path(py::handle path, int number, int all) {
 }
 
 void require_drawable(Turntable& self, py::handle first, py::handle end, py::handle to) {
-  const ViewsDrawn views{self.views(), whole_number_in(first, "views"),
-                         whole_number_in(end, "views")};
+  const TurntableViews views{self.views(), whole_number_in(first, "views"),
+                             whole_number_in(end, "views")};
   const std::string path = path_in(to, "path");
-  if (views.first < 0 || views.end <= views.first || views.end > views.all) {
+  if (views.first < 0 || views.end <= views.first || views.end > views.number) {
     throw Error(fmt::format("views {} up to {}: expected some of the turntable's {}", views.first,
-                            views.end, views.all));
+                            views.end, views.number));
   }
   self.work([&](TurntableRenderer& renderer) {
     require_views_drawable(views, path, renderer.options());

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/visible_lines.h"

@@ -110,7 +110,7 @@ Steps tell_steps(const DisplayFile& file, const StepsOptions& options) {
 
 Steps tell_steps(const GraphicsSystem& system, const StepsOptions& options) {
   Steps steps = tell_steps(system.display_file(), options);
-  steps.background = system.background().colour;
+  steps.background = system.looks().background.colour;
   return steps;
 }
 

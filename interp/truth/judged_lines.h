@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clip/base/work_progress.h"
-#include "clip/surface_plan.h"
+#include "clip/surfaces.h"
 #include "displayfile/segments/display_file.h"
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"

@@ -221,7 +221,7 @@ int CheckCommand::run() {
   inputs = figure_names(figures);
   CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
   checked.meshes.lines = hidden_surfaces.line_selection();
-  checked.meshes.touching = hidden_surfaces.touching_in_force();
+  checked.meshes.touching = hidden_surfaces.touching;
   checked.meshes.options();  // all words are understood before any work is done
   if (!checked.size.size.empty()) checked.size.aspect();
   InstructionCheck instructions(checked);

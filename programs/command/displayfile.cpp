@@ -167,7 +167,7 @@ int run(int count, char** as_given) {
   StepsCommand steps;
   PageCommand page;
   check.other = &pictures;
-  draw.options.surfaces.threads = dump.threads = check.threads = truth.threads = surface.threads =
+  draw.options.surfaces.threads = dump.threads = check.threads = truth.judged.threads = surface.threads =
       sheet.threads = page.threads =
           static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   add("draw", draw);

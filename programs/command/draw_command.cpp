@@ -251,7 +251,7 @@ DrawOptions DrawCommand::all_options() const {
   return all;
 }
 
-ViewsDrawn DrawCommand::views_drawn() const {
+TurntableViews DrawCommand::views_drawn() const {
   if (!turntable) {
     if (views) throw Error("--views: expected --turntable too");
     return {};
@@ -291,7 +291,7 @@ std::optional<ExactScale> DrawCommand::exact_scale() const {
 
 MeshWords DrawCommand::entering() const {
   MeshWords words = meshes;
-  if (const auto lines = hidden_surfaces.line_words()) {
+  if (const auto& lines = hidden_surfaces.lines) {
     words.lines = lines->selection();
     words.line_styles = lines->styles(pixel_size());
   }
@@ -300,7 +300,7 @@ MeshWords DrawCommand::entering() const {
   words.scale = exact_scale();
   words.widen = words.widen || takes_papers_shape();
   words.together = together_;
-  words.touching = hidden_surfaces.touching_in_force();
+  words.touching = hidden_surfaces.touching;
   const bool for_pens = paper.pens || !paper.hatch.empty();
   if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
     words.lines_of_meshes = displayfile::line_selection("outline,boundary,crease");
@@ -365,7 +365,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   left_out.note(warned);
   if (!entered.warn_if_nothing_is_seen(warned, kind)) {
     DrawOptions with_background = entered.options();
-    if (!with_background.background) with_background.background = system.background();
+    if (!with_background.background) with_background.background = system.looks().background;
     if (pens_draw_nothing(sorted.display_file(), with_background)) {
       warn_that_pens_draw_nothing(file.string(), with_background);
     }
@@ -381,10 +381,10 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
 /// An output's files: those of a turntable's views have numbers.
 std::vector<std::string> DrawCommand::files_written(const std::filesystem::path& file) const {
   if (!turntable || file.empty()) return {file.string()};
-  const ViewsDrawn drawn = views_drawn();
+  const TurntableViews drawn = views_drawn();
   std::vector<std::string> files;
   for (int k = drawn.first; k < drawn.end; ++k) {
-    files.push_back(numbered(file, k, drawn.all).string());
+    files.push_back(numbered(file, k, drawn.number).string());
   }
   return files;
 }
@@ -515,7 +515,6 @@ int DrawCommand::run() {
   const DrawOptions drawing = all_options();
   starting_shading();
   entering();
-  hidden_surfaces.touching_in_force();
   views_drawn();
   if (pick) pick_option(*pick);
   if (pick && turntable) {

@@ -70,7 +70,7 @@ struct DrawCommand {
   PixelSize pixel_size() const;
   std::optional<ExactScale> exact_scale() const;
   void fit_to_all();
-  ViewsDrawn views_drawn() const;
+  TurntableViews views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,

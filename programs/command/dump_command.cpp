@@ -40,11 +40,11 @@ int DumpCommand::run() {
         output));
   }
   MeshWords entering = meshes;
-  if (const auto lines = hidden_surfaces.line_words()) {
+  if (const auto& lines = hidden_surfaces.lines) {
     entering.lines = lines->selection();
     entering.line_styles = lines->styles({});
   }
-  entering.touching = hidden_surfaces.touching_in_force();
+  entering.touching = hidden_surfaces.touching;
   const DrawnFile drawn =
       as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
   if (output.empty()) {

@@ -37,7 +37,6 @@ int ImportCommand::run() {
   const StartingShading start_with = shading.starting(true, false);
   const MeshOptions entering = options.options();
   const double aspect = size.aspect();
-  const auto in_force = touching ? std::optional(touching_of_option(*touching)) : std::nullopt;
   OutputFile file(output);
   GraphicsSystem system;
   Recorder recorder(file.stream());
@@ -48,7 +47,7 @@ int ImportCommand::run() {
   options.start(system, aspect);
   system.set_window_fit(WindowFit::widen);  // whatever the size that it will be drawn in
   start_with.start(system);
-  if (in_force) system.set_hidden_surfaces({.touching = *in_force});
+  if (touching) system.set_hidden_surfaces({.touching = *touching});
   const Progress progress("importing " + meshes.front());
   std::vector<Mesh::Skipped> skipped;
   {

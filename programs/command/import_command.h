@@ -17,7 +17,7 @@ struct ImportCommand {
   PictureSizeWord size;  ///< of the picture that the window is made for
   ShadingWord shading;   ///< gouraud: with normals of vertices
   MeshWords options;
-  std::optional<std::string> touching;
+  std::optional<Touching> touching;
   std::string output;
 
   CLI::App& add_to(CLI::App& app);

@@ -80,17 +80,17 @@ PageContents PageCommand::scene(ordered_json data, DrawOptions options) const {
   starting_shading().start(system);
   if (const auto lines = hidden_surfaces.line_selection())
     system.set_hidden_surfaces({.lines = *lines});
-  if (const auto touching = hidden_surfaces.touching_in_force())
-    system.set_hidden_surfaces({.touching = *touching});
+  if (hidden_surfaces.touching) {
+    system.set_hidden_surfaces({.touching = *hidden_surfaces.touching});
+  }
   enter_inputs(inputs, system, meshes, size.aspect(), options.surfaces);
   const std::string name = std::filesystem::path(input_name(inputs.front())).filename().string();
   data["scenes"].push_back(scene_data(name, program.str()));
-  if (options.surfaces.method) data["method"] = name_of(*options.surfaces.method);
-  for (const auto& [key, word] : {std::pair{"precision", hidden_surfaces.precision},
-                                  {"scope", hidden_surfaces.scope},
-                                  {"hiddenLines", hidden_surfaces.hidden_lines}}) {
-    if (!word.empty()) data[key] = word;
-  }
+  const HiddenSurfaceOptions& set = options.surfaces;
+  if (set.method) data["method"] = name_of(*set.method);
+  if (set.precision) data["precision"] = word_of(*set.precision);
+  if (set.scope) data["scope"] = name_of(*set.scope);
+  if (set.hidden_lines) data["hiddenLines"] = name_of(*set.hidden_lines);
   Progress progress("drawing " + output);
   options.surfaces.progress = progress.told();
   return {title_or_name(title, name), text_of(data), draw_as(system, "svg", options)};

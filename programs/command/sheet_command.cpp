@@ -309,7 +309,7 @@ int SheetCommand::run() {
     throw Error(fmt::format("--centre-lines {}: expected on or off", centre_lines));
   }
   if (!uncut.empty() && sections.empty()) throw Error("--uncut has no effect without --section");
-  const LineSelection selection = line_selection_of_option(lines);
+  const LineSelection selection = selection_of(LineWords(lines));
   if (!up.empty()) upright_of_option(up);
   const Part part = read_part(inputs, up, import.limits());
   const auto kinds = views_of_sheet(words.projection);

@@ -230,7 +230,6 @@ int SurfaceCommand::run() const {
   system.set_aspect_ratio(static_cast<double>(options.width) / options.height);
   if (surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast) system.retain();
   const auto lines = hidden_surfaces.line_selection();
-  const auto touching = hidden_surfaces.touching_in_force();
   std::optional<OutputFile> recorded;
   std::optional<Recorder> recorder;
   if (!program.empty()) {
@@ -239,7 +238,8 @@ int SurfaceCommand::run() const {
     record_drawing(*recorder, options, lines);
     system.set_recorder(&*recorder);
   }
-  if (touching) system.set_hidden_surfaces({.touching = *touching});  // the program has it too
+  // The program has it too.
+  if (hidden_surfaces.touching) system.set_hidden_surfaces({.touching = *hidden_surfaces.touching});
   if (lines) {
     SystemInside::replace_lines(system, *lines);
   } else if (data.size() > 1 && !needs_surface(*options.surfaces.method)) {

@@ -55,7 +55,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
                   "coordinates; display-file: its coordinates, rounded by viewing. If entered or "
                   "world is set, the number of pixels that differ from display-file is printed")
       ->type_name("display-file|world|entered");
-  add_touching_option(command, touching);
+  add_touching_option(command, meshes.touching);
   command
       .add_option("--seen-lines", seen_lines,
                   "the visible parts of lines as a dump, equal to that of a correct method of "
@@ -65,9 +65,9 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       .add_option("--hidden", hidden,
                   "print the missing and extra length of visible lines by this method")
       ->type_name("LINE-METHOD");
-  command.add_option("--precision", precision, "precision of that method")
+  add_word_option(command, "--precision", judged.precision, precision, "precision of that method")
       ->type_name("exact|roundoff[=EPS]")
-      ->capture_default_str();
+      ->default_str("exact");
   command
       .add_option("--line-samples", line_samples,
                   "check at least this many random points of lines instead of whole lines, for "
@@ -75,7 +75,7 @@ CLI::App& TruthCommand::add_to(CLI::App& app) {
       ->type_name("N")
       ->transform(any_number<std::size_t>());
   command
-      .add_option("--threads", threads,
+      .add_option("--threads", judged.threads,
                   "maximum number of threads for lines; the result does not depend on it")
       ->type_name("N")
       ->transform(number_in(1, 1024));
@@ -96,18 +96,17 @@ int TruthCommand::run() {
     throw Error(fmt::format(
         "--from {}: lines are computed in display-file coordinates: expected --ids alone", from));
   }
-  if (touching && from_what == From::world) {
+  if (meshes.touching && from_what == From::world) {
     throw Error("--touching: expected --from display-file or entered");
   }
-  if (touching) meshes.touching = touching_of_option(*touching);
   if (ids.empty() && !depth.empty() && wants_lines()) {
     throw Error("--depth: expected --ids too");
   }
-  if (hidden.empty() && (line_samples != 0 || precision != "exact")) {
+  if (hidden.empty() && (line_samples != 0 || !judged.precision.exact)) {
     throw Error("--line-samples and --precision: expected --hidden and a method of lines too");
   }
   require_files_of_their_own({ids, depth, seen_lines}, inputs, lists);
-  const SurfacePlan judged = judged_method();
+  judged.method = judged_method();
   int width = 0, height = 0;
   size.read(width, height);
   RetainedScene retained;
@@ -133,7 +132,7 @@ int TruthCommand::run() {
   std::string report;
   int status = 0;
   if (lines_file) write_seen_lines(file, lines_file->stream());
-  if (!hidden.empty()) status = judge_lines(file, judged, report);
+  if (!hidden.empty()) status = judge_lines(file, report);
   if (!ids.empty() || (!from.empty() && retains)) {
     const Picture picture = true_picture(system, retained, from_what, report);
     for (const auto& array : arrays) array->write(picture);
@@ -185,41 +184,35 @@ Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedS
 }
 
 /// By Franklin's method if none is judged.
-SurfacePlan TruthCommand::judged_method() const {
-  SurfacePlan plan{.method = HiddenMethod::franklin,
-                   .precision = displayfile::precision(precision),
-                   .threads = threads};
-  if (hidden.empty()) return plan;
+HiddenMethod TruthCommand::judged_method() const {
+  if (hidden.empty()) return HiddenMethod::franklin;
   std::vector<HiddenMethod> methods;
   for (const HiddenMethodEntry& entry : hidden_methods()) {
     if (finds_lines(entry.method)) methods.push_back(entry.method);
   }
-  plan.method = method_among(hidden, methods,
-                             "finds no lines, and its item buffer can be compared with that of "
-                             "--ids");
-  return plan;
+  return method_among(hidden, methods,
+                      "finds no lines, and its item buffer can be compared with that of --ids");
 }
 
 void TruthCommand::write_seen_lines(const DisplayFile& file, std::ostream& to) const {
   Progress progress("the truth of lines");
-  dump(true_line_drawing(file, threads, progress.told()), to);
+  dump(true_line_drawing(file, judged.threads, progress.told()), to);
 }
 
-int TruthCommand::judge_lines(const DisplayFile& file, const SurfacePlan& judged_by,
-                              std::string& report) const {
+int TruthCommand::judge_lines(const DisplayFile& file, std::string& report) const {
   Progress progress("the truth of lines");
-  SurfacePlan plan = judged_by;
+  SurfacePlan plan = judged;
   plan.progress = progress.told();
-  const JudgedLines judged = judged_lines(file, plan, line_samples);
+  const JudgedLines found = judged_lines(file, plan, line_samples);
   const std::string places =
-      judged.samples == 0 ? "whole"
-                          : fmt::format("at {} points, {} wrong", judged.samples, judged.wrong);
+      found.samples == 0 ? "whole"
+                         : fmt::format("at {} points, {} wrong", found.samples, found.wrong);
   report += fmt::format(
       "lines           {}, judged {}\npieces seen     {} by {}\ntotal length    {} of the "
       "picture's side\nmissing length  {}\nextra length    {}\n",
-      judged.lines, places, judged.pieces, hidden, judged.errors.length, judged.errors.missing,
-      judged.errors.extra);
-  return judged.are_right() ? 0 : 1;
+      found.lines, places, found.pieces, hidden, found.errors.length, found.errors.missing,
+      found.errors.extra);
+  return found.are_right() ? 0 : 1;
 }
 
 /// Standard output may be an output.

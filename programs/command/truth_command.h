@@ -26,13 +26,11 @@ struct TruthCommand {
   std::string depth;  ///< not written if empty
 
   std::string from;
-  std::optional<std::string> touching;
 
   std::string seen_lines;  ///< not written if empty
   std::string hidden;      ///< a method of lines that is judged, if not empty
-  std::string precision = "exact";
-  std::size_t line_samples = 0;  ///< whole lines are compared if 0
-  int threads = 1;
+  SurfacePlan judged{.method = HiddenMethod::franklin};  ///< by which method, and how
+  std::size_t line_samples = 0;                          ///< whole lines are compared if 0
 
   CLI::App& add_to(CLI::App& app);
   int run();
@@ -42,10 +40,10 @@ struct TruthCommand {
   enum class From { display_file, world, entered };
   From judged_from() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }
-  SurfacePlan judged_method() const;
+  HiddenMethod judged_method() const;
   std::ostream& reports() const;
   void write_seen_lines(const DisplayFile& file, std::ostream& to) const;
-  int judge_lines(const DisplayFile& file, const SurfacePlan& judged_by, std::string& report) const;
+  int judge_lines(const DisplayFile& file, std::string& report) const;
   Picture true_picture(const GraphicsSystem& system, const RetainedScene& retained,
                        From judged_from, std::string& report) const;
 };

@@ -74,7 +74,7 @@ int turntable_views(const std::string& text) {
 
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes,
-                           const StartingShading& shading, const ViewsDrawn& views,
+                           const StartingShading& shading, const TurntableViews& views,
                            const TurntableReport& report, NotInPicture& left_out) {
   if (options.pens && options.pens->hatching) {
     throw Error(
@@ -101,7 +101,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
   warn_of_stretched_window(system, output.string(), options.width, options.height);
   left_out.note(system, options, picture_kind(output, options));
   const Camera looking = meshes.camera();
-  TurntableViews turned{views.all};
+  TurntableViews turned = views;
   if (fitted) turned.axis = fitted->up;
   turned.fit_window = fitted && looking.fit && !looking.angle_of_view;
   TurntableRenderer turntable(system, scene, system.display_file(), turned, options);

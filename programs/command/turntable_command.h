@@ -36,7 +36,7 @@ struct TurntableReport {
 /// Warns of contents that vectors omit. Returns the report.
 std::string draw_turntable(std::span<const std::string> inputs, const std::filesystem::path& output,
                            const DrawOptions& options, const MeshWords& meshes,
-                           const StartingShading& shading, const ViewsDrawn& views,
+                           const StartingShading& shading, const TurntableViews& views,
                            const TurntableReport& report, NotInPicture& left_out);
 
 }  // namespace displayfile

@@ -154,9 +154,9 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   GraphicsSystem ahead;
   ahead.retain(&drawn);
   SystemInside::place_segments(ahead, SystemInside::places(system));
-  ahead.set_shading(system.attributes().shading);
+  ahead.set_shading(system.looks().attributes.shading);
   const bool crease_is_set = system.explicit_settings().contains(Setting::crease_angle);
-  const auto set_crease = [&] { ahead.set_crease_angle(system.crease_degrees()); };
+  const auto set_crease = [&] { ahead.set_crease_angle(system.looks().crease_degrees); };
   crease_is_set ? set_crease() : SystemInside::by_default(ahead, Setting::crease_angle, set_crease);
   bool any_smooth = false;
   for (const std::string& input : inputs) {
@@ -166,7 +166,7 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
       replay_ahead(read.programs.back(), input_name(input), ahead);
       continue;
     }
-    const bool smooth = ahead.attributes().shading != Shading::flat;
+    const bool smooth = ahead.looks().attributes.shading != Shading::flat;
     any_smooth = any_smooth || smooth;
     const NamedWarnings named(input);
     Mesh& mesh = read.meshes.emplace_back(read_mesh(input, smooth, options.import_limits));
@@ -507,8 +507,8 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
     warnings() << fmt::format("{}: {}\n", input_name(inputs.front()), text);
   }
   if (!is_colour_rule(method)) return drawn;
-  require_colour_of_fills(method, system.background());
-  drawn.fills = system.background().colour;
+  require_colour_of_fills(method, system.looks().background);
+  drawn.fills = system.looks().background.colour;
   return drawn;
 }
 

@@ -171,7 +171,7 @@ void warn_of_turned_images(const GraphicsSystem& system, const std::string& pict
 
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
                               int height) {
-  const auto& stretched = system.stretched_window();
+  const auto stretched = system.counts().stretched_window;
   if (!stretched) return;
   const double factor = stretched->window / stretched->viewport;
   const double pixels = std::max(factor, 1.0 / factor) - 1.0;

@@ -19,59 +19,59 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
     methods.append(" ").append(entry.name);
   }
   methods.append(" colour-rule=METHOD bsp=last|first|sample|free (the root of a tree)");
-  command
-      .add_option("--hidden", hidden, "hidden-surface method, overriding the program's:" + methods)
+  const auto read_method = [this](const std::string& word) {
+    constexpr std::string_view kOfTree = "bsp=";
+    if (!word.starts_with(kOfTree)) return hidden_method(word);
+    surfaces.root = root_choice(std::string_view(word).substr(kOfTree.size()));
+    return HiddenMethod::bsp;
+  };
+  add_word_option(command, "--hidden", surfaces.method, read_method,
+                  "hidden-surface method, overriding the program's:" + methods)
       ->type_name("METHOD")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option(
-          "--scope", scope,
-          "sort each segment by itself, or all visible segments together [all with --hidden and "
-          "where the method is automatic, otherwise segment, unless a program sets another]")
+  add_word_option(
+      command, "--scope", surfaces.scope, hidden_scope,
+      "sort each segment by itself, or all visible segments together [all with --hidden and "
+      "where the method is automatic, otherwise segment, unless a program sets another]")
       ->type_name("segment|all")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option("--precision", precision,
+  add_word_option(command, "--precision", surfaces.precision, precision,
                   "precision of the methods [exact, unless a program sets another]")
       ->type_name("exact|roundoff[=EPS]")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option(
-          "--lines", lines,
-          "kinds of polygon sides drawn as lines, overriding programs, for every method; separated "
-          "by commas: all (those that the line style shows), outline, boundary (sides of one "
-          "polygon), crease or crease=DEGREES (sides between polygons that meet at a greater "
-          "angle; 30), intersection, material (sides between different fills), and hidden (hidden "
-          "parts of lines). KIND=WIDTH sets a width, in pixels, in mm with --paper, or with a unit "
-          "(0.35mm, 1pt, 2px); after it, separated by blanks, solid or dashed [DASH GAP], and a "
-          "colour: outline=0.5,hidden='0.13 dashed'. crease=NUMBER is a width below 5")
+  add_word_option(
+      command, "--lines", lines, [](const std::string& words) { return LineWords(words); },
+      "kinds of polygon sides drawn as lines, overriding programs, for every method; separated "
+      "by commas: all (those that the line style shows), outline, boundary (sides of one "
+      "polygon), crease or crease=DEGREES (sides between polygons that meet at a greater "
+      "angle; 30), intersection, material (sides between different fills), and hidden (hidden "
+      "parts of lines). KIND=WIDTH sets a width, in pixels, in mm with --paper, or with a unit "
+      "(0.35mm, 1pt, 2px); after it, separated by blanks, solid or dashed [DASH GAP], and a "
+      "colour: outline=0.5,hidden='0.13 dashed'. crease=NUMBER is a width below 5")
       ->type_name("KIND,...")
       ->group(kHiddenSurfaceOptions);
-  command
-      .add_option("--hidden-lines", hidden_lines,
+  add_word_option(command, "--hidden-lines", surfaces.hidden_lines, hidden_lines,
                   "draw hidden parts of lines dashed; for methods that find lines, and over fills")
       ->type_name("none|dashed")
       ->group(kHiddenSurfaceOptions);
   add_touching_option(command, touching);
 }
 
-void add_touching_option(CLI::App& command, std::optional<std::string>& touching) {
-  command
-      .add_option("--touching", touching,
+void add_touching_option(CLI::App& command, std::optional<Touching>& touching) {
+  const auto read = [](const std::string& word) {
+    try {
+      return displayfile::touching(word);
+    } catch (const Error& error) {
+      throw Error("--touching: " + std::string(error.what()));
+    }
+  };
+  add_word_option(command, "--touching", touching, read,
                   "distance within which polygons touch, overriding programs: a polygon that "
                   "touches a plane is taken to lie in it, and of coplanar polygons the one entered "
                   "last is visible; auto (from the precision of the numbers), off, or a length in "
                   "the coordinates of the input")
       ->type_name("auto|off|LENGTH")
       ->group(kHiddenSurfaceOptions);
-}
-
-Touching touching_of_option(const std::string& word) {
-  try {
-    return touching(word);
-  } catch (const Error& error) {
-    throw Error("--touching: " + std::string(error.what()));
-  }
 }
 
 HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod> taken,
@@ -88,51 +88,30 @@ HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod>
                                      word, did_you_mean(word, names), fmt::join(names, " ")));
 }
 
-std::optional<Touching> HiddenSurfaceWords::touching_in_force() const {
-  if (!touching) return std::nullopt;
-  return touching_of_option(*touching);
-}
-
 HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
-  HiddenSurfaceOptions read;
-  read.threads = threads;
-  constexpr std::string_view kOfTree = "bsp=";
-  if (hidden.starts_with(kOfTree)) {
-    read.method = HiddenMethod::bsp;
-    read.root = root_choice(std::string_view(hidden).substr(kOfTree.size()));
-  } else if (!hidden.empty()) {
-    read.method = hidden_method(hidden);
+  HiddenSurfaceOptions all = surfaces;
+  all.threads = threads;
+  if (!lines || !lines->draws_hidden()) return all;
+  if (all.hidden_lines == HiddenLines::none) {
+    throw Error("--lines " + lines->text() +
+                ": hidden lines are not drawn with --hidden-lines none");
   }
-  if (!scope.empty()) read.scope = hidden_scope(scope);
-  if (!precision.empty()) read.precision = displayfile::precision(precision);
-  if (!hidden_lines.empty()) read.hidden_lines = displayfile::hidden_lines(hidden_lines);
-  if (const auto words = line_words(); words && words->draws_hidden()) {
-    if (read.hidden_lines == HiddenLines::none) {
-      throw Error("--lines " + *lines + ": hidden lines are not drawn with --hidden-lines none");
-    }
-    read.hidden_lines = HiddenLines::dashed;
-  }
-  return read;
+  all.hidden_lines = HiddenLines::dashed;
+  return all;
 }
 
-LineSelection line_selection_of_option(const std::string& words) {
-  const LineWords read(words);
-  if (read.has_styles() || !read.selection()) {
-    throw Error("--lines " + words +
+LineSelection selection_of(const LineWords& lines) {
+  if (lines.has_styles() || !lines.selection()) {
+    throw Error("--lines " + lines.text() +
                 ": styles of kinds and hidden lines are options of draw and dump: expected kinds "
                 "alone");
   }
-  return *read.selection();
-}
-
-std::optional<LineWords> HiddenSurfaceWords::line_words() const {
-  if (!lines) return std::nullopt;
-  return LineWords(*lines);
+  return *lines.selection();
 }
 
 std::optional<LineSelection> HiddenSurfaceWords::line_selection() const {
   if (!lines) return std::nullopt;
-  return line_selection_of_option(*lines);
+  return selection_of(*lines);
 }
 
 }  // namespace displayfile

@@ -12,33 +12,36 @@
 
 namespace displayfile {
 
-/// The options of commands that find hidden surfaces, as words.
+/// The options of commands that find hidden surfaces, as the command line sets them. Reading it
+/// throws Error for an unknown word.
 struct HiddenSurfaceWords {
-  std::string hidden, scope, precision, hidden_lines;
-  std::optional<std::string> lines, touching;
+  HiddenSurfaceOptions surfaces;     ///< but for what --lines sets of them
+  std::optional<LineWords> lines;    ///< none: programs select lines
+  std::optional<Touching> touching;  ///< none: programs set it
 
   void add_to(CLI::App& command);
-  /// Throws Error for an unknown word.
+  /// Throws Error if --lines and --hidden-lines contradict each other.
   HiddenSurfaceOptions options(int threads) const;
-  /// What --lines sets; nothing if the programs set it. Throws Error likewise.
-  std::optional<LineWords> line_words() const;
-  /// The same for commands that select lines but give kinds no styles of their own: throws Error
-  /// for a style, too.
+  /// What --lines selects, of commands that give kinds no styles of their own: throws Error for a
+  /// style.
   std::optional<LineSelection> line_selection() const;
-  /// Within which distance polygons touch; nothing if the programs say it. Throws Error likewise.
-  std::optional<Touching> touching_in_force() const;
 };
+
+/// Adds an option whose value is read by `read`, which throws Error for an unknown word.
+template <class Value, class Read>
+CLI::Option* add_word_option(CLI::App& command, const std::string& name, Value& value, Read read,
+                             const std::string& description) {
+  const auto take = [&value, read](const std::string& word) { value = read(word); };
+  return command.add_option_function<std::string>(name, take, description);
+}
 
 /// The method of --hidden of a command that takes those methods only. Throws Error for any other
 /// word, listing those; `lack` says what other methods lack.
 HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod> taken,
                           std::string_view lack);
 
-/// The option that touching_of_option reads.
-void add_touching_option(CLI::App& command, std::optional<std::string>& touching);
-/// Throws Error, naming the option, for an unknown word.
-Touching touching_of_option(const std::string& word);
-/// What --lines selects. Throws Error, naming the option, for an unknown word, or a style.
-LineSelection line_selection_of_option(const std::string& words);
+void add_touching_option(CLI::App& command, std::optional<Touching>& touching);
+/// What --lines selects. Throws Error, naming the option, for a style.
+LineSelection selection_of(const LineWords& lines);
 
 }  // namespace displayfile

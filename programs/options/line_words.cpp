@@ -102,7 +102,7 @@ double halo_of_option(const std::string& word, const PixelSize& pixel) {
               "3pt or 4px");
 }
 
-LineWords::LineWords(std::string_view text) {
+LineWords::LineWords(std::string_view text) : text_(text) {
   if (text.empty() || text.ends_with(',')) select(text.empty() ? text : "");
   for (std::string_view rest = text; !rest.empty();) read(part_before(rest, ','));
 }

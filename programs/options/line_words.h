@@ -51,6 +51,7 @@ class LineWords {
 
   /// None: no kind is named, except hidden.
   const std::optional<LineSelection>& selection() const { return selection_; }
+  const std::string& text() const { return text_; }
   bool has_styles() const { return !styles_.empty(); }
   bool draws_hidden() const { return draws_hidden_; }
   /// With lengths in pixels. Throws Error for a unit that needs a pixel's size, a length that is
@@ -67,6 +68,7 @@ class LineWords {
   void read(std::string_view item);
   void select(std::string_view word);
 
+  std::string text_;
   std::optional<LineSelection> selection_;
   std::vector<Style> styles_;
   bool draws_hidden_ = false;

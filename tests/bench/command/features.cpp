@@ -24,8 +24,8 @@ constexpr double kRoundoff = 1e-9;
 
 /// Without exact decisions, which are a feature of their own.
 void find_by(FeatureUse& use, HiddenMethod method) {
-  use.method = method;
-  use.precision = {.exact = false, .roundoff = kRoundoff};
+  use.surfaces.method = method;
+  use.surfaces.precision = Precision{.exact = false, .roundoff = kRoundoff};
 }
 
 using Names = std::vector<std::string_view>;
@@ -150,12 +150,12 @@ std::vector<Feature> table() {
       {"scope all",
        "set-hidden-scope",
        "sort at close-segment, bsp",
-       [](FeatureUse& u) { u.scope = HiddenScope::all; },
+       [](FeatureUse& u) { u.surfaces.scope = HiddenScope::all; },
        {"sort_together", "overlapping_groups"}},
       {"exact decisions of bsp", "set-precision exact", "sort at close-segment, bsp",
-       [](FeatureUse& u) { u.precision = {}; }, exact_sort},
+       [](FeatureUse& u) { u.surfaces.precision = Precision{}; }, exact_sort},
       {"exact decisions of depth sort", "set-precision exact", "sort at close-segment, depth sort",
-       [](FeatureUse& u) { u.precision = {}; }, exact_sort},
+       [](FeatureUse& u) { u.surfaces.precision = Precision{}; }, exact_sort},
       {"z-buffer",
        "set-z-buffer",
        "",
@@ -164,32 +164,32 @@ std::vector<Feature> table() {
       {"exact decisions of the z-buffer",
        "set-precision exact",
        "z-buffer",
-       [](FeatureUse& u) { u.precision = {}; },
+       [](FeatureUse& u) { u.surfaces.precision = Precision{}; },
        {}},
       {"scan line",
        "set-hidden-method scan-line",
        "",
-       [](FeatureUse& u) { u.method = scan_line; },
+       [](FeatureUse& u) { u.surfaces.method = scan_line; },
        {"ScanLine::", "ActivePolygons", "SpanSweep", "ViewedScene"}},
       {"scan line z-buffer",
        "set-hidden-method scan-line-z",
        "",
-       [](FeatureUse& u) { u.method = scan_line_z; },
+       [](FeatureUse& u) { u.surfaces.method = scan_line_z; },
        {"ScanLineZ", "DepthRow", "ViewedScene"}},
       {"subdivision",
        "set-hidden-method warnock",
        "",
-       [](FeatureUse& u) { u.method = warnock; },
+       [](FeatureUse& u) { u.surfaces.method = warnock; },
        {"Warnock", "ViewedScene"}},
       {"ray casting",
        "set-hidden-method ray-cast",
        "",
-       [](FeatureUse& u) { u.method = ray_cast; },
+       [](FeatureUse& u) { u.surfaces.method = ray_cast; },
        {"RayCast", "RayPacket", "PixelBoxes", "ViewedScene"}},
       {"the method that picks itself",
        "set-hidden-method auto",
        "",
-       [](FeatureUse& u) { u.method = automatic; },
+       [](FeatureUse& u) { u.surfaces.method = automatic; },
        {"choose_method", "ViewedScene", "ZBuffer"}},
       {"item buffer", "--ids", "z-buffer", [](FeatureUse& u) { u.ids = true; }, {}},
       {"depths", "--depth", "z-buffer", [](FeatureUse& u) { u.depth = true; }, {}},
@@ -222,7 +222,7 @@ std::vector<Feature> table() {
       {"threads",
        "--threads 2",
        "exact decisions of the z-buffer",
-       [](FeatureUse& u) { u.threads = 2; },
+       [](FeatureUse& u) { u.surfaces.threads = 2; },
        {"libtbb", "tbb::"},
        "threads share out the work as it comes"},
       {"OSMesa",
@@ -252,21 +252,20 @@ void set_attributes(const FeatureUse& use, GraphicsSystem& system) {
     system.set_cutting_plane(1, 1.0, 0.0, 0.0, -0.5);
     system.set_cutting_plane(2, 0.0, 1.0, 1.0, -1.0);
   }
-  if (!use.method) system.set_hidden_surfaces({.removal = false});  // in order of entry
+  if (!use.surfaces.method) system.set_hidden_surfaces({.removal = false});  // in order of entry
   if (use.back_face_removal) system.set_back_face_removal(true);
   if (use.light) system.set_light({1.0, 2.0, 3.0});
   if (use.vertex_normals) system.set_shading(use.shading);
   if (use.shadows) system.set_shadows(true);
-  if (!use.method) return;
-  if (*use.method == HiddenMethod::z_buffer) {
+  if (!use.surfaces.method) return;
+  if (use.surfaces.method == HiddenMethod::z_buffer) {
     system.set_hidden_surfaces({.z_buffer = true});
   } else {
     system.set_hidden_surfaces({.removal = true});
     system.set_back_face_removal(false);
-    system.set_hidden_surfaces({.method = *use.method});
-    if (use.scope == HiddenScope::all) system.set_hidden_surfaces({.scope = use.scope});
+    system.set_hidden_surfaces({.method = use.surfaces.method, .scope = use.surfaces.scope});
   }
-  system.set_hidden_surfaces({.precision = use.precision});
+  system.set_hidden_surfaces({.precision = use.surfaces.precision});
 }
 
 /// Any will do: those of a ball about the scene.
@@ -311,7 +310,7 @@ DrawOptions draw_options(const FeatureUse& use) {
   if (use.depth) options.depth = "depth.npy";
   if (use.osmesa) options.device = "osmesa";
   options.samples = use.samples;
-  options.surfaces.threads = use.threads;
+  options.surfaces.threads = use.surfaces.threads;
   return options;
 }
 

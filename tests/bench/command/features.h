@@ -25,11 +25,9 @@ struct FeatureUse {
   bool texts = false;             ///< one in each segment
   bool back_face_removal = false, light = false, vertex_normals = false, shadows = false;
   Shading shading = Shading::gouraud;  ///< with vertex_normals
-  std::optional<HiddenMethod> method;  ///< set by the application; none: hidden-line removal off
-  Precision precision;
-  HiddenScope scope = HiddenScope::segment;
+  HiddenSurfaceOptions surfaces;       ///< no method: hidden-line removal off
   bool ids = false, depth = false, svg = false, osmesa = false;
-  int samples = 1, threads = 1;
+  int samples = 1;
   bool recorded = false, retained = false, selects_lines = false, world_tree = false;
 };
 

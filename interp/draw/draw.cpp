@@ -47,7 +47,7 @@ std::string_view reason_of_method(const GraphicsSystem& system, const DrawOption
 MethodChoice drawing_choice(const GraphicsSystem& system, const DrawOptions& options,
                             PictureKind kind) {
   PicturePlan plan{.options = options, .device = &first_device()};
-  plan.surfaces = surfaces_of_picture(system, options);
+  plan.surfaces = surfaces_of_picture(system, options.surfaces);
   return choice_for(system, plan, kind);
 }
 
@@ -78,7 +78,7 @@ MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, P
 void require_format(const Destination& to, const DrawOptions& options) { resolve(options, &to); }
 
 void require_drawable(const Destination& to, const DrawOptions& options) {
-  require_writable(to, resolve(options, &to));
+  require_writable(resolve(options, &to));
 }
 
 }  // namespace displayfile

@@ -337,7 +337,7 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
 }
 
 void warn_of_annotation_without_room(const PicturePlan& plan, const DisplayFile& drawn) {
-  if (!plan.options.warn) return;
+  if (!plan.options.warn || !drawn.has_annotations()) return;
   const std::string text = annotation_without_room(drawn, annotation_page(plan));
   if (!text.empty()) plan.options.warn({DrawWarning::Kind::no_effect, text});
 }
@@ -428,8 +428,8 @@ void require_drawn_by_rays(const PicturePlan& plan) {
       name_of(*options.surfaces.method), by_rays ? "" : "map, a method of image space, "));
 }
 
-void require_writable(const Destination& to, const PicturePlan& plan) {
-  output_to(to);
+void require_writable(const PicturePlan& plan) {
+  output_to(*plan.to);
   if (!plan.options.ids.empty()) output_to(plan.options.ids);
   if (!plan.options.depth.empty()) output_to(plan.options.depth);
 }

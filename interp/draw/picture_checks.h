@@ -21,7 +21,7 @@ namespace displayfile {
 
 /// Throws Error if a file that the plan writes cannot be written: every output must be writable
 /// before any is written.
-void require_writable(const Destination& to, const PicturePlan& plan);
+void require_writable(const PicturePlan& plan);
 
 /// Throws Error if the method shows lines only and the device draws surfaces, or if it finds lines
 /// and the plan wants data of fills.
@@ -111,11 +111,10 @@ Picture with_memory_of_picture(const PicturePlan& plan, const SoftwareRenderer& 
 /// Draws into a file or a stream: by rows, except for a device or a method that holds all samples
 /// in memory. A method's data for a scene take at least `bytes_of_scene`.
 template <class Draw>
-void with_memory_of_drawing(std::size_t bytes_of_scene, const Destination& to,
-                            const PicturePlan& plan, Draw&& draw) {
+void with_memory_of_drawing(std::size_t bytes_of_scene, const PicturePlan& plan, Draw&& draw) {
   const DrawOptions& options = plan.options;
   const auto what = [&] {
-    return fmt::format("{} of {} x {}", to.name(), options.width, options.height);
+    return fmt::format("{} of {} x {}", plan.to->name(), options.width, options.height);
   };
   if (needs_fewer_samples(bytes_of_scene, plan)) {
     throw_needs_fewer_samples(bytes_of_scene, plan, what());

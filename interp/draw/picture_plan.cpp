@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
 #include "interp/draw/drawing_choice.h"
 #include "interp/draw/picture_checks.h"
@@ -112,11 +113,6 @@ void require_format(const Destination& to, const PicturePlan& plan) {
     throw Error(fmt::format("{}: vectors have no rows: expected {}", to.name(),
                             names_of_formats(&PictureFormat::is_of_pixels, " or ")));
   }
-  if (!has_background(plan.options) && !format.can_be_transparent()) {
-    throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
-                            to.name(), format.choice.name,
-                            names_of_formats(&PictureFormat::can_be_transparent, " ")));
-  }
   require_density(to, format, plan.options);
   require_paper_and_pens(to, format, plan.options);
   require_names(to, format, plan.options);
@@ -183,11 +179,30 @@ int samples_in_force(const PicturePlan& plan) {
   return std::min(kUsualSamples, kLargestSide / std::max(options.width, options.height));
 }
 
-/// All but what depends on the method.
-PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
+void require_background(const PicturePlan& plan) {
+  if (plan.format == nullptr || plan.format->can_be_transparent()) return;
+  if (has_background(plan.options)) return;
+  throw Error(fmt::format("{}: {} files have no alpha: expected a background, or one of {}",
+                          plan.to->name(), plan.format->choice.name,
+                          names_of_formats(&PictureFormat::can_be_transparent, " ")));
+}
+
+/// How surfaces are found is known.
+void finish(PicturePlan& plan) {
+  require_background(plan);
+  require_root(plan);
+  set_line_picture(plan);
+  plan.samples = samples_in_force(plan);
+  plan.method = plan.surfaces.method;
+}
+
+}  // namespace
+
+PicturePlan resolve_call(const DrawOptions& options, const Destination* to) {
   const PictureFormat* const format = to == nullptr ? nullptr : &format_of(*to, options);
   require_numbers(options);
-  PicturePlan plan{.options = options, .device = &device_of(options.device), .format = format};
+  PicturePlan plan{
+      .options = options, .to = to, .device = &device_of(options.device), .format = format};
   if (plan.options.dpi && plan.options.vectors.paper) {
     plan.options.vectors.paper->pixel = kMillimetresOfInch / *plan.options.dpi;
   }
@@ -197,18 +212,6 @@ PicturePlan resolve_picture(const DrawOptions& options, const Destination* to) {
   } else if (!options.format.empty()) {
     format_named(options.format);
   }
-  plan.surfaces = resolve_surfaces(options.surfaces);
-  plan.method = plan.surfaces.method;
-  return plan;
-}
-
-}  // namespace
-
-PicturePlan resolve(const DrawOptions& options, const Destination* to) {
-  PicturePlan plan = resolve_picture(options, to);
-  require_root(plan);
-  set_line_picture(plan);
-  plan.samples = samples_in_force(plan);
   return plan;
 }
 
@@ -234,9 +237,9 @@ bool sets_nothing_of_surfaces(const GraphicsSystem& system) {
 
 }  // namespace
 
-SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions& options) {
-  SurfacePlan plan = resolve_surfaces(system, options.surfaces);
-  if (options.surfaces.method || !sets_nothing_of_surfaces(system)) return plan;
+SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const HiddenSurfaceOptions& options) {
+  SurfacePlan plan = resolve_surfaces(system, options);
+  if (options.method || !sets_nothing_of_surfaces(system)) return plan;
   const bool by_depth = plan.line_order == LineOrder::depth;
   if (by_depth || !has_one_depth(system.display_file())) plan.method = HiddenMethod::automatic;
   return plan;
@@ -245,41 +248,55 @@ SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const DrawOptions&
 namespace {
 
 /// All but the method.
-PicturePlan with_settings(const GraphicsSystem& system, const DrawOptions& given,
-                          const Destination* to) {
-  DrawOptions options = given;
-  if (!options.background) options.background = system.looks().background;
-  PicturePlan plan = resolve_picture(options, to);
-  plan.surfaces = surfaces_of_picture(system, options);
-  require_root(plan);
-  set_line_picture(plan);
-  plan.samples = samples_in_force(plan);
+void take_settings(PicturePlan& plan, const GraphicsSystem* system) {
+  if (system == nullptr) {
+    plan.surfaces = resolve_surfaces(plan.options.surfaces);
+    return finish(plan);
+  }
+  if (!plan.options.background) plan.options.background = system->looks().background;
+  plan.surfaces = surfaces_of_picture(*system, plan.options.surfaces);
+  finish(plan);
   plan.surfaces.shadows = plan.kind() == PictureKind::vector;
-  return plan;
 }
 
 }  // namespace
 
+void settle(PicturePlan& plan, const GraphicsSystem* system) {
+  take_settings(plan, system);
+  if (system == nullptr) return;
+  const NamedWork named(drawing_work(plan));
+  plan.choice = choice_for(*system, plan, plan.kind());
+  // For pixels it is the renderer that picks a method.
+  if (plan.kind() == PictureKind::vector) plan.method = plan.choice.method;
+}
+
+void settle_in_view(PicturePlan& plan, const GraphicsSystem* system) {
+  take_settings(plan, system);
+  SurfacePlan& surfaces = plan.surfaces;
+  const bool is_applications = system != nullptr && !plan.options.surfaces.method;
+  if (!surfaces.scope) surfaces.scope = is_applications ? HiddenScope::segment : HiddenScope::all;
+  if (plan.options.pens && plan.method == HiddenMethod::automatic) {
+    plan.method = plan.options.pens->hatching ? HiddenMethod::map : HiddenMethod::franklin;
+  }
+}
+
+PicturePlan resolve(const DrawOptions& options, const Destination* to) {
+  PicturePlan plan = resolve_call(options, to);
+  settle(plan, nullptr);
+  return plan;
+}
+
 PicturePlan resolve(const GraphicsSystem& system, const DrawOptions& options,
                     const Destination* to) {
-  PicturePlan plan = with_settings(system, options, to);
-  // For pixels it is the renderer that picks a method.
-  plan.method = plan.kind() == PictureKind::raster
-                    ? plan.surfaces.method
-                    : choice_for(system, plan, PictureKind::vector).method;
+  PicturePlan plan = resolve_call(options, to);
+  settle(plan, &system);
   return plan;
 }
 
 PicturePlan resolve_in_view(const GraphicsSystem* system, const DrawOptions& options,
                             const Destination* to) {
-  PicturePlan plan = system != nullptr ? with_settings(*system, options, to) : resolve(options, to);
-  SurfacePlan& surfaces = plan.surfaces;
-  const bool is_applications = system != nullptr && !options.surfaces.method;
-  if (!surfaces.scope) surfaces.scope = is_applications ? HiddenScope::segment : HiddenScope::all;
-  plan.method = surfaces.method;
-  if (options.pens && plan.method == HiddenMethod::automatic) {
-    plan.method = options.pens->hatching ? HiddenMethod::map : HiddenMethod::franklin;
-  }
+  PicturePlan plan = resolve_call(options, to);
+  settle_in_view(plan, system);
   return plan;
 }
 

@@ -49,20 +49,27 @@ void DisplayFileSource::write_vectors(const PictureFormat& format, const Destina
     map.update(file_, plan);
   }
   const DisplayFile& drawn = by_depth_ ? map.display_file() : file_;
-  if (pens_) {
+  const DrawOptions& options = plan_.options;
+  VectorOptions vectors = options.vectors;
+  vectors.crumbs |= options.crumbs;
+  vectors.lettering = options.lettering;
+  if (options.pens) {
+    Pens pens = *options.pens;
+    pens.crumbs |= options.crumbs;
+    pens.lettering = options.lettering;
     const PenDrawing by_pens =
-        pen_drawing(drawn, request.width, request.height, vectors_.paper.value_or(Paper{}), *pens_,
+        pen_drawing(drawn, request.width, request.height, vectors.paper.value_or(Paper{}), pens,
                     request.background);
-    format.write_pens(by_pens, to, vectors_);
-    if (!warn_) return;
-    for (const std::string& colour : layers_without_pen(by_pens, *pens_)) {
-      warn_({DrawWarning::Kind::no_effect,
-             "layer " + colour + " has no effect: no pen of the picture has this colour"});
+    format.write_pens(by_pens, to, vectors);
+    if (!options.warn) return;
+    for (const std::string& colour : layers_without_pen(by_pens, pens)) {
+      options.warn({DrawWarning::Kind::no_effect,
+                    "layer " + colour + " has no effect: no pen of the picture has this colour"});
     }
     return;
   }
   format.write_vectors(drawn, request.width, request.height, to, request.background,
-                       is_colour_rule(request.surfaces.method), vectors_);
+                       is_colour_rule(request.surfaces.method), vectors);
 }
 
 std::string DisplayFileSource::why_nothing_is_seen(const SeenIn& in) const {
@@ -177,9 +184,10 @@ TakeRows write_rows(const RowFiles& files, PixelsShown& shown) {
 
 }  // namespace
 
-void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
+void write_picture(const PictureSource& source, const RasterRequest& request,
                    const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
+  const Destination& to = *plan.to;
   const PictureFormat& format = *plan.format;
   const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.drawn_rows());

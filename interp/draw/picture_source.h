@@ -43,30 +43,18 @@ struct EnteredSource {
 
 class DisplayFileSource : public PictureSource {
  public:
-  /// `by_depth`: its vectors are its map, as with an image-space method.
+  /// `by_depth`: its vectors are its map, as with an image-space method. The plan must outlive it.
   DisplayFileSource(const DisplayFile& file, bool by_depth, const PicturePlan& plan,
                     SoftwareRenderer& kept, const EnteredSource& entered = {})
-      : file_(file),
-        entered_(entered),
-        by_depth_(by_depth),
-        device_(*plan.device),
-        pens_(plan.options.pens),
-        vectors_(plan.options.vectors),
-        warn_(plan.options.warn),
-        kept_(kept) {
-    vectors_.crumbs |= plan.options.crumbs;
-    vectors_.lettering = plan.options.lettering;
-    if (!pens_) return;
-    pens_->crumbs |= plan.options.crumbs;
-    pens_->lettering = plan.options.lettering;
-  }
+      : file_(file), entered_(entered), by_depth_(by_depth), plan_(plan), kept_(kept) {}
 
   Picture draw(const RasterRequest& request) const override {
-    return device_.draw(file_, request, kept_);
+    return plan_.device->draw(file_, request, kept_);
   }
   void draw(const RasterRequest& request, const TakeRows& take) const override {
-    if (device_.draw_rows == nullptr) return take(device_.draw(file_, request, kept_));
-    device_.draw_rows(file_, request, kept_, take);
+    const RasterDevice& device = *plan_.device;
+    if (device.draw_rows == nullptr) return take(device.draw(file_, request, kept_));
+    device.draw_rows(file_, request, kept_, take);
   }
   Picture take_spare() const override { return kept_.take_picture(); }
   void write_vectors(const PictureFormat& format, const Destination& to,
@@ -77,10 +65,7 @@ class DisplayFileSource : public PictureSource {
   const DisplayFile& file_;
   EnteredSource entered_;
   bool by_depth_;
-  const RasterDevice& device_;
-  std::optional<Pens> pens_;
-  VectorOptions vectors_;
-  Warn warn_;
+  const PicturePlan& plan_;
   SoftwareRenderer& kept_;
 };
 
@@ -159,7 +144,7 @@ Picture draw_pixels(const PictureSource& source, const RasterRequest& request,
                     const PicturePlan& plan);
 /// Draws into a file, and other requested data into further files: all of them or, on failure,
 /// none.
-void write_picture(const PictureSource& source, const RasterRequest& request, const Destination& to,
+void write_picture(const PictureSource& source, const RasterRequest& request,
                    const PicturePlan& plan);
 
 }  // namespace displayfile

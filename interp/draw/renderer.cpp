@@ -277,19 +277,20 @@ Picture draw_in_memory(const GraphicsSystem& system, const PicturePlan& plan,
                                 [&] { return draw_up_to_date(system, plan, kept, draw_pixels); });
 }
 
+void draw_by(const PicturePlan& plan, const GraphicsSystem& system, const KeptForPictures& kept) {
+  const DrawOptions& options = plan.options;
+  require_writable(plan);
+  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+  warn_if_stretched(system, options);
+  with_memory_of_drawing(system.display_file().bytes(), plan,
+                         [&] { draw_up_to_date(system, plan, kept, write_picture); });
+}
+
 void draw_to(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
              const KeptForPictures& kept) {
   const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
-  const PicturePlan plan = resolve(system, options, &to);
-  require_writable(to, plan);
-  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
-  warn_if_stretched(system, options);
-  with_memory_of_drawing(system.display_file().bytes(), to, plan, [&] {
-    draw_up_to_date(system, plan, kept,
-                    [&](const PictureSource& source, const RasterRequest& request,
-                        const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
-  });
+  draw_by(resolve(system, options, &to), system, kept);
 }
 
 const glm::dmat3& lights_of(const InView& scene) {
@@ -303,15 +304,11 @@ bool works_in_image_space(HiddenMethod method) {
   return is_image_space(method) && surfaces_of(method) != HiddenMethod::world_ray_cast;
 }
 
-/// The one of a picture of a retained scene in a view.
-PicturePlan plan_of(const InView& scene, const DrawOptions& options,
-                    const Destination* to = nullptr) {
-  PicturePlan plan = resolve_in_view(scene.settings, options, to);
-  if (options.pens) require_drawn_by_pens(plan.method, *options.pens);
+void require_drawn_in_view(const InView& scene, const PicturePlan& plan) {
+  if (plan.options.pens) require_drawn_by_pens(plan.method, *plan.options.pens);
   const bool is_systems = scene.settings != nullptr;  // whose scope has no meaning there either
-  if (!is_systems && is_image_space(plan.method)) require_scope_of_view(options);
+  if (!is_systems && is_image_space(plan.method)) require_scope_of_view(plan.options);
   require_drawn(plan);
-  return plan;
 }
 
 /// What draw(source, request, plan) returns, of the scene in that view.
@@ -352,7 +349,23 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareR
               raster_request(seen, plan), plan);
 }
 
+void draw_view_to(const InView& scene, const PicturePlan& plan, KeptTrees& kept,
+                  SoftwareRenderer& software) {
+  require_drawn_in_view(scene, plan);
+  require_writable(plan);
+  const BudgetInForce in_force(plan.options.surfaces.budget);
+  const NamedWork named(kDrawing);
+  with_memory_of_drawing(scene.scene.size() * sizeof(Point3), plan,
+                         [&] { draw_in_view(scene, plan, kept, software, write_picture); });
+}
+
 }  // namespace
+
+void draw(const InView& scene, const PicturePlan& plan) {
+  SoftwareRenderer software;
+  KeptTrees of_scene;
+  draw_view_to(scene, plan, of_scene, software);
+}
 
 // ---- Free functions ------------------------------------------------------------------------
 
@@ -365,6 +378,14 @@ Picture draw(const GraphicsSystem& system, const DrawOptions& options, SortedDis
 Picture draw(const GraphicsSystem& system, const DrawOptions& options) {
   SortedDisplayFile kept;
   return draw(system, options, kept);
+}
+
+void draw(const GraphicsSystem& system, const PicturePlan& plan, SortedDisplayFile& kept) {
+  const BudgetInForce in_force(plan.options.surfaces.budget);
+  const NamedWork named(kDrawing);
+  SoftwareRenderer software;
+  KeptTrees of_scene;
+  draw_by(plan, system, {kept, software, of_scene});
 }
 
 void draw(const GraphicsSystem& system, const Destination& to, const DrawOptions& options,
@@ -394,11 +415,11 @@ void draw(const DisplayFile& display_file, const Destination& to, const DrawOpti
   const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = in_its_order(resolve(options, &to));
-  require_writable(to, plan);
+  require_writable(plan);
   require_order_as_it_is(display_file, options);
   SoftwareRenderer software;
   write_picture(DisplayFileSource(display_file, false, plan, software),
-                raster_request(display_file, plan), to, plan);
+                raster_request(display_file, plan), plan);
 }
 
 Picture draw(const DisplayFile& display_file, const DrawOptions& options) {
@@ -417,10 +438,10 @@ void draw(const ViewedWorld& world, const Destination& to, const DrawOptions& op
   const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   const PicturePlan plan = by_rays(world, resolve(options, &to));
-  require_writable(to, plan);
+  require_writable(plan);
   require_scope_of_view(options);
   SoftwareRenderer software;
-  write_picture(source_of(world, plan, software), raster_request(world, plan), to, plan);
+  write_picture(source_of(world, plan, software), raster_request(world, plan), plan);
 }
 
 Picture draw(const ViewedWorld& world, const DrawOptions& options) {
@@ -455,7 +476,8 @@ void Renderer::draw(const GraphicsSystem& system, const Destination& to,
 }
 
 const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
-  const PicturePlan plan = plan_of(scene, options);
+  const PicturePlan plan = resolve_in_view(scene.settings, options);
+  require_drawn_in_view(scene, plan);
   const BudgetInForce in_force(options.surfaces.budget);
   const NamedWork named(kDrawing);
   Kept& kept = *kept_;
@@ -467,15 +489,8 @@ const Picture& Renderer::draw(const InView& scene, const DrawOptions& options) {
 }
 
 void Renderer::draw(const InView& scene, const Destination& to, const DrawOptions& options) {
-  const PicturePlan plan = plan_of(scene, options, &to);
-  require_writable(to, plan);
-  const BudgetInForce in_force(options.surfaces.budget);
-  const NamedWork named(kDrawing);
-  with_memory_of_drawing(scene.scene.size() * sizeof(Point3), to, plan, [&] {
-    draw_in_view(scene, plan, kept_->of_scene, kept_->software,
-                 [&](const PictureSource& source, const RasterRequest& request,
-                     const PicturePlan& drawn) { write_picture(source, request, to, drawn); });
-  });
+  draw_view_to(scene, resolve_in_view(scene.settings, options, &to), kept_->of_scene,
+               kept_->software);
 }
 
 DisplayFile Renderer::display_file(const InView& scene) {

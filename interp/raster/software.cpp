@@ -185,7 +185,9 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
     texts_ = image_space ? seen_texts(*scene_) : seen_texts(display_file, false);
   }
   annotation_.clear();
-  if (request.texts) annotation_ = annotation_marks(display_file, annotation_page(request));
+  if (request.texts && display_file.has_annotations()) {
+    annotation_ = annotation_marks(display_file, annotation_page(request));
+  }
   return {&display_file, display_file.polygons()};
 }
 
@@ -311,10 +313,13 @@ void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& reques
   } else {
     paint_in_order(*drawn.display_file, request, rows);
   }
-  paint_texts(texts_, {request.lettering, request.line_scale}, {request.width, request.height},
-              rows.begin, rows.end, picture_);
-  paint_annotation(annotation_, request.background, {request.lettering, request.line_scale},
-                   {request.width, request.height}, rows.begin, rows.end, picture_);
+  const PictureSize size{request.width, request.height};
+  const DrawnLetters letters{request.lettering, request.line_scale};
+  if (!texts_.empty()) paint_texts(texts_, letters, size, rows.begin, rows.end, picture_);
+  if (!annotation_.empty()) {
+    paint_annotation(annotation_, request.background, letters, size, rows.begin, rows.end,
+                     picture_);
+  }
   if (spare) {
     std::swap(picture_.depth, spare_depth_);
     picture_.depth.clear();

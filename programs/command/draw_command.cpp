@@ -225,10 +225,10 @@ double precision_at_scale(const PixelSize& pixel) {
 }  // namespace
 
 /// With those that are words on the command line.
-DrawOptions DrawCommand::all_options() const {
+DrawOptions DrawCommand::all_options() {
   DrawOptions all = options;
   all.vectors = vectors.options();
-  paper.read(all, size, scale.has_value());
+  takes_papers_shape_ = paper.read(all, size, scale.has_value());
   if (scale && vectors.precision.empty()) {
     all.vectors.precision = precision_at_scale(pixel_size_of(all, false));
   }
@@ -247,7 +247,6 @@ DrawOptions DrawCommand::all_options() const {
   if (turntable && all.pens && !all.pens->hatching && !all.surfaces.method) {
     all.surfaces.method = HiddenMethod::franklin;
   }
-  require_raster_device(options.device);
   return all;
 }
 
@@ -262,16 +261,7 @@ TurntableViews DrawCommand::views_drawn() const {
   return {all, range.first, range.end};
 }
 
-bool DrawCommand::takes_papers_shape() const {
-  DrawOptions on_paper;
-  return paper.read(on_paper, size, scale.has_value());
-}
-
-PixelSize DrawCommand::pixel_size() const {
-  return pixel_size_of(all_options(), size.millimetres().has_value());
-}
-
-std::optional<ExactScale> DrawCommand::exact_scale() const {
+std::optional<ExactScale> DrawCommand::exact_scale(const DrawOptions& drawing) const {
   const double unit_in_mm = unit.empty() ? 1.0 : millimetres_of_unit(unit);
   if (!scale) {
     if (!unit.empty()) throw Error(fmt::format("--unit {}: expected --scale too", unit));
@@ -279,27 +269,27 @@ std::optional<ExactScale> DrawCommand::exact_scale() const {
   }
   const std::string name = "--scale " + *scale;
   const DrawingScale drawn = drawing_scale(*scale);
-  const PixelSize pixel = pixel_size();
+  const PixelSize pixel = pixel_size_of(drawing, size.millimetres().has_value());
   if (!pixel.millimetres) {
     throw Error(name +
                 ": a picture without a size on paper has no scale: expected --paper, or --size in "
                 "mm, with .svg or .pdf, or --dpi with .png");
   }
   if (turntable) throw Error(name + ": expected one picture, not a turntable's views");
-  return ExactScale{name, drawn.factor() * unit_in_mm, *pixel.millimetres * all_options().height};
+  return ExactScale{name, drawn.factor() * unit_in_mm, *pixel.millimetres * drawing.height};
 }
 
-MeshWords DrawCommand::entering() const {
+MeshWords DrawCommand::entering(const DrawOptions& drawing) const {
+  const auto pixel = [&] { return pixel_size_of(drawing, size.millimetres().has_value()); };
   MeshWords words = meshes;
   if (const auto& lines = hidden_surfaces.lines) {
     words.lines = lines->selection();
-    words.line_styles = lines->styles(pixel_size());
+    words.line_styles = lines->styles(pixel());
   }
   if (explode) words.explosion = explosion_of_option(*explode);
-  if (line_width) words.line_width = line_width_of_option(*line_width, pixel_size());
-  words.scale = exact_scale();
-  words.widen = words.widen || takes_papers_shape();
-  words.together = together_;
+  if (line_width) words.line_width = line_width_of_option(*line_width, pixel());
+  words.scale = exact_scale(drawing);
+  words.widen = words.widen || takes_papers_shape_;
   words.touching = hidden_surfaces.touching;
   const bool for_pens = paper.pens || !paper.hatch.empty();
   if (for_pens && !words.lines && !std::ranges::all_of(inputs, is_drawing_program)) {
@@ -312,7 +302,7 @@ StartingShading DrawCommand::starting_shading() const {
   const bool has_meshes = !std::ranges::all_of(inputs, is_drawing_program);
   const bool has_programs = std::ranges::any_of(inputs, is_drawing_program);
   // Hatching lines run on over the facets of what is round, up to the creases that are drawn.
-  const LineSelection lines = entering().lines.value_or(LineSelection{});
+  const LineSelection lines = entering_.lines.value_or(LineSelection{});
   const StartingShading for_hatching{Shading::gouraud, lines.crease_degrees};
   return shading.starting(has_meshes, has_programs,
                           paper.hatch.empty() ? StartingShading{} : for_hatching);
@@ -327,30 +317,30 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
       folders->make_for(written);
     }
   };
-  const StartingShading starts_with = starting_shading();
   if (turntable) {
     make_folders();
-    return draw_turntable(drawn, file, drawing, entering(), starts_with, views_drawn(),
+    return draw_turntable(drawn, file, drawing, entering_, starts_with_, views_drawn_,
                           {.explanation = explain, .statistics = stats}, left_out);
   }
   if (stats) reset_predicate_counts();
-  const PictureKind kind = picture_kind(file, drawing);
+  const Destination to(file);
+  const PicturePlan call = resolve_call(drawing, &to);
   Stopwatch watch;
-  const bool picture_alone = kind == PictureKind::raster && !explain && !stats && !pick;
+  const bool picture_alone = call.kind() == PictureKind::raster && !explain && !stats && !pick;
   const DrawnInputs entered(
-      drawn, drawing, entering(), starts_with,
+      drawn, call, entering_, starts_with_,
       picture_alone ? DrawnInputs::Use::picture : DrawnInputs::Use::display_file);
   const double entering_took = watch.lap();
   entered.check_window();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
-  if (takes_papers_shape()) {
+  if (takes_papers_shape_) {
     warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);
   }
   const GraphicsSystem& system = entered.system();
-  std::string text = explain ? explanation_of_method(system, entered.options(), kind) : "";
+  const PicturePlan& plan = entered.plan();
+  std::string text = explain ? explanation_of_method(plan) : "";
   // Before the picture, since nothing is written where a limit is reached.
-  const std::string pick_found =
-      pick ? picked(system, pick_option(*pick), entered.options(), kind) : std::string();
+  const std::string pick_found = pick ? picked(system, pick_option(*pick), plan) : std::string();
   SortedDisplayFile sorted;
   std::vector<DrawWarning> warned;
   double drawing_took = 0.0;
@@ -358,21 +348,18 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     Progress progress(fmt::format("drawing {} polygons", entered.polygons()));
     make_folders();
     watch.lap();
-    warned = entered.draw(file, sorted, progress.told());
+    warned = entered.draw(sorted, progress.told());
     drawing_took = watch.lap();
   }
-  left_out.note(system, entered.options(), kind);
+  left_out.note(system, plan);
   left_out.note(warned);
-  if (!entered.warn_if_nothing_is_seen(warned, kind)) {
-    DrawOptions with_background = entered.options();
-    if (!with_background.background) with_background.background = system.looks().background;
-    if (pens_draw_nothing(sorted.display_file(), with_background)) {
-      warn_that_pens_draw_nothing(file.string(), with_background);
-    }
+  if (!entered.warn_if_nothing_is_seen(warned) && plan.options.pens &&
+      pens_draw_nothing(sorted.display_file(), plan.options)) {
+    warn_that_pens_draw_nothing(file.string(), plan.options);
   }
   text += pick_found;
   if (stats) {
-    text += drawing_statistics(system, sorted.display_file(), entered.options(), kind) +
+    text += drawing_statistics(system, sorted.display_file(), plan) +
             times_of_drawing(entering_took, drawing_took);
   }
   return text;
@@ -381,7 +368,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
 /// An output's files: those of a turntable's views have numbers.
 std::vector<std::string> DrawCommand::files_written(const std::filesystem::path& file) const {
   if (!turntable || file.empty()) return {file.string()};
-  const TurntableViews drawn = views_drawn();
+  const TurntableViews& drawn = views_drawn_;
   std::vector<std::string> files;
   for (int k = drawn.first; k < drawn.end; ++k) {
     files.push_back(numbered(file, k, drawn.number).string());
@@ -489,7 +476,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
 }
 
 /// The view of the options is fitted once, before any picture is drawn.
-void DrawCommand::fit_to_all() {
+void DrawCommand::fit_to_all(const DrawOptions& drawing) {
   if (!meshes.fits_all()) return;
   if (!is_name_pattern(output)) {
     throw Error(
@@ -497,13 +484,12 @@ void DrawCommand::fit_to_all() {
         "such as -o '{name}.svg'");
   }
   if (turntable) throw Error("--fit all: expected pictures, not turntables");
-  const MeshWords words = entering();
-  const StartingShading shading_at_first = starting_shading();
-  const DrawOptions drawing = all_options();
-  together_ = displayfile::fit_to_all(figures_, words.options(), [&](GraphicsSystem& system) {
-    shading_at_first.start(system);
-    words.start(system, static_cast<double>(drawing.width) / drawing.height);
-  });
+  const MeshWords& words = entering_;
+  entering_.together =
+      displayfile::fit_to_all(figures_, words.options(), [&](GraphicsSystem& system) {
+        starts_with_.start(system);
+        words.start(system, static_cast<double>(drawing.width) / drawing.height);
+      });
 }
 
 int DrawCommand::run() {
@@ -513,16 +499,16 @@ int DrawCommand::run() {
   figures_ = with_common(with, std::move(figures));
   inputs = inputs_of(figures_);
   const DrawOptions drawing = all_options();
-  starting_shading();
-  entering();
-  views_drawn();
+  entering_ = entering(drawing);
+  starts_with_ = starting_shading();
+  views_drawn_ = views_drawn();
   if (pick) pick_option(*pick);
   if (pick && turntable) {
     throw Error(fmt::format("--pick {}: expected one picture, and not a turntable's views", *pick));
   }
   NotInPicture left_out;
   if (quiet) Progress::show_none();
-  fit_to_all();
+  fit_to_all(drawing);
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);
     if (!quiet) left_out.warn(output);

@@ -63,13 +63,11 @@ struct DrawCommand {
 
   void add_output_options(CLI::App& command);
   void add_picture_options(CLI::App& command);
-  DrawOptions all_options() const;
-  MeshWords entering() const;
+  DrawOptions all_options();
+  MeshWords entering(const DrawOptions& drawing) const;
   StartingShading starting_shading() const;
-  bool takes_papers_shape() const;
-  PixelSize pixel_size() const;
-  std::optional<ExactScale> exact_scale() const;
-  void fit_to_all();
+  std::optional<ExactScale> exact_scale(const DrawOptions& drawing) const;
+  void fit_to_all(const DrawOptions& drawing);
   TurntableViews views_drawn() const;
   /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
   /// Returns what the printed options have to say of it.
@@ -80,9 +78,13 @@ struct DrawCommand {
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInPicture& left_out) const;
 
-  std::vector<Figure> figures_;                ///< of each picture, with their common program
-  std::vector<std::string> lists_;             ///< of inputs, as files (input_lists)
-  std::shared_ptr<const ViewOfAll> together_;  ///< by --fit all
+  std::vector<Figure> figures_;     ///< of each picture, with their common program
+  std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)
+  // Read once from the words, all before any work is done.
+  bool takes_papers_shape_ = false;
+  MeshWords entering_;
+  StartingShading starts_with_;
+  TurntableViews views_drawn_;
 };
 
 }  // namespace displayfile

@@ -252,9 +252,12 @@ int SurfaceCommand::run() const {
   if (recorded) recorded->finish();
   Progress progress("drawing " + output);
   options.surfaces.progress = progress.told();
-  draw(system, output, options);
+  const Destination to(output);
+  const PicturePlan plan = resolve(system, options, &to);
+  SortedDisplayFile sorted;
+  draw(system, plan, sorted);
   NotInPicture left_out;
-  left_out.note(system, options, picture_kind(output, options));
+  left_out.note(system, plan);
   left_out.warn(output);
   if (recorded) recorded->commit();
   return 0;

@@ -99,7 +99,8 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
       {.method = options.surfaces.method, .hidden_lines = options.surfaces.hidden_lines});
   const double entering_took = watch.lap();
   warn_of_stretched_window(system, output.string(), options.width, options.height);
-  left_out.note(system, options, picture_kind(output, options));
+  const Destination to(output);
+  left_out.note(system, resolve(system, options, &to));
   const Camera looking = meshes.camera();
   TurntableViews turned = views;
   if (fitted) turned.axis = fitted->up;

@@ -10,7 +10,6 @@
 #include "displayfile/segments/viewed_scene.h"
 #include "displayfile/text/characters.h"
 #include "hidden/exact/predicate_counts.h"
-#include "interp/draw/drawing_choice.h"
 #include "interp/text/seen_texts.h"
 #include "interp/visibility/image_space.h"
 
@@ -132,7 +131,7 @@ std::string annotation_counts(const DisplayFile& file) {
 }  // namespace
 
 std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& file,
-                               const DrawOptions& options, PictureKind kind) {
+                               const PicturePlan& plan) {
   std::size_t lines = 0, visible = 0, drawn = 0;
   for (const Segment& segment : file.segments()) {
     lines += segment.lines();
@@ -140,7 +139,8 @@ std::string drawing_statistics(const GraphicsSystem& system, const DisplayFile& 
     drawn += segment.visible ? segment.polygons() + segment.lines() : 0;
   }
   const std::size_t polygons = file.polygons();
-  const HiddenMethod method = drawing_method(system, options, kind);
+  const DrawOptions& options = plan.options;
+  const HiddenMethod method = plan.choice.method;
   std::string text = fmt::format(
       "segments           {} ({} visible)\n"
       "polygons entered   {} ({} not flat, triangulated)\n"
@@ -164,12 +164,10 @@ std::string times_of_drawing(double entering, double drawing) {
                      entering, drawing);
 }
 
-std::string explanation_of_method(const GraphicsSystem& system, const DrawOptions& options,
-                                  PictureKind kind) {
-  const MethodChoice choice = drawing_choice(system, options, kind);
-  const bool is_asked_for = surfaces_of_picture(system, options).method != HiddenMethod::automatic;
-  return fmt::format("{}{}: {}\n", is_asked_for ? "" : "auto: ", name_of(choice.method),
-                     choice.reason);
+std::string explanation_of_method(const PicturePlan& plan) {
+  const bool is_set = plan.surfaces.method != HiddenMethod::automatic;
+  return fmt::format("{}{}: {}\n", is_set ? "" : "auto: ", name_of(plan.choice.method),
+                     plan.choice.reason);
 }
 
 }  // namespace displayfile

@@ -31,28 +31,29 @@ bool reads_standard_input(std::span<const std::string> inputs) {
 }
 
 /// By a method that views a retained scene, on a device that needs no display file.
-bool draws_views(const DrawOptions& options) {
-  return options.surfaces.method && is_image_space(*options.surfaces.method) &&
-         surfaces_of(*options.surfaces.method) != HiddenMethod::world_ray_cast &&
-         options.device == raster_devices().front().name;
+bool draws_views(const PicturePlan& plan) {
+  const auto method = plan.options.surfaces.method;
+  return method && is_image_space(*method) &&
+         surfaces_of(*method) != HiddenMethod::world_ray_cast && plan.is_on_first_device();
 }
 
 }  // namespace
 
-DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const DrawOptions& options,
+DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const PicturePlan& call,
                          const MeshWords& meshes, const StartingShading& shading, Use use)
-    : inputs_(inputs), options_(options), meshes_(meshes), shading_(shading) {
-  if (!options_.surfaces.method && are_bare_meshes())
-    options_.surfaces.method = HiddenMethod::automatic;
-  const bool by_world_rays = options.surfaces.method &&
-                             surfaces_of(*options.surfaces.method) == HiddenMethod::world_ray_cast;
+    : inputs_(inputs), plan_(call), meshes_(meshes), shading_(shading) {
+  std::optional<HiddenMethod>& method = plan_.options.surfaces.method;
+  const bool by_world_rays = method && surfaces_of(*method) == HiddenMethod::world_ray_cast;
+  if (!method && are_bare_meshes()) method = HiddenMethod::automatic;
   const bool pictures_alone = !by_world_rays && use == Use::picture;
-  if (pictures_alone && are_bare_meshes() && draws_views(options_)) {
+  if (pictures_alone && are_bare_meshes() && draws_views(plan_)) {
     SystemInside::retain_alone(system_, scene_);
   } else if (by_world_rays || meshes_.scale || (are_programs() && reads_standard_input(inputs_))) {
     system_.retain(&scene_);  // for check_window too, as standard input is read once
   }
   enter(system_);
+  SystemInside::retains_alone(system_) ? settle_in_view(plan_, &system_)
+                                       : settle(plan_, &system_);
 }
 
 bool DrawnInputs::are_bare_meshes() const {
@@ -70,34 +71,32 @@ std::size_t DrawnInputs::polygons() const {
 }
 
 /// Bare meshes are drawn in one view, in image space, where the scope has no meaning.
-std::vector<DrawWarning> DrawnInputs::draw(const std::filesystem::path& file,
-                                           SortedDisplayFile& kept,
+std::vector<DrawWarning> DrawnInputs::draw(SortedDisplayFile& kept,
                                            const WorkProgress& progress) const {
   std::vector<DrawWarning> warned;
-  DrawOptions options = options_;
-  options.surfaces.progress = progress;
-  options.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
-  if (!SystemInside::retains_alone(system_)) {
-    displayfile::draw(system_, file, options, kept);
-    return warned;
+  PicturePlan plan = plan_;
+  plan.surfaces.progress = progress;
+  plan.options.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
+  if (SystemInside::retains_alone(system_)) {
+    displayfile::draw(in_view(system_, scene_.segments().front().view), plan);
+  } else {
+    displayfile::draw(system_, plan, kept);
   }
-  Renderer renderer;
-  renderer.draw(in_view(system_, scene_.segments().front().view), file, options);
   return warned;
 }
 
 void DrawnInputs::enter(GraphicsSystem& system) const {
-  system.set_threads(options_.surfaces.threads);
+  const DrawOptions& options = plan_.options;
+  system.set_threads(options.surfaces.threads);
   shading_.start(system);
-  const double aspect = static_cast<double>(options_.width) / options_.height;
-  enter_inputs(inputs_, system, meshes_, aspect, options_.surfaces);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  enter_inputs(inputs_, system, meshes_, aspect, options.surfaces);
 }
 
 /// What they drew is retained for that when they are read once more, as standard input cannot be.
-std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
+std::string DrawnInputs::why_nothing_is_seen() const {
   const DisplayFile& drawn = system_.display_file();
-  const SeenIn picture =
-      kind == PictureKind::raster ? seen_in(resolve(system_, options_)) : SeenIn{};
+  const SeenIn picture = seen_in(plan_);
   std::ostringstream said_before;
   const CollectedWarnings collected(said_before);
   try {
@@ -121,7 +120,8 @@ std::string DrawnInputs::why_nothing_is_seen(PictureKind kind) const {
 
 void DrawnInputs::check_window() const {
   const bool is_set = system_.explicit_settings().contains(Setting::window);
-  if (SystemInside::retains_alone(system_) || !(meshes_.scale || (are_programs() && !is_set)))
+  if (SystemInside::retains_alone(system_) || SystemInside::is_all_in_view(system_) ||
+      !(meshes_.scale || (are_programs() && !is_set)))
     return;
   const auto cropped = [&] {
     if (system_.retained() != nullptr) {
@@ -154,13 +154,12 @@ void DrawnInputs::check_window() const {
   warnings() << paper << '\n';
 }
 
-bool DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned,
-                                          PictureKind kind) const {
+bool DrawnInputs::warn_if_nothing_is_seen(const std::vector<DrawWarning>& warned) const {
   const bool is_empty = std::ranges::any_of(warned, [](const DrawWarning& warning) {
     return warning.kind == DrawWarning::Kind::nothing_seen;
   });
   if (!is_empty) return false;
-  const std::string why = why_nothing_is_seen(kind);
+  const std::string why = why_nothing_is_seen();
   warnings() << fmt::format("{}: nothing is seen: {}\n", first_name(), why);
   return true;
 }

@@ -25,20 +25,19 @@ bool has_stored(const DisplayFile& drawn, Stored stored) {
 
 }  // namespace
 
-void NotInPicture::note(const GraphicsSystem& system, const DrawOptions& options,
-                        PictureKind kind) {
-  if (kind == PictureKind::raster) {
+void NotInPicture::note(const GraphicsSystem& system, const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  if (plan.kind() == PictureKind::raster) {
     if (options.vectors.pick_ids) add(kElements);
     if (options.vectors.seams != VectorOptions().seams) add(kSeams);
     if (options.vectors.precision != VectorOptions().precision) add(kPrecision);
     if (options.lettering.outlines) add(kOutlines);
-    const bool by_other_device = options.device != DrawOptions().device;
-    if (by_other_device && system.display_file().has_shadows()) add(kShadowsOfDevice);
+    if (!plan.is_on_first_device() && system.display_file().has_shadows()) add(kShadowsOfDevice);
+    return;
   }
-  if (kind != PictureKind::vector) return;
   const DisplayFile& drawn = system.display_file();
   if (options.pens && drawn.has_texts() && !options.lettering.is_of_paths()) add(kTexts);
-  const HiddenMethod by = drawing_method(system, options, kind);
+  const HiddenMethod by = plan.method;
   const bool fills = !finds_lines(by) && (!options.pens || options.pens->hatching);
   if (fills && has_stored(drawn, &Instructions::stored_normals)) add(kPhong);
   const bool by_map = by == HiddenMethod::map || is_image_space(by);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "interp/draw/draw.h"
+#include "interp/draw/picture_plan.h"
 
 namespace displayfile {
 
@@ -14,10 +14,10 @@ namespace displayfile {
 /// the command.
 class NotInPicture {
  public:
-  /// Notes what a picture of that kind leaves out of what the application drew, and of the options.
+  /// Notes what a picture leaves out of what the application drew, and of the options.
   /// Shadows are the map's, which is drawn for methods of image space too. Several threads may call
   /// it at a time.
-  void note(const GraphicsSystem& system, const DrawOptions& options, PictureKind kind);
+  void note(const GraphicsSystem& system, const PicturePlan& plan);
   /// Notes what drawing warned of.
   void note(const std::vector<DrawWarning>& warned);
   /// Warns, with the output's name as given, if something was left out

@@ -96,16 +96,16 @@ bool PictureCheck::asked_for(const CheckedInputs& inputs) {
 Picture PictureCheck::picture_of(const Figure& figure, const DrawOptions& options) const {
   const StartingShading started{shading_ ? shading(*shading_) : Shading::flat,
                                 crease_.value_or(kNoCrease), crease_.has_value()};
-  const DrawnInputs entered(figure, options, meshes_, started);
+  const DrawnInputs entered(figure, resolve_call(options), meshes_, started);
   std::vector<DrawWarning> warned;
-  DrawOptions drawing = entered.options();
+  DrawOptions drawing = entered.plan().options;
   drawing.warn = [&](const DrawWarning& warning) { warned.push_back(warning); };
   Picture picture = draw(entered.system(), drawing);
   NotInPicture left_out;
-  left_out.note(entered.system(), drawing, PictureKind::raster);
+  left_out.note(entered.system(), entered.plan());
   left_out.note(warned);
   left_out.warn(input_name(figure.back()));
-  entered.warn_if_nothing_is_seen(warned, PictureKind::raster);
+  entered.warn_if_nothing_is_seen(warned);
   return picture;
 }
 

@@ -24,10 +24,10 @@ PickOption pick_option(std::string_view text) {
 namespace {
 
 /// As the picture is drawn: in vectors a method of image space is the map.
-DrawOptions of_picture(const GraphicsSystem& system, const DrawOptions& options, PictureKind kind) {
-  DrawOptions drawn = options;
-  const HiddenMethod method = drawing_method(system, options, kind);
-  if (kind != PictureKind::vector || !is_image_space(method)) return drawn;
+DrawOptions of_picture(const PicturePlan& plan) {
+  DrawOptions drawn = plan.options;
+  const HiddenMethod method = plan.method;
+  if (plan.kind() != PictureKind::vector || !is_image_space(method)) return drawn;
   drawn.surfaces.method =
       is_colour_rule(method) ? colour_rule_by(HiddenMethod::map) : HiddenMethod::map;
   drawn.surfaces.scope = HiddenScope::all;
@@ -36,10 +36,9 @@ DrawOptions of_picture(const GraphicsSystem& system, const DrawOptions& options,
 
 }  // namespace
 
-std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options,
-                   PictureKind kind) {
-  const auto pick =
-      Renderer().pick(system, at.x, at.y, of_picture(system, options, kind), at.reach);
+std::string picked(const GraphicsSystem& system, const PickOption& at, const PicturePlan& plan) {
+  const DrawOptions& options = plan.options;
+  const auto pick = Renderer().pick(system, at.x, at.y, of_picture(plan), at.reach);
   const std::string where = fmt::format("at {},{}: ", at.x, at.y);
   if (!pick) {
     const bool inside = at.x >= 0.0 && at.x < options.width && at.y >= 0.0 && at.y < options.height;

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "interp/draw/draw.h"
+#include "interp/draw/picture_plan.h"
 
 namespace displayfile {
 
@@ -16,8 +16,7 @@ struct PickOption {
 /// Throws Error for a text that is not X,Y or X,Y,REACH.
 PickOption pick_option(std::string_view text);
 
-/// One line about the primitive visible there, in a picture of that kind.
-std::string picked(const GraphicsSystem& system, const PickOption& at, const DrawOptions& options,
-                   PictureKind kind);
+/// One line about the primitive visible there, in that picture.
+std::string picked(const GraphicsSystem& system, const PickOption& at, const PicturePlan& plan);
 
 }  // namespace displayfile

@@ -12,7 +12,6 @@
 #include "clip/base/files.h"
 #include "clip/base/nearest_word.h"
 #include "interp/device/raster_request.h"
-#include "interp/files/png_file.h"
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/vector/pdf_device.h"
@@ -25,34 +24,23 @@ namespace {
 
 constexpr std::array kFormats{
     PictureFormat{{".png", "pixels, compressed"},
-                  [](const Destination& to, int width, int height, PictureFormat::Density dpi) {
-                    return png_row_file_at(to, width, height, Alpha::none, dpi);
-                  },
-                  [](const Destination& to, int width, int height, PictureFormat::Density dpi) {
-                    return png_row_file_at(to, width, height, Alpha::stored, dpi);
-                  },
+                  png_row_file_at,
                   nullptr,
                   nullptr,
-                  {.density = true}},
+                  {.density = true, .alpha = true}},
     PictureFormat{{".ppm", "pixels, plain"},
-                  [](const Destination& to, int width, int height, PictureFormat::Density) {
+                  [](const Destination& to, int width, int height, Alpha, PictureFormat::Density) {
                     return ppm_row_file(to, width, height);
                   },
-                  nullptr,
                   nullptr},
     PictureFormat{{".svg", "vectors for the web"},
-                  nullptr,
                   nullptr,
                   write_svg,
                   write_pens_svg,
                   {.ids = true, .layers = true}},
-    PictureFormat{{".pdf", "vectors for print"},
-                  nullptr,
-                  nullptr,
-                  write_pdf,
-                  write_pens_pdf,
-                  {.layers = true}},
-    PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, nullptr, write_eps, nullptr},
+    PictureFormat{
+        {".pdf", "vectors for print"}, nullptr, write_pdf, write_pens_pdf, {.layers = true}},
+    PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, write_eps},
 };
 
 /// Those that are asked for, of a device that draws the whole picture.

@@ -12,6 +12,7 @@
 #include "interp/device/picture.h"
 #include "interp/device/raster_request.h"
 #include "interp/draw/draw.h"
+#include "interp/files/png_file.h"
 #include "interp/files/row_file.h"
 #include "interp/raster/software.h"
 #include "interp/vector/pens/pen_drawing.h"
@@ -20,17 +21,15 @@
 /// one file.
 namespace displayfile {
 
-/// One line per format: how it is written from pixels, with alpha where there is no background, or
-/// from the display file itself.
+/// One line per format: how it is written from pixels, or from the display file itself.
 struct PictureFormat {
   using Density = std::optional<double>;  ///< pixels per inch
   /// What it has beside the drawing.
   struct Extras {
-    bool density = false, ids = false, layers = false;
+    bool density = false, alpha = false, ids = false, layers = false;
   };
   Choice choice;
-  std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Density);
-  std::unique_ptr<RowFile> (*alpha_file)(const Destination&, int width, int height, Density);
+  std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Alpha, Density);
   void (*write_vectors)(const DisplayFile&, int width, int height, const Destination&,
                         const Background&, bool colour_rule, const VectorOptions&);
   void (*write_pens)(const PenDrawing&, const Destination&, const VectorOptions&) = nullptr;
@@ -41,7 +40,7 @@ struct PictureFormat {
   bool has_density() const { return extras.density; }
   bool has_ids() const { return extras.ids; }
   bool has_layers() const { return extras.layers; }
-  bool can_be_transparent() const { return alpha_file != nullptr || write_vectors != nullptr; }
+  bool can_be_transparent() const { return extras.alpha || write_vectors != nullptr; }
 };
 
 /// The format for an extension, in either case, with or without its dot. Throws Error if there is

@@ -192,10 +192,12 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   const auto open = [&](auto* row_file, const Destination& path) {
     return row_file(path, options.width, options.drawn_rows());
   };
-  const auto open_picture = [&](auto* row_file) {
-    if (!plan.page) return row_file(to, options.width, options.drawn_rows(), options.dpi);
-    return page_row_file(row_file(to, plan.page->width, plan.page->height, options.dpi), *plan.page,
-                         pixel_of(request.background));
+  const auto open_picture = [&] {
+    const Alpha alpha = has_background(options) ? Alpha::none : Alpha::stored;
+    const auto& file = format.pixel_file;
+    if (!plan.page) return file(to, options.width, options.drawn_rows(), alpha, options.dpi);
+    return page_row_file(file(to, plan.page->width, plan.page->height, alpha, options.dpi),
+                         *plan.page, pixel_of(request.background));
   };
   require_drawable_by(request.surfaces.method, plan);
   if (!format.is_of_pixels()) require_colour_of_fills(request.surfaces.method, request.background);
@@ -203,8 +205,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   if (!options.ids.empty()) files.push_back(open(ids_row_file, options.ids));
   if (!options.depth.empty()) files.push_back(open(depth_row_file, options.depth));
   if (format.is_of_pixels()) {
-    (plan.samples == 1 ? files : colours)
-        .push_back(open_picture(has_background(options) ? format.pixel_file : format.alpha_file));
+    (plan.samples == 1 ? files : colours).push_back(open_picture());
   }
   RasterRequest of_files = request;
   of_files.texts = format.is_of_pixels();

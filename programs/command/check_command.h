@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct CheckCommand {
   std::string golden;
   bool update = false;
   bool summary = false;
-  bool quiet = false;                  ///< report only inputs that do not pass, at the end
-  GoldenCheckOption* other = nullptr;  ///< replaces the check of instructions, if selected
+  bool quiet = false;  ///< report only inputs that do not pass, at the end
+  /// Replaces the check of instructions, if selected.
+  std::shared_ptr<GoldenCheckOption> other = nullptr;
 
   CLI::App& add_to(CLI::App& app);
   int run();  ///< 2 if an input is bad, otherwise 1 if one differs

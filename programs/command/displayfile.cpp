@@ -6,11 +6,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cassert>
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <iterator>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -117,13 +116,57 @@ void require_no_mistaken_values(const CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// True for the name of a command but bench, which is another program's.
-bool is_command(std::string_view name) {
-  constexpr std::string_view kCommands[] = {"draw",    "dump",   "check",  "truth",
-                                            "compare", "import", "export", "surface",
-                                            "sheet",   "steps",  "page"};
-  return std::ranges::find(kCommands, name) != std::end(kCommands);
+/// Gives it all processors, if it has threads, and `check` the check of pictures.
+template <class Command>
+void prepare(Command& command) {
+  const auto all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if constexpr (requires { command.options.surfaces.threads; }) {
+    command.options.surfaces.threads = all;
+  } else if constexpr (requires { command.judged.threads; }) {
+    command.judged.threads = all;
+  } else if constexpr (requires { command.threads; }) {
+    command.threads = all;
+  }
+  if constexpr (requires { command.other; }) command.other = std::make_shared<PictureCheck>();
 }
+
+/// What the commands are added to.
+struct CommandLine {
+  CLI::App& app;
+  const AskedOfItself& asked;
+  WorkLimitWords& limits;
+  std::function<int()>& chosen;  ///< runs the command that the words name
+};
+
+template <class Command>
+void add(const CommandLine& line) {
+  const auto command = std::make_shared<Command>();
+  prepare(*command);
+  CLI::App& subcommand = command->add_to(line.app);
+  if (line.asked.subcommand() == subcommand.get_name()) {
+    line.limits.add_to(subcommand, !line.asked.for_any_machine());
+    refuse_empty_values(subcommand);
+  }
+  subcommand.callback([command, &limits = line.limits, &chosen = line.chosen] {
+    chosen = [command, &limits] {
+      const WorkLimitsInForce in_force(limits);
+      return command->run();
+    };
+  });
+}
+
+/// All but bench, which is another program's.
+struct NamedCommand {
+  std::string_view name;
+  void (*add)(const CommandLine& line);
+};
+constexpr NamedCommand kCommands[] = {
+    {"draw", add<DrawCommand>},       {"dump", add<DumpCommand>},
+    {"check", add<CheckCommand>},     {"truth", add<TruthCommand>},
+    {"compare", add<CompareCommand>}, {"import", add<ImportCommand>},
+    {"export", add<ExportCommand>},   {"surface", add<SurfaceCommand>},
+    {"sheet", add<SheetCommand>},     {"steps", add<StepsCommand>},
+    {"page", add<PageCommand>}};
 
 int run(int count, char** as_given) {
   std::vector<char*> words = command_line(count, as_given);
@@ -137,50 +180,13 @@ int run(int count, char** as_given) {
   std::function<int()> chosen;
   WorkLimitWords limits;
   const AskedOfItself asked(argc, argv);
+  const CommandLine line{app, asked, limits, chosen};
   // The options of the others would only take time at every start.
-  const bool wants_all = asked.anything() || argc < 2 || !is_command(argv[1]);
-  const auto add = [&](std::string_view name, auto& command) {
-    if (!wants_all && name != argv[1]) return;
-    CLI::App& subcommand = command.add_to(app);
-    assert(subcommand.get_name() == name);
-    if (asked.subcommand() == subcommand.get_name()) {
-      limits.add_to(subcommand, !asked.for_any_machine());
-      refuse_empty_values(subcommand);
-    }
-    subcommand.callback([&] {
-      chosen = [&] {
-        const WorkLimitsInForce in_force(limits);
-        return command.run();
-      };
-    });
-  };
-  DrawCommand draw;
-  DumpCommand dump;
-  CheckCommand check;
-  TruthCommand truth;
-  CompareCommand compare;
-  ImportCommand import;
-  ExportCommand exported;
-  SurfaceCommand surface;
-  PictureCheck pictures;
-  SheetCommand sheet;
-  StepsCommand steps;
-  PageCommand page;
-  check.other = &pictures;
-  draw.options.surfaces.threads = dump.threads = check.threads = truth.judged.threads = surface.threads =
-      sheet.threads = page.threads =
-          static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  add("draw", draw);
-  add("dump", dump);
-  add("check", check);
-  add("truth", truth);
-  add("compare", compare);
-  add("import", import);
-  add("export", exported);
-  add("surface", surface);
-  add("sheet", sheet);
-  add("steps", steps);
-  add("page", page);
+  const auto is_named = [&](const NamedCommand& command) { return command.name == argv[1]; };
+  const bool wants_all = asked.anything() || argc < 2 || std::ranges::none_of(kCommands, is_named);
+  for (const NamedCommand& command : kCommands) {
+    if (wants_all || is_named(command)) command.add(line);
+  }
   const CLI::App& bench = add_bench(app);
 
   if (asked.anything()) {

@@ -124,6 +124,22 @@ TEST(Annotation, TheApiRefusesWhatCannotBeDrawn) {
   EXPECT_EQ(g.looks().annotation, AnnotationStyle());
 }
 
+/// The style that was set before recording began is recorded when it is set again.
+TEST(Annotation, TheStyleIsRecordedWhereverRecordingBegins) {
+  GraphicsSystem g;
+  g.set_annotation_style({.size = 7, .ends = AnnotationStyle::Ends::dot, .decimals = 3});
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  g.set_recorder(&recorder);
+  AnnotationStyle style = g.looks().annotation;
+  style.decimals = 2;
+  g.set_annotation_style(style);
+  g.set_recorder(nullptr);
+  GraphicsSystem again;
+  replay(recording.str(), "recording", again);
+  EXPECT_EQ(again.looks().annotation, style);
+}
+
 /// After all else of the segment, in the colour of the line style, with the style in force.
 TEST(Annotation, CanonicalDump) {
   EXPECT_EQ(dump_of("set-window 0 1 0 1\n"

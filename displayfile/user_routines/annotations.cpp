@@ -243,14 +243,17 @@ void GraphicsSystem::set_annotation_style(const AnnotationStyle& style) {
     throw Error(fmt::format("annotation decimals {}: expected 0 to 9", style.decimals));
   }
   const AnnotationStyle before = std::exchange(state_->looks_.annotation, style);
-  if (style.size != before.size || style.unit != before.unit) {
+  // What is not the default may have been set before recording began.
+  const auto is_recorded = [&](auto member) {
+    return style.*member != before.*member || style.*member != AnnotationStyle().*member;
+  };
+  using Style = AnnotationStyle;
+  if (is_recorded(&Style::size) || is_recorded(&Style::unit)) {
     state_->record("set-annotation-size", {style.size, name_of(style.unit)});
   }
-  if (style.ends != before.ends) state_->record("set-annotation-ends", {name_of(style.ends)});
-  if (style.decimals != before.decimals) {
-    state_->record("set-annotation-decimals", {style.decimals});
-  }
-  if (style.placement != before.placement) {
+  if (is_recorded(&Style::ends)) state_->record("set-annotation-ends", {name_of(style.ends)});
+  if (is_recorded(&Style::decimals)) state_->record("set-annotation-decimals", {style.decimals});
+  if (is_recorded(&Style::placement)) {
     state_->record("set-annotation-placement", {name_of(style.placement)});
   }
 }

@@ -181,7 +181,9 @@ CLI::App& CheckCommand::add_to(CLI::App& app) {
                   "with --update; for instructions a square")
       ->type_name("WIDTHxHEIGHT")
       ->group(kPictureOptions);
-  command.add_option("--threads", threads, "the result is the same for any number")
+  command
+      .add_option("--threads", hidden_surfaces.surfaces.threads,
+                  "the result is the same for any number")
       ->type_name("N")
       ->transform(number_in(1, 1024))
       ->group(kPictureOptions);
@@ -219,7 +221,7 @@ int CheckCommand::run() {
   const std::vector<std::string> lists = input_lists(inputs);
   const std::vector<Figure> figures = with_common(with, input_figures(inputs));
   inputs = figure_names(figures);
-  CheckedInputs checked{hidden_surfaces.options(threads), meshes, size};
+  CheckedInputs checked{hidden_surfaces.options(), meshes, size};
   checked.meshes.lines = hidden_surfaces.line_selection();
   checked.meshes.touching = hidden_surfaces.touching;
   checked.meshes.options();  // all words are understood before any work is done

@@ -20,7 +20,6 @@ struct CheckCommand {
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size{""};  ///< of the pictures, or of those that windows are made for
   MeshWords meshes;
-  int threads = 1;
   /// A folder, or one file for all inputs. In a folder the golden file of FOLDER/NAME.draw is
   /// FOLDER/NAME.txt if it is there or another of the inputs has that name; otherwise NAME.txt.
   std::string golden;

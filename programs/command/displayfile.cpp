@@ -120,8 +120,8 @@ void require_no_mistaken_values(const CLI::App& app, int argc, char** argv) {
 template <class Command>
 void prepare(Command& command) {
   const auto all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  if constexpr (requires { command.options.surfaces.threads; }) {
-    command.options.surfaces.threads = all;
+  if constexpr (requires { command.hidden_surfaces.surfaces.threads; }) {
+    command.hidden_surfaces.surfaces.threads = all;
   } else if constexpr (requires { command.judged.threads; }) {
     command.judged.threads = all;
   } else if constexpr (requires { command.threads; }) {

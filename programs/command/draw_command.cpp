@@ -194,7 +194,7 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       ->capture_default_str()
       ->group(kPictureOptions);
   command
-      .add_option("--threads", options.surfaces.threads,
+      .add_option("--threads", hidden_surfaces.surfaces.threads,
                   "maximum number of threads; the picture does not depend on it")
       ->type_name("N")
       ->transform(number_in(1, 1024))
@@ -236,7 +236,7 @@ DrawOptions DrawCommand::all_options() {
     const NumberRange range = number_range("--rows", *rows, all.height, "rows");
     all.rows = PictureRows{range.first, range.end};
   }
-  all.surfaces = hidden_surfaces.options(options.surfaces.threads);
+  all.surfaces = hidden_surfaces.options();
   all.background = background.background();
   all.lettering = vectors.lettering();
   if (line_order) all.surfaces.line_order = displayfile::line_order(*line_order);

@@ -45,8 +45,7 @@ int DumpCommand::run() {
     entering.line_styles = lines->styles({});
   }
   entering.touching = hidden_surfaces.touching;
-  const DrawnFile drawn =
-      as_drawn(inputs, hidden_surfaces.options(threads), entering, size.aspect());
+  const DrawnFile drawn = as_drawn(inputs, hidden_surfaces.options(), entering, size.aspect());
   if (output.empty()) {
     dump(drawn.file, std::cout, drawn.fills);
     return 0;

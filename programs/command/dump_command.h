@@ -16,7 +16,6 @@ struct DumpCommand {
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size;  ///< of the picture that windows are made for
   MeshWords meshes;
-  int threads = 1;
   std::string output;  ///< standard output if empty
 
   CLI::App& add_to(CLI::App& app);

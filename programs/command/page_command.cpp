@@ -104,7 +104,7 @@ StartingShading PageCommand::starting_shading() const {
 DrawOptions PageCommand::drawing() const {
   DrawOptions drawing;
   size.read(drawing.width, drawing.height);
-  drawing.surfaces = hidden_surfaces.options(threads);
+  drawing.surfaces = hidden_surfaces.options();
   if (!drawing.surfaces.method && std::ranges::none_of(inputs, is_drawing_program)) {
     drawing.surfaces.method = HiddenMethod::automatic;  // as `draw` draws bare meshes
   }

@@ -19,7 +19,6 @@ namespace displayfile {
 struct PageCommand {
   std::vector<std::string> inputs;  ///< none: the product's page
   std::string output, title, package;
-  int threads = 1;
   PictureSizeWord size;
   HiddenSurfaceWords hidden_surfaces;
   ShadingWord shading;

@@ -126,7 +126,7 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command.add_option("--program", program, "also write the drawing program")
       ->type_name("PROGRAM.draw");
   command
-      .add_option("--threads", threads,
+      .add_option("--threads", hidden_surfaces.surfaces.threads,
                   "maximum number of threads; the picture does not depend on it")
       ->type_name("N")
       ->transform(any_number<int>());
@@ -182,7 +182,7 @@ SurfaceLook SurfaceCommand::look() const {
 
 DrawOptions SurfaceCommand::drawing() const {
   DrawOptions drawing;
-  drawing.surfaces = hidden_surfaces.options(threads);
+  drawing.surfaces = hidden_surfaces.options();
   if (!drawing.surfaces.scope) drawing.surfaces.scope = HiddenScope::all;
   drawing.samples = samples;
   drawing.background = background.background();

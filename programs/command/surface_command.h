@@ -20,7 +20,7 @@ struct SurfaceCommand {
   std::vector<std::string> surfaces;
   std::string output, program;
   std::string x, y, z, grid, curves = "both", sides = "both", colour, labels;
-  int contours = 0, threads = 1;
+  int contours = 0;
   std::optional<int> samples;
   bool axes = true, box = true, true_scale = false;
   CameraWords camera;

@@ -88,9 +88,8 @@ HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod>
                                      word, did_you_mean(word, names), fmt::join(names, " ")));
 }
 
-HiddenSurfaceOptions HiddenSurfaceWords::options(int threads) const {
+HiddenSurfaceOptions HiddenSurfaceWords::options() const {
   HiddenSurfaceOptions all = surfaces;
-  all.threads = threads;
   if (!lines || !lines->draws_hidden()) return all;
   if (all.hidden_lines == HiddenLines::none) {
     throw Error("--lines " + lines->text() +

@@ -21,7 +21,7 @@ struct HiddenSurfaceWords {
 
   void add_to(CLI::App& command);
   /// Throws Error if --lines and --hidden-lines contradict each other.
-  HiddenSurfaceOptions options(int threads) const;
+  HiddenSurfaceOptions options() const;
   /// What --lines selects, of commands that give kinds no styles of their own: throws Error for a
   /// style.
   std::optional<LineSelection> line_selection() const;

@@ -195,6 +195,17 @@ TEST_F(ExportCommand, NamesAndColoursAreKept) {
   EXPECT_NE(back.find("\no "), back.rfind("\no ")) << back;
 }
 
+TEST_F(ExportCommand, TitlesAreNames) {
+  write("titled.draw",
+        "open-segment 1\nbox-3 0 2  0 3  0 4\nclose-segment\nopen-segment 2\nbox-3 5 6  0 3  0 4\n"
+        "close-segment\nset-segment-title 1 \"Cover plate\"\n");
+  exported("titled.draw -o titled.obj");
+  const std::string obj = read(folder_ / "titled.obj");
+  EXPECT_NE(obj.find("\no Cover plate\n"), obj.npos);
+  EXPECT_NE(obj.find("\no segment 2\n"), obj.npos);
+  EXPECT_EQ(obj.find("segment 1"), obj.npos);
+}
+
 /// Vertices 1e-9 apart at 1 are one in single precision; the triangle between them is left out.
 TEST_F(ExportCommand, SinglePrecisionSaysWhatItMerges) {
   write("near.obj",

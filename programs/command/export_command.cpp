@@ -15,6 +15,7 @@
 #include "clip/base/files.h"
 #include "displayfile/mesh/solid_triangles.h"
 #include "displayfile/mesh/write_mesh.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/inputs/assembled_inputs.h"
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/output_paths.h"
@@ -43,6 +44,14 @@ namespace {
 struct NotExported {
   std::size_t lines = 0, hollow = 0, texts = 0;
 };
+
+/// The title that is set; of a mesh it is its object's name.
+std::string name_of(const RetainedScene::Segment& segment, const AssembledInputs& assembled) {
+  const std::string& title = assembled.system.display_file().segment(segment.name).title();
+  if (!title.empty()) return title;
+  const std::string& object = assembled.opening(segment).object;
+  return object.empty() ? fmt::format("segment {}", segment.name) : object;
+}
 
 /// The visible filled polygons of inputs, an object for each segment.
 Mesh filled_polygons(const AssembledInputs& assembled, NotExported& left_out) {
@@ -79,9 +88,7 @@ Mesh filled_polygons(const AssembledInputs& assembled, NotExported& left_out) {
     }
     if (mesh.faces() == first_face) continue;
     reach = std::max(reach, scene.reach_in_world(segment));
-    const std::string& name = assembled.opening(segment).object;
-    mesh.objects.push_back({name.empty() ? fmt::format("segment {}", segment.name) : name,
-                            first_face, mesh.faces() - first_face});
+    mesh.objects.push_back({name_of(segment, assembled), first_face, mesh.faces() - first_face});
   }
   if (reach > 0.0) mesh.set_reach(reach);
   return mesh;

@@ -1,10 +1,11 @@
 #include "programs/inputs/assembled_inputs.h"
 
-#include "displayfile/files.h"
+#include "clip/base/input_file.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"
 #include "programs/inputs/mistaken_words.h"
+#include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 
@@ -22,7 +23,7 @@ void AssembledInputs::enter(const std::string& input, std::size_t number,
                             const ImportLimits& limits) {
   const Progress progress("reading " + input);
   if (is_drawing_program(input)) {
-    replay_file(input, system);
+    replay_beside(read_text_file(input), input_name(input), system);
     openings.resize(SystemInside::segments_opened(system), {number, {}});
     return;
   }

@@ -18,7 +18,6 @@
 #include "clip/base/files.h"
 #include "clip/system/process_memory.h"
 #include "clip/view_volume.h"
-#include "displayfile/files.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/hidden_lines_left.h"
@@ -27,6 +26,7 @@
 #include "interp/draw/picture_checks.h"
 #include "programs/inputs/exploded_parts.h"
 #include "programs/inputs/mistaken_words.h"
+#include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 
@@ -85,7 +85,7 @@ void append_drawn(const View& view, const RetainedScene& retained, const Graphic
 void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
   const std::size_t saved = ahead.counts().transformations_saved;
   try {
-    replay(program, name, ahead);
+    replay_beside(program, name, ahead);
   } catch (const LimitReached&) {
     throw;
   } catch (const Error&) {
@@ -336,7 +336,7 @@ void replay_each(std::span<const std::string> inputs, GraphicsSystem& system, bo
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     Progress progress("replaying " + inputs[k]);
     const ToldOfClosing told(system, progress);
-    fitted ? replay(programs[k], input_name(inputs[k]), system) : replay_file(inputs[k], system);
+    replay_beside(fitted ? programs[k] : read_text_file(inputs[k]), input_name(inputs[k]), system);
   }
 }
 
@@ -365,7 +365,7 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   std::span<const Mesh> meshes = read.meshes;
   for (std::size_t i = 0; i < inputs.size();) {
     if (is_drawing_program(inputs[i])) {
-      replay(*program++, input_name(inputs[i++]), system);
+      replay_beside(*program++, input_name(inputs[i++]), system);
       continue;
     }
     const std::size_t begin = i;

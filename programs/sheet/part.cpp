@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <string_view>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
@@ -26,6 +22,7 @@
 #include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"
+#include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
 #include "programs/sheet/closed_pieces.h"
@@ -52,53 +49,6 @@ std::optional<Upright> upright_of(const GraphicsSystem& system, const RetainedSc
   if (!system.explicit_settings().contains(Setting::camera)) return std::nullopt;
   const auto drawn = std::span(scene.segments()).subspan(segments_before);
   return upright_of(drawn.empty() ? system.view() : drawn.front().view);
-}
-
-/// Names of segments that stand after a routine's, and where they do for the first time.
-std::map<int, std::size_t> names_after(std::string_view program, std::string_view routine) {
-  std::map<int, std::size_t> names;
-  for (auto at = program.find(routine); at != program.npos; at = program.find(routine, at)) {
-    at += routine.size();
-    const auto number = std::min(program.find_first_not_of(" \t", at), program.size());
-    const char* const end = program.data() + program.size();
-    if (int name = 0; std::from_chars(program.data() + number, end, name).ec == std::errc{}) {
-      names.emplace(name, at);
-    }
-  }
-  return names;
-}
-
-/// Names of the segments that a program opens, but for those that it deletes or renames before.
-std::vector<int> names_opened(std::string_view program) {
-  const auto deleted = names_after(program, "delete-segment");
-  const auto renamed = names_after(program, "rename-segment");
-  const auto is_before = [](const auto& others, int name, std::size_t place) {
-    const auto other = others.find(name);
-    return other != others.end() && other->second < place;
-  };
-  std::vector<int> names;
-  for (const auto& [name, place] : names_after(program, "open-segment")) {
-    if (is_before(deleted, name, place) || is_before(renamed, name, place)) continue;
-    names.push_back(name);
-  }
-  return names;
-}
-
-/// Gives other names to segments of earlier inputs, where the program has those for its own: most
-/// programs begin with the first.
-void make_room_for_names(std::string_view program, GraphicsSystem& system,
-                         SegmentOrigins& origins) {
-  const std::vector<int> names = names_opened(program);
-  std::int64_t last = 0;
-  for (const int name : names) last = std::max<std::int64_t>(last, name);
-  for (const Segment& segment : system.display_file().segments()) {
-    last = std::max<std::int64_t>(last, segment.name());
-  }
-  for (const int name : names) {
-    if (!system.display_file().contains(name) || last == std::numeric_limits<int>::max()) continue;
-    system.rename_segment(name, static_cast<int>(++last));
-    origins.rename(name, static_cast<int>(last));
-  }
 }
 
 /// Which axis is up is not only the mesh's matter, but also of the transformation that turns it.
@@ -257,7 +207,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
     if (is_drawing_program(input)) {
       const std::size_t segments = scene.segments().size();
       const std::string program = read_text_file(input);
-      make_room_for_names(program, system, origins);
+      for (const auto& [from, to] : make_room_for_names(program, system)) origins.rename(from, to);
       origins.replay_program(program, input_name(input), i, system);
       of_input = upright_of(system, scene, std::min(segments, scene.segments().size()));
     } else {

@@ -75,11 +75,11 @@ class Completion : public Command {
 
 /// The words that a message says it expected.
 Words Completion::words_expected(const std::string& message) const {
-  static const Words kSentence{"above", "at",      "factor",     "most",     "a",    "after",
-                               "and",   "as",      "blue",       "cases",    "each", "family",
-                               "green", "hard",    "in",         "it",       "name", "of",
-                               "one",   "or",      "red",        "some",     "such", "to",
-                               "with",  "without", "-landscape", "-portrait"};
+  static const Words kSentence{
+      "above", "along", "at",   "axis",    "factor",     "first",    "most",  "a",    "after",
+      "and",   "as",    "blue", "cases",   "each",       "family",   "green", "hard", "in",
+      "it",    "name",  "of",   "one",     "or",         "parts",    "red",   "some", "such",
+      "the",   "to",    "with", "without", "-landscape", "-portrait"};
   std::smatch found;
   Words words;
   const std::regex sentence("(expected|[a-z] is|[a-z] are) (.*?)(, not '.*)?\n");

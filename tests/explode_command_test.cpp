@@ -91,6 +91,30 @@ TEST_F(ExplodeCommand, TheOtherWayTheLastStays) {
   EXPECT_EQ(moved[1], "M80 90l0 10 10 0 0-10Z");
 }
 
+/// Parts that are named come first, in that order; gaps are half of the parts' mean length, 20.
+TEST_F(ExplodeCommand, PartsAreInTheOrderThatIsSet) {
+  const std::vector<std::string> before = fills("three.draw");
+  const std::vector<std::string> after = fills("three.draw --explode x:2,1");
+  ASSERT_EQ(after.size(), 3u);
+  EXPECT_EQ(after[1], before[1]);                 // from 20 to 40
+  EXPECT_EQ(after[0], "M50 90l0 10 10 0 0-10Z");  // 10 after it
+  EXPECT_EQ(after[2], "M70 85l0 5 30 0 0-5Z");
+  EXPECT_EQ(fills("three.draw --explode x=0.5:2"), fills("three.draw --explode x:2,1,3"));
+  EXPECT_EQ(fills("three.draw --explode x:1,3,2"), fills("three.draw --explode x"));
+  write("lid.draw", segment(1, 10, 20, 0, 10));
+  write("base.draw", segment(1, 10, 20, 10, 30));
+  const std::vector<std::string> inputs =
+      fills("view.draw lid.draw base.draw --explode y:base,lid");
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs[1], "M10 70l0 20 10 0 0-20Z");
+  EXPECT_EQ(inputs[0], "M10 52.5l0 10 10 0 0-10Z");
+  write("named.draw", read(folder_ / "three.draw") + "set-segment-title 2 \"Cover plate\"\n");
+  EXPECT_EQ(fills("named.draw --explode 'x:Cover plate,1'"), after);
+  expect_error("draw three.draw -o a.svg --explode x:2,4",
+               "--explode x:2,4: no part has the name 4: expected some of 1, 2, 3");
+  expect_error("draw three.draw -o a.svg --explode x:2,1,2", "2 is there twice");
+}
+
 /// The middles of the boxes are 15, 30 and 25 in x and 5, 5 and 12.5 in y; that of all is
 /// (25, 7.5).
 TEST_F(ExplodeCommand, PartsAreMovedAwayFromTheMiddle) {
@@ -177,8 +201,9 @@ TEST_F(ExplodeCommand, WhatCannotBeMovedApartIsRefused) {
   expect_error("draw same.draw -o a.svg --explode radial", "the parts have one middle");
   expect_error("draw - -o a.svg --explode z", "standard input can be read once only",
                (folder_ / "same.draw").string());
-  for (const std::string word : {"w", "xy", "z=", "z=0", "z=-1", "z=nan", "z=1001", "z=1x",
-                                 "radial=", "radially", "-radial"}) {
+  for (const std::string word :
+       {"w", "xy", "z=", "z=0", "z=-1", "z=nan", "z=1001", "z=1x", "radial=", "radially", "-radial",
+        "radial:1", "x:", "x:1,", "x=:1"}) {
     expect_error("draw three.draw -o a.svg --explode=" + word,
                  "--explode " + word + ": expected x, y");
   }
@@ -220,7 +245,22 @@ TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
   EXPECT_EQ(
       err_,
       "apart.draw: --explode x: annotation of segment 9 stays where it is: expected it in the "
-      "segment of its part, with which it moves\n");
+      "segment of its part, or the part's name as the segment's title\n");
+  // By its title it belongs to a part, which is a segment of one input, or one of several.
+  write("titled.draw",
+        "open-segment 9\n" + balloon + "close-segment\nset-segment-title 9 \"mid\"\n");
+  write("names.draw", read(folder_ / "three.draw") + "set-segment-title 2 \"mid\"\n");
+  const auto balloon_of = [&](const std::string& arguments) {
+    EXPECT_EQ(run("draw view.draw titled.draw -o a.svg --size 100x100 --explode x " + arguments), 0)
+        << err_;
+    EXPECT_EQ(err_, "");
+    const std::string svg = read(folder_ / "a.svg");
+    return std::stod(svg.substr(svg.rfind(" x=\"", svg.find(">7<")) + 4));
+  };
+  EXPECT_NEAR(balloon_of("names.draw"), before + 50.0, 1e-3);
+  write("low.draw", segment(1, 10, 20, 0, 10));
+  write("mid.draw", segment(1, 20, 40, 0, 10));
+  EXPECT_NEAR(balloon_of("low.draw mid.draw"), before + 7.5, 1e-3);
 }
 
 /// Flat parts in one plane each have no length along the axis: their size stands for it.

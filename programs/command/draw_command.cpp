@@ -162,8 +162,9 @@ void DrawCommand::add_picture_options(CLI::App& command) {
       .add_option(
           "--explode", explode,
           "an exploded view: the inputs, or the segments or objects of one, are moved apart "
-          "along an axis in the order of their boxes, with gaps of FACTOR times their mean "
-          "length [0.5]; or radially, by FACTOR times the distances of their middles from "
+          "along an axis in the order of their boxes, after those named as in z=0.5:LID,BODY, with "
+          "gaps of FACTOR times their mean length [0.5]; or radially, by FACTOR times the "
+          "distances of their middles from "
           "the middle of all [1]. Dash-dotted trace lines show the moves")
       ->type_name("x|y|z|-x|-y|-z|radial[=FACTOR]")
       ->group(kPictureOptions);

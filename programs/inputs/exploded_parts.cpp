@@ -1,19 +1,25 @@
 #include "programs/inputs/exploded_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <tuple>
 
 #include "clip/base/error.h"
 #include "clip/view_volume.h"
+#include "displayfile/segments/display_file.h"
 #include "programs/inputs/assembled_inputs.h"
 #include "programs/inputs/inputs.h"
 #include "programs/process/warnings.h"
@@ -24,16 +30,43 @@ namespace {
 
 Point3 middle_of(const AssemblyPart& part) { return 0.5 * part.low + 0.5 * part.high; }
 
+/// For each part its place among those that the explosion names; others have the number of these.
+std::vector<std::size_t> places_in_order(std::span<const AssemblyPart> parts,
+                                         const Explosion& explosion) {
+  const std::vector<std::string>& order = explosion.order;
+  std::vector<std::size_t> places;
+  for (const AssemblyPart& part : parts) {
+    const auto place = std::ranges::find(order, part.name);
+    places.push_back(static_cast<std::size_t>(place - order.begin()));
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), order[k]) !=
+        order.begin() + static_cast<std::ptrdiff_t>(k)) {
+      throw Error(fmt::format("--explode {}: {} is there twice: expected each part once",
+                              explosion.word, order[k]));
+    }
+    if (std::ranges::find(places, k) != places.end()) continue;
+    std::vector<std::string_view> names;
+    for (const AssemblyPart& part : parts) names.push_back(part.name);
+    throw Error(fmt::format("--explode {}: no part has the name {}: expected some of {}",
+                            explosion.word, order[k], fmt::join(names, ", ")));
+  }
+  return places;
+}
+
 /// Along an axis; coordinates are multiplied by `sign`, so that it is upward.
-void move_along(std::vector<AssemblyPart>& parts, int axis, double sign, double factor) {
+void move_along(std::vector<AssemblyPart>& parts, int axis, const Explosion& explosion) {
+  const double sign = explosion.downward ? -1.0 : 1.0, factor = explosion.factor;
+  const std::vector<std::size_t> places = places_in_order(parts, explosion);
   const auto begins = [&](const AssemblyPart& p) {
     return sign > 0.0 ? p.low[axis] : -p.high[axis];
   };
   const auto ends = [&](const AssemblyPart& p) { return sign > 0.0 ? p.high[axis] : -p.low[axis]; };
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(
-      order, {}, [&](std::size_t i) { return std::pair(begins(parts[i]), ends(parts[i])); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    return std::tuple(places[i], begins(parts[i]), ends(parts[i]));
+  });
   double lengths = 0.0, longest = 0.0;
   for (const AssemblyPart& part : parts) {
     lengths += part.high[axis] - part.low[axis];
@@ -71,7 +104,7 @@ void move_radially(std::vector<AssemblyPart>& parts, const Explosion& explosion)
 
 void move_apart(std::vector<AssemblyPart>& parts, const Explosion& explosion) {
   if (!explosion.axis) return move_radially(parts, explosion);
-  move_along(parts, *explosion.axis, explosion.downward ? -1.0 : 1.0, explosion.factor);
+  move_along(parts, *explosion.axis, explosion);
 }
 
 void append_dash_dots(const Point3& from, const Point3& to, double period,
@@ -98,7 +131,27 @@ namespace {
 /// The part of each segment that is opened; kNoPart for those that show nothing.
 constexpr std::size_t kNoPart = static_cast<std::size_t>(-1);
 
+std::string name_of(const AssembledInputs& assembly, const RetainedScene::Segment& segment) {
+  const std::string& title = assembly.system.display_file().segment(segment.name).title();
+  if (!title.empty()) return title;
+  const std::string& object = assembly.opening(segment).object;
+  return object.empty() ? fmt::format("{}", segment.name) : object;
+}
+
+/// Segments of annotation alone belong to the part that has their title as its name.
+void join_annotation_by_title(const AssembledInputs& assembly, std::span<const AssemblyPart> parts,
+                              std::vector<std::size_t>& part_of_opening) {
+  for (const RetainedScene::Segment& segment : assembly.scene.segments()) {
+    std::size_t& part = part_of_opening[segment.opened];
+    if (part != kNoPart || segment.annotations.empty()) continue;
+    const std::string& title = assembly.system.display_file().segment(segment.name).title();
+    const auto found = std::ranges::find(parts, title, &AssemblyPart::name);
+    if (found != parts.end()) part = static_cast<std::size_t>(found - parts.begin());
+  }
+}
+
 std::vector<std::size_t> parts_of(const AssembledInputs& assembly,
+                                  std::span<const std::string> inputs,
                                   std::vector<AssemblyPart>& parts) {
   std::vector<std::size_t> visible;  // segments of the scene
   const auto& segments = assembly.scene.segments();
@@ -114,7 +167,11 @@ std::vector<std::size_t> parts_of(const AssembledInputs& assembly,
   for (const std::size_t k : visible) {
     const auto [part, is_new] = known.emplace(of_inputs ? input_of(k) : k, parts.size());
     const auto points = assembly.scene.points(segments[k]);
-    if (is_new) parts.push_back({points.front(), points.front()});
+    if (is_new) {
+      parts.push_back({points.front(), points.front()});
+      parts.back().name = of_inputs ? std::filesystem::path(inputs[input_of(k)]).stem().string()
+                                    : name_of(assembly, segments[k]);
+    }
     AssemblyPart& box = parts[part->second];
     for (const Point3& p : points) {
       box.low = glm::min(box.low, p);
@@ -122,6 +179,7 @@ std::vector<std::size_t> parts_of(const AssembledInputs& assembly,
     }
     part_of_opening[segments[k].opened] = part->second;
   }
+  join_annotation_by_title(assembly, parts, part_of_opening);
   return part_of_opening;
 }
 
@@ -181,7 +239,7 @@ void warn_of_annotation_without_part(const AssembledInputs& assembly,
     if (!has_anchors) continue;
     warnings() << fmt::format(
         "{}: --explode {}: annotation of segment {} stays where it is: expected it in the segment "
-        "of its part, with which it moves\n",
+        "of its part, or the part's name as the segment's title\n",
         inputs[assembly.opening(segment).input], word, segment.name);
   }
 }
@@ -201,7 +259,7 @@ ExplodedParts exploded_parts(std::span<const std::string> inputs, const Explosio
   const AssembledInputs assembly(inputs, limits, aspect);
   collected.reset();
   std::vector<AssemblyPart> parts;
-  const std::vector<std::size_t> part_of_opening = parts_of(assembly, parts);
+  const std::vector<std::size_t> part_of_opening = parts_of(assembly, inputs, parts);
   if (parts.size() < 2) {
     throw Error(
         fmt::format("--explode {}: {}{} {}: expected several inputs, or one of several segments or "

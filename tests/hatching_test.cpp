@@ -287,6 +287,49 @@ TEST(HatchedFills, AToneIntoWhichAnotherRunsIsOnItsGrid) {
   }
 }
 
+/// The triangles of a flat face may have normals that are rounded differently.
+TEST(HatchedFills, RoundedTonesAreOne) {
+  const auto strokes = [](double rounding) {
+    HatchedFills fills(Hatching{.spacing = 1.0, .angle = 0.0}, kSheet);
+    for (int k = 0; k < 100; ++k) {
+      const double dark = 0.7 + rounding * (k % 7), y = k;
+      fills.add(box(10, y, 110, y + 1), std::vector<double>{dark, dark + rounding, dark, dark},
+                true);
+    }
+    return fills.strokes();
+  };
+  EXPECT_EQ(strokes(0.0), strokes(1e-6));
+}
+
+/// A flat face has even lines whatever stands beside it: facets in the shade of something round
+/// that are as dark, and facets that run from its tone into another; and so has one of the same
+/// tone elsewhere.
+TEST(HatchedFills, AFlatFaceIsEvenBesideWhatIsRound) {
+  constexpr double kTone = 0.7, kLight = 0.2;
+  Polygon plate{{0, 0}, {100, 0}};
+  for (int k = 10; k >= 0; --k) plate.push_back({10.0 * k, 100.0});
+  HatchedFills fills(Hatching{.spacing = 1.0, .angle = 0.0}, kSheet);
+  fills.add(plate, std::vector<double>(plate.size(), kTone), true);
+  fills.add(box(120, 0, 180, 100), std::vector<double>(4, kTone), true);
+  for (int k = 0; k < 10; ++k) {
+    const double x = 10.0 * k;
+    const double right = k < 5 ? kTone : kLight, left_side = k < 6 ? kTone : kLight;
+    fills.add(box(x, 100, x + 10, 180), std::vector<double>{kTone, kTone, right, left_side}, true,
+              {0.01 * (k + 1), 0.0});
+  }
+  std::vector<std::int32_t> left, lone, round;
+  for (const Stroke& s : fills.strokes()) {
+    const auto x = std::min(s.from.x, s.to.x), y = s.from.y;
+    (x >= 120'000 ? lone : y < 100'000 ? left : round).push_back(y);
+  }
+  EXPECT_EQ(left, lone);
+  ASSERT_GT(left.size(), 60U);
+  for (std::size_t k = 2; k < left.size(); ++k) {
+    EXPECT_NEAR(left[k] - left[k - 1], left[1] - left[0], 1) << k;
+  }
+  for (const std::int32_t y : round) EXPECT_EQ((y - round[0]) % 1000, 0) << y;  // one grid
+}
+
 TEST(Darkness, IsBetweenPaperAndPen) {
   const Colour black(0.0), white(1.0), grey(0.25);
   EXPECT_EQ(Darkness(white, black).of(white), 0.0);

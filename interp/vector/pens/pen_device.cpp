@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "clip/clip_to_rectangle.h"
@@ -47,7 +48,7 @@ PenDevice::PenDevice(const Picture& picture, const Pens& pens, const Colour& bac
             fit.top + fit.pixel * picture.height};
   if (!hatching) return;
   hatching_pen_ = {pixel_of(pen_on(background, hatching)), units_of_width(hatching->width)};
-  hatched_.emplace(*hatching, frame_);
+  hatched_.emplace(*hatching, frame_, crumbs_);
 }
 
 Point2 PenDevice::on_sheet(const Point3& device) const {
@@ -141,6 +142,19 @@ void PenDevice::edges(const DrawnPolygon& polygon) {
   }
 }
 
+/// By Newell's method; nothing that is seen is edge-on.
+Point2 PenDevice::slope_on_sheet(std::span<const Point3> vertices) const {
+  Point3 normal(0.0), before = vertices.back() - vertices.front();
+  for (const Point3& vertex : vertices) {
+    const Point3 p = vertex - vertices.front();
+    normal += glm::cross(before, p);
+    before = p;
+  }
+  const double wide = picture_.width * picture_.fit.pixel,
+               high = picture_.height * picture_.fit.pixel;
+  return {-normal.x / (normal.z * wide), normal.y / (normal.z * high)};
+}
+
 void PenDevice::fill(const DrawnPolygon& polygon) {
   if (!hatched_) return;
   points_.clear();
@@ -151,7 +165,7 @@ void PenDevice::fill(const DrawnPolygon& polygon) {
     const double intensity = polygon.intensities.empty() ? 1.0 : polygon.intensities[i];
     dark_.push_back(darkness_.of(polygon.fill.colour * intensity));
   }
-  hatched_->add(points_, dark_, fills_are_disjoint_);
+  hatched_->add(points_, dark_, fills_are_disjoint_, slope_on_sheet(polygon.vertices));
 }
 
 std::vector<PenStrokes> PenDevice::strokes() {

@@ -63,6 +63,8 @@ class PenDevice : public OutputDevice {
   };
   void draw_text(const DeviceText& text, const Lettering& lettering);
   std::vector<Stroke> not_blanked(std::vector<Stroke> strokes, std::size_t first_blank) const;
+  /// The slope of a polygon's plane, as in HatchedFill.
+  Point2 slope_on_sheet(std::span<const Point3> vertices) const;
   Point2 on_sheet(const Point3& device) const;
   std::vector<Stroke>& strokes_of(const LineStyle& style);
   void add(const Point2& a, const Point2& b, std::vector<Stroke>& strokes) const;

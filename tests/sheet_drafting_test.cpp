@@ -347,6 +347,36 @@ TEST_F(SheetDrafting, CentreLinesOfSections) {
   EXPECT_EQ(halves("--section side=0"), 4U + 4U + 2U);
 }
 
+/// Axes behind a section are hidden by the cut faces, and by parts that are left whole.
+TEST_F(SheetDrafting, CutFacesHideCentreLines) {
+  write_segments("behind.draw", {"box-3 -20 20 -20 20 0 10\n", "cylinder-3 0 0 -40 6 20 48\n",
+                                 "cylinder-3 22 0 -40 8 20 48\n"});
+  const auto draw_lines = [&](const std::string& arguments) {
+    draw("behind.draw --scale 1:1 --lines outline " + arguments);
+    double sum = 0.0;
+    for (const Stroke& s : strokes("CENTRE")) sum += std::hypot(s[2] - s[0], s[3] - s[1]);
+    return sum;
+  };
+  const double whole = draw_lines("");
+  // Of the first cylinder's cross nothing is left, of the second's what is beside the box.
+  const double small = 2.0 * (12.0 + 6.0), behind = 20.0 - (22.0 - 8.0 - 3.0);
+  EXPECT_NEAR(draw_lines("--section front=5"), whole - small - behind, 1e-3);
+  for (const Stroke& s : strokes("CENTRE")) {
+    for (const Stroke& h : strokes("HATCH")) EXPECT_LE(overlap(s, h), 1e-6);
+  }
+  // Nor is one along the view, on both sides of the box.
+  write_segments("along.draw",
+                 {"box-3 -20 20 -20 20 0 10\n",
+                  "rotate-y-3 90\ntranslate-3 0 5 -20\ncylinder-3 0 0 -30 6 60 48\n"});
+  draw("along.draw --scale 1:1 --section front=5");
+  EXPECT_EQ(count_of_length("CENTRE", (10.0 + 3.0) / 2.0), 4U);
+  EXPECT_EQ(count_of_length("CENTRE", 30.0 + 3.0), 2U);  // in the top view
+  // What the plane goes through has its own.
+  write_segments("through.draw", {"box-3 -20 20 -20 20 0 40\ncylinder-3 0 0 -40 6 42 48\n"});
+  draw("through.draw --scale 1:1 --section front=1");
+  EXPECT_GE(count_of_length("CENTRE", 6.0 + 3.0), 4U);
+}
+
 /// A hole of a solid has the axis of what was taken away, as far as the hole goes.
 TEST_F(SheetDrafting, HolesHaveCentreLinesAsLongAsTheyAre) {
   write_segments("hole.draw", {"begin-solid difference\nbox-3 -20 20 -20 20 0 12\n"

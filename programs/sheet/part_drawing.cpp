@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <utility>
 
@@ -174,6 +175,14 @@ void add_cut_loops(const Section& cut, const Part& part, PartDrawing& view) {
   }
 }
 
+/// How near what is turned about an axis comes to the viewer, the axis given in the view.
+double nearest_of(const CentreAxis& axis, const Point3& from, const Point3& to) {
+  const double length = glm::distance(from, to), rises = std::abs(to.z - from.z);
+  const double across =
+      length > 0.0 ? std::sqrt(std::max(0.0, 1.0 - (rises / length) * (rises / length))) : 1.0;
+  return std::max(from.z, to.z) + across * axis.radius;
+}
+
 /// Takes the axes that have not been cut off with the geometry in front of the plane.
 void add_centre_lines_of(std::span<const CentreAxis> axes, PartDrawing& view) {
   constexpr double kAlong = 1e-9;
@@ -181,13 +190,15 @@ void add_centre_lines_of(std::span<const CentreAxis> axes, PartDrawing& view) {
     const Point3 from = in_view(view.kind, axis.from), to = in_view(view.kind, axis.to);
     const double reach = axis.radius + std::abs(to.z - from.z);
     if (view.position && std::min(from.z, to.z) > *view.position + kAlong * reach) continue;
+    const bool is_behind =
+        view.position && nearest_of(axis, from, to) < *view.position - kAlong * reach;
     const Point2 along = Point2(to) - Point2(from);
     if (std::max(std::abs(along.x), std::abs(along.y)) > kAlong * reach) {
-      view.centre_lines.push_back({Point2(from), Point2(to)});
+      view.centre_lines.push_back({Point2(from), Point2(to), is_behind});
       continue;
     }
     for (const Point2& arm : {Point2(axis.radius, 0.0), Point2(0.0, axis.radius)}) {
-      view.centre_lines.push_back({Point2(from) - arm, Point2(from) + arm});
+      view.centre_lines.push_back({Point2(from) - arm, Point2(from) + arm, is_behind});
     }
   }
 }

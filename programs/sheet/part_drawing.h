@@ -36,6 +36,7 @@ struct PartDrawing {
   /// Along what is turned about an axis, or across it where it is seen along the axis.
   struct CentreLine {
     Point2 from, to;
+    bool is_behind = false;  ///< all of what is turned lies behind the plane of the section
   };
   ViewKind kind = ViewKind::front;
   Point2 low{0.0}, high{0.0};  ///< of what is left of the part

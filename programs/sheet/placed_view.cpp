@@ -48,17 +48,65 @@ void add_hatching(const PartDrawing& view, const ViewPlace& place,
   }
 }
 
+/// Whether a point lies within loops, by their winding number.
+bool is_within(const std::vector<std::vector<Point2>>& loops, const Point2& p) {
+  int winding = 0;
+  for (const auto& loop : loops) {
+    Point2 from = loop.back();
+    for (const Point2& to : loop) {
+      const double turn = (to.x - from.x) * (p.y - from.y) - (p.x - from.x) * (to.y - from.y);
+      if (from.y <= p.y && to.y > p.y && turn > 0.0) ++winding;
+      if (from.y > p.y && to.y <= p.y && turn < 0.0) --winding;
+      from = to;
+    }
+  }
+  return winding != 0;
+}
+
+/// What of a line lies outside of loops.
+void add_outside(const PartDrawing::Line& line, const std::vector<std::vector<Point2>>& loops,
+                 std::vector<PartDrawing::Line>& lines) {
+  const Point2 along = line.to - line.from;
+  std::vector<double> cuts{0.0, 1.0};  // in parts of the line
+  for (const auto& loop : loops) {
+    Point2 from = loop.back();
+    for (const Point2& to : loop) {
+      const double a = along.x * (from.y - line.from.y) - along.y * (from.x - line.from.x);
+      const double b = along.x * (to.y - line.from.y) - along.y * (to.x - line.from.x);
+      if ((a < 0.0) != (b < 0.0)) {
+        const Point2 crossing = from + a / (a - b) * (to - from);
+        const double at = glm::dot(crossing - line.from, along) / glm::dot(along, along);
+        if (at > 0.0 && at < 1.0) cuts.push_back(at);
+      }
+      from = to;
+    }
+  }
+  std::ranges::sort(cuts);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    if (is_within(loops, line.from + 0.5 * (cuts[k] + cuts[k + 1]) * along)) continue;
+    const Point2 from = line.from + cuts[k] * along, to = line.from + cuts[k + 1] * along;
+    if (glm::distance(from, to) > kLeastLength) lines.push_back({from, to, false});
+  }
+}
+
 /// Beyond the outline by 3 mm, and by less where they are short. A line is drawn as two from its
-/// middle: so crosses are where lines are drawn, and not left out.
+/// middle: so crosses are where lines are drawn, and not left out. What lies behind a section is
+/// hidden by the cut faces.
 void add_centre_lines(const PartDrawing& view, const ViewPlace& place, DrawingSheet& sheet) {
   constexpr double kLeastBeyond = 1.0, kBeyond = 3.0;
+  std::vector<std::vector<Point2>> hiding;
+  for (const PartDrawing::CutLoop& loop : view.cut) {
+    hiding.push_back(place.on_paper(view, loop.points));
+  }
+  for (const auto& polygon : view.before) hiding.push_back(place.on_paper(view, polygon));
   std::vector<PartDrawing::Line> lines;
   for (const PartDrawing::CentreLine& line : view.centre_lines) {
     const Point2 from = place.on_paper(view, line.from), to = place.on_paper(view, line.to);
     const double length = glm::distance(from, to);
     if (length <= kLeastLength) continue;
     const Point2 beyond = std::clamp(0.5 * length, kLeastBeyond, kBeyond) / length * (to - from);
-    lines.push_back({from - beyond, to + beyond, false});
+    const PartDrawing::Line whole{from - beyond, to + beyond, false};
+    line.is_behind ? add_outside(whole, hiding, lines) : lines.push_back(whole);
   }
   for (const PartDrawing::Line& line : unique_lines(lines)) {
     const Point2 middle = 0.5 * (line.from + line.to);

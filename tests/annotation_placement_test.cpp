@@ -346,8 +346,8 @@ TEST(AnnotationPlacement, APartsListBesideTheFigure) {
   };
   constexpr AnnotationPage kPage{512, 512, kPixelsOfMillimetre};
   const GraphicsSystem beside = list_of("polygon-abs-3 -1 -.8 0  0 -.8 0  0 .8 0  -1 .8 0",
-                                        "leader-3 -0.2 0 0 \"low corner\" 20 -64\n"
-                                        "leader-3 -0.2 0 0 \"high corner\" 20 62");
+                                        "leader-3 -0.2 0 0 \"low corner\" 14 -64\n"
+                                        "leader-3 -0.2 0 0 \"high corner\" 14 62");
   Polygon list;
   for (const AnnotationMark& mark : annotation_marks(beside.display_file(), kPage)) {
     if (mark.kind == Kind::blank && mark.points.size() == 4) list = mark.points;

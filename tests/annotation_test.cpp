@@ -559,7 +559,7 @@ TEST(AnnotationMarks, PartsList) {
       for (const AnnotationMark& text : of_kind(list, Kind::text)) {
         cells += text.text.characters + " ";
       }
-      EXPECT_EQ(cells, "No. Name Qty 3 Shaft 1 12 Nut 2 ");
+      EXPECT_EQ(cells, "ITEM PART QTY 3 Shaft 1 12 Nut 2 ");
       const auto blank = of_kind(list, Kind::blank);
       ASSERT_EQ(blank.size(), 1u);
       for (const Point2& p : blank[0].points) {

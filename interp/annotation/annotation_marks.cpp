@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "clip/base/round_to_nearest.h"
@@ -82,22 +80,6 @@ std::vector<KeptAnnotation> annotations_of(const DisplayFile& display_file) {
   return all;
 }
 
-/// By number; the name is the first.
-std::vector<PartsListRow> rows_of(std::span<const KeptAnnotation> all) {
-  std::map<int, PartsListRow> rows;
-  for (const KeptAnnotation& balloon : all) {
-    if (balloon.kind != AnnotationKind::balloon || balloon.name.empty()) continue;
-    int number = 0;
-    const std::string& digits = balloon.characters;
-    std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    ++rows.try_emplace(number, PartsListRow{number, balloon.name, 0}).first->second.quantity;
-  }
-  std::vector<PartsListRow> result;
-  result.reserve(rows.size());
-  for (const auto& [number, row] : rows) result.push_back(row);
-  return result;
-}
-
 bool is_near(const Point2& p, const AnnotationPage& page) {
   return p.x >= -kFarthestOnPage && p.x <= page.width + kFarthestOnPage &&
          p.y >= -kFarthestOnPage && p.y <= page.height + kFarthestOnPage;
@@ -138,7 +120,7 @@ LaidOut laid_out(std::span<const KeptAnnotation> kept, const Scene& scene,
       result.numbers.push_back(i);
     }
   }
-  result.rows = rows_of(kept);
+  result.rows = parts_list_rows(kept);
   if (std::ranges::any_of(result.all, &PageAnnotation::is_automatic)) {
     place_annotation(result.all, figure_drawn(scene, page), result.rows, page);
   }
@@ -158,6 +140,8 @@ std::vector<AnnotationMark> marks_of(std::span<const KeptAnnotation> kept, const
   return marks;
 }
 
+}  // namespace
+
 std::string name_in_message(const KeptAnnotation& kept) {
   switch (kept.kind) {
     case AnnotationKind::list: return "the parts list";
@@ -171,8 +155,6 @@ std::string name_in_message(const KeptAnnotation& kept) {
   }
   return "dimension " + kept.characters;
 }
-
-}  // namespace
 
 std::string annotation_without_room(const DisplayFile& display_file, const AnnotationPage& page) {
   if (!display_file.has_annotations()) return {};

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kPageMargin = 0.5;  // in parts of the capitals' height
+constexpr double kRoomMargin = 0.5;  // in parts of the capitals' height
 constexpr double kLeastGain = 1e-9;  // of an exchange, in pixels
 /// The cost of a line that crosses other annotation, in pixels: more than any line is long.
 constexpr double kCostOfCrossing = 1e6;
@@ -58,7 +58,7 @@ void add_cells(const Rectangle& strip, int along, const Point2& size, double gap
 }  // namespace
 
 LabelCells label_cells(std::span<PageAnnotation* const> labels, const Rectangle& figure,
-                       const AnnotationPage& page, LabelSides sides) {
+                       const Rectangle& room, LabelSides sides) {
   double height = 0.0, text = 0.0, radius = 0.0;
   for (const PageAnnotation* const label : labels) {
     height = std::max(height, label->height);
@@ -72,24 +72,25 @@ LabelCells label_cells(std::span<PageAnnotation* const> labels, const Rectangle&
   for (const PageAnnotation* const label : labels) strip.include(label->points[0]);
   strip = {strip.x_min - kFromFigure * height, strip.x_max + kFromFigure * height,
            strip.y_min - kFromFigure * height, strip.y_max + kFromFigure * height};
-  const double margin = kPageMargin * height;
-  const Rectangle paper{margin, page.width - margin, margin, page.height - margin};
+  const double margin = kRoomMargin * height;
+  const Rectangle paper{room.x_min + margin, room.x_max - margin, room.y_min + margin,
+                        room.y_max - margin};
   // Beside the figure a text needs its width, above and below it its height.
   const Point2 beside(std::max(text, 2.0 * radius), std::max(2.0 * height, 2.0 * radius));
   const Point2 over(beside.x, std::max(1.8 * height, 2.0 * radius));
   const double gap = kFromOthers * height;
-  const auto room = [&](double before, double after, double needed) {
+  const auto has_room = [&](double before, double after, double needed) {
     return before >= needed || after >= needed;
   };
   LabelCells all;
   switch (sides) {
     case LabelSides::beside:
-      all.have_room = room(strip.x_min - paper.x_min, paper.x_max - strip.x_max, beside.x);
+      all.have_room = has_room(strip.x_min - paper.x_min, paper.x_max - strip.x_max, beside.x);
       if (!all.have_room) cut(paper.x_min, paper.x_max, beside.x, strip.x_min, strip.x_max);
       add_cells(strip, 1, beside, gap, paper.y_min, paper.y_max, all.cells);
       break;
     case LabelSides::above_and_below:
-      all.have_room = room(strip.y_min - paper.y_min, paper.y_max - strip.y_max, over.y);
+      all.have_room = has_room(strip.y_min - paper.y_min, paper.y_max - strip.y_max, over.y);
       if (!all.have_room) cut(paper.y_min, paper.y_max, over.y, strip.y_min, strip.y_max);
       add_cells(strip, 0, over, gap, paper.x_min, paper.x_max, all.cells);
       break;

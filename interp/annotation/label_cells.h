@@ -21,19 +21,19 @@ struct LabelCell {
   Rectangle box;  ///< of the largest text or balloon there
 };
 
-/// Where the cells are: left and right of the figure, in the whole height of the page; above and
+/// Where the cells are: left and right of the figure, in the whole height of the room; above and
 /// below it, in the whole width; or all around, no farther than the figure.
 enum class LabelSides { beside, above_and_below, around };
 struct LabelCells {
   std::vector<LabelCell> cells;
-  bool have_room = true;  ///< false: they are at the page's border, and may cover the figure
+  bool have_room = true;  ///< false: they are at the room's border, and may cover the figure
 };
 
 /// Cells for labels on both sides of a strip that holds the figure, whose rectangle this is, and
-/// the labels' anchors: all boxes are outside of the strip, on the page, and disjoint
+/// the labels' anchors: all boxes are outside of the strip, in the room, and disjoint
 /// (placement.md).
 LabelCells label_cells(std::span<PageAnnotation* const> labels, const Rectangle& figure,
-                       const AnnotationPage& page, LabelSides sides);
+                       const Rectangle& room, LabelSides sides);
 
 /// crosses(i, c): whether the line from anchor i to the port of cell c crosses other annotation.
 using CrossesOthers = std::function<bool(std::size_t anchor, std::size_t cell)>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,12 +39,21 @@ struct PageAnnotation {
   }
 };
 
-/// Rows of the parts list: the balloons that have names, by number.
+/// Rows of the parts list: the balloons that have names, by number; the name is the first.
 struct PartsListRow {
   int number;
   std::string name;
   int quantity;
 };
+
+/// The rows that balloons make.
+std::vector<PartsListRow> parts_list_rows(std::span<const KeptAnnotation> all);
+/// The heads of the columns of every parts list. Item and quantity stand in the middle of their
+/// columns.
+inline constexpr std::array<std::string_view, 3> kPartsListHeads{"ITEM", "PART", "QTY"};
+
+/// An annotation in words, as a part of a sentence: `balloon 3`.
+std::string name_in_message(const KeptAnnotation& kept);
 
 /// Makes the lines, areas and texts of annotation. Proportions are those of ISO 128-2, line group
 /// 0.5: letters 3.5 mm high, narrow lines 0.25 mm wide.

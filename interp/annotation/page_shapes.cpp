@@ -41,6 +41,13 @@ Rectangle rectangle_of(std::span<const Point2> points) {
   return all;
 }
 
+std::vector<Point2> corners_of(const Rectangle& box) {
+  return {{box.x_min, box.y_min},
+          {box.x_max, box.y_min},
+          {box.x_max, box.y_max},
+          {box.x_min, box.y_max}};
+}
+
 bool is_within(const Rectangle& inner, const Rectangle& outer) {
   return inner.x_min >= outer.x_min && inner.x_max <= outer.x_max && inner.y_min >= outer.y_min &&
          inner.y_max <= outer.y_max;

@@ -10,6 +10,8 @@ namespace displayfile {
 
 /// The smallest rectangle around points.
 Rectangle rectangle_of(std::span<const Point2> points);
+/// In order around it.
+std::vector<Point2> corners_of(const Rectangle& box);
 bool is_within(const Rectangle& inner, const Rectangle& outer);
 bool are_apart(const Rectangle& a, const Rectangle& b, double by);
 

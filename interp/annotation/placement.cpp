@@ -26,12 +26,13 @@ constexpr Point2 kLevelAxes[] = {{1.0, 0.0}, {0.0, 1.0}};
 class Placement {
  public:
   Placement(std::span<PageAnnotation> all, const PageFigure& figure,
-            std::span<const PartsListRow> rows, const AnnotationPage& page)
+            std::span<const PartsListRow> rows, const AnnotationPage& page, const LabelRoom& room)
       : all_(all),
         rows_(rows),
         page_(page),
         figure_(figure.points),
         boxes_(figure.boxes),
+        room_(room),
         around_(figure_.around()) {}
 
   void place() {
@@ -43,6 +44,7 @@ class Placement {
     move_dimension_lines_outward();
     move_numbers_outward();
     place_lists();
+    for (const Rectangle& box : room_.occupied) taken_.push_back(corners_of(box));
     place_around();
   }
 
@@ -115,6 +117,7 @@ class Placement {
   const AnnotationPage& page_;
   FigureOutline figure_;
   std::span<const Rectangle> boxes_;
+  const LabelRoom& room_;
   Rectangle around_;                        // the figure, and dimensions that have their place
   std::vector<std::vector<Point2>> taken_;  // by annotation that has its place, or its parts
 };
@@ -301,9 +304,13 @@ void Placement::place_lists() {
 
 // ---- Steps 4 and 5: leaders and balloons ----------------------------------------------------
 
-/// The lines, and the sides of areas and texts, of all annotation that does not stand in cells.
+/// The lines, and the sides of areas and texts, of all that does not stand in cells.
 std::vector<Placement::PageLine> Placement::lines_of_others() const {
   std::vector<PageLine> lines;
+  for (const Rectangle& box : room_.occupied) {
+    const std::vector<Point2> corners = corners_of(box);
+    for (std::size_t i = 0; i < 4; ++i) lines.emplace_back(corners[i], corners[(i + 1) % 4]);
+  }
   for (const PageAnnotation& other : all_) {
     if (is_around(other)) continue;
     for (const AnnotationMark& mark : marks_of(other)) {
@@ -327,7 +334,7 @@ Placement::Labelling Placement::labelling_on(LabelSides sides,
     height = std::max(height, label->height);
     anchors.push_back(label->points[0]);
   }
-  LabelCells found = label_cells(labels, around_, page_, sides);
+  LabelCells found = label_cells(labels, around_, room_.around.value_or(paper()), sides);
   std::erase_if(found.cells, [&](const LabelCell& cell) {
     return std::ranges::any_of(taken_, [&](const std::vector<Point2>& other) {
       return !are_apart(cell.box, rectangle_of(other), kFromOthers * height);
@@ -387,11 +394,7 @@ void Placement::place_around() {
     if (!labels[i]->has_place) continue;
     const LabelCell& cell = cells[cell_of[i]];
     stand_in(cell, *labels[i]);
-    const Point2 corners[] = {{cell.box.x_min, cell.box.y_min},
-                              {cell.box.x_min, cell.box.y_max},
-                              {cell.box.x_max, cell.box.y_min},
-                              {cell.box.x_max, cell.box.y_max}};
-    labels[i]->has_place = figure_.is_clear_of(corners, 0.0);
+    labels[i]->has_place = figure_.is_clear_of(corners_of(cell.box), 0.0);
   }
 }
 
@@ -403,8 +406,9 @@ void PageFigure::add(std::span<const Point2> item) {
 }
 
 void place_annotation(std::span<PageAnnotation> all, const PageFigure& figure,
-                      std::span<const PartsListRow> rows, const AnnotationPage& page) {
-  Placement(all, figure, rows, page).place();
+                      std::span<const PartsListRow> rows, const AnnotationPage& page,
+                      const LabelRoom& room) {
+  Placement(all, figure, rows, page, room).place();
 }
 
 }  // namespace displayfile

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +24,21 @@ constexpr double kTableMargin = 1.2, kTableRow = 2.0, kPadding = 0.7;
 
 double AnnotationPencil::margin_of_list(double height) { return kTableMargin * height; }
 
+std::vector<PartsListRow> parts_list_rows(std::span<const KeptAnnotation> all) {
+  std::map<int, PartsListRow> rows;
+  for (const KeptAnnotation& balloon : all) {
+    if (balloon.kind != KeptAnnotation::Kind::balloon || balloon.name.empty()) continue;
+    int number = 0;
+    const std::string& digits = balloon.characters;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    ++rows.try_emplace(number, PartsListRow{number, balloon.name, 0}).first->second.quantity;
+  }
+  std::vector<PartsListRow> result;
+  result.reserve(rows.size());
+  for (const auto& [number, row] : rows) result.push_back(row);
+  return result;
+}
+
 void AnnotationPencil::title() {
   height_ *= kTitle;
   text(kept_->characters, {0.5 * page_.width, page_.height - kTableMargin * height_ - height_},
@@ -31,7 +48,8 @@ void AnnotationPencil::title() {
 /// A head, then the rows by number, between lines (ISO 7573). It hides the figure.
 void AnnotationPencil::parts_list(const PageAnnotation& list, std::span<const PartsListRow> rows) {
   if (rows.empty()) return;
-  std::vector<std::array<std::string, 3>> cells{{"No.", "Name", "Qty"}};
+  std::vector<std::array<std::string, 3>> cells(1);
+  std::ranges::copy(kPartsListHeads, cells.front().begin());
   for (const PartsListRow& row : rows) {
     cells.push_back({fmt::format("{}", row.number), row.name, fmt::format("{}", row.quantity)});
   }

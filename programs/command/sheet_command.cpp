@@ -17,6 +17,7 @@
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
+#include "displayfile/text/characters.h"
 #include "interp/device/picture.h"
 #include "programs/inputs/input_names.h"
 #include "programs/inputs/output_paths.h"
@@ -30,6 +31,7 @@
 #include "programs/process/warnings.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/part.h"
+#include "programs/sheet/shown_points.h"
 #include "programs/sheet/view_words.h"
 
 namespace displayfile {
@@ -90,12 +92,13 @@ void require_cut(const Mesh& part, ViewKind view, std::string_view name, double 
 }
 
 /// Each name of parts once, in order, and how many have it.
-std::vector<ListedPart> listed(std::span<const NamedPart> parts) {
-  std::vector<ListedPart> all;
+std::vector<PartsListRow> listed(std::span<const NamedPart> parts) {
+  std::vector<PartsListRow> all;
   std::unordered_map<std::string_view, std::size_t> row_of;
   for (const NamedPart& part : parts) {
     const auto [row, is_new] = row_of.try_emplace(part.name, all.size());
-    is_new ? all.push_back({part.name, 1}) : void(++all[row->second].quantity);
+    const int number = static_cast<int>(all.size()) + 1;
+    is_new ? all.push_back({number, part.name, 1}) : void(++all[row->second].quantity);
   }
   return all;
 }
@@ -113,7 +116,7 @@ std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part
     }
     if (is_known) continue;
     std::vector<std::string> names;
-    for (const ListedPart& one : listed(part.parts)) names.push_back(one.name);
+    for (const PartsListRow& one : listed(part.parts)) names.push_back(one.name);
     constexpr std::size_t kMost = 12;
     const bool has_more = names.size() > kMost;
     names.resize(std::min(names.size(), kMost));
@@ -154,6 +157,51 @@ void warn_of_whole_parts(const Part& part, const std::vector<std::uint8_t>& uncu
       warnings() << fmt::format("--uncut {}: no section plane goes through it\n", name);
     }
   }
+}
+
+/// The title of the first program that has one, for the title block; --title takes its place.
+void take_title(std::span<const KeptAnnotation> annotations, const std::string& asked,
+                SheetWords& words) {
+  const KeptAnnotation* first = nullptr;
+  for (const KeptAnnotation& title : annotations) {
+    if (title.kind != KeptAnnotation::Kind::title || !asked.empty()) continue;
+    if (first != nullptr) {
+      warnings() << fmt::format("title {}: left out: the title block has {}\n",
+                                in_quotation_marks(title.characters),
+                                in_quotation_marks(first->characters));
+      continue;
+    }
+    first = &title;
+    words.title = title.characters;
+  }
+}
+
+/// That of the balloons, so that the numbers are theirs; of the parts only if it is requested and
+/// no balloon has a name.
+std::vector<PartsListRow> parts_list_of(const Part& part, bool is_asked) {
+  const bool has_list = std::ranges::any_of(part.annotations, [](const KeptAnnotation& one) {
+    return one.kind == KeptAnnotation::Kind::list;
+  });
+  if (!is_asked && !has_list) return {};
+  std::vector<PartsListRow> rows = parts_list_rows(part.annotations);
+  if (!rows.empty()) return rows;
+  if (is_asked) return listed(part.parts);
+  warnings() << "parts-list: left out: no balloon has a name: expected --parts-list for a list of "
+                "the parts\n";
+  return {};
+}
+
+/// What stands at points of the part, each in a view.
+PartAnnotation placed_annotation(const Part& part, std::span<const ViewWanted> wanted,
+                                 std::span<const PartDrawing> views) {
+  PartAnnotation annotation{{}, {}, part.axes};
+  const ShownPoints shown(part, wanted, views);
+  for (const KeptAnnotation& one : part.annotations) {
+    if (one.anchors() == 0) continue;
+    annotation.all.push_back(one);
+    annotation.shown_in.push_back(is_label(one) ? shown.view_of(one.points[0]) : 0);
+  }
+  return annotation;
 }
 
 void read_paper(const std::string& word, double margin, SheetWords& words) {
@@ -221,7 +269,10 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
                   "of the view in the part's unit, to the right and up; may be repeated")
       ->type_name("front=X,Y,RADIUS@PAPER:PART|top=DETAIL|side=DETAIL|isometric=DETAIL")
       ->group(kPictureOptions);
-  command.add_flag("--parts-list", parts_list, "list the parts above the title block")
+  command
+      .add_flag("--parts-list", parts_list,
+                "list the parts above the title block: the balloons that have names, or else all "
+                "parts")
       ->group(kPictureOptions);
   command
       .add_option("--uncut", uncut,
@@ -258,8 +309,10 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("front|top|side|isometric|all|none,...")
       ->group(kHiddenSurfaceOptions);
   command
-      .add_option("--title", title,
-                  "title in the title block; by default, or if empty, the part's file name")
+      .add_option(
+          "--title", title,
+          "title in the title block; by default, or if empty, that of a program, or else the "
+          "part's file name")
       ->type_name("TITLE")
       ->group(kPictureOptions);
   command.add_option("--date", date, "date in the title block; by default none")
@@ -348,9 +401,12 @@ int SheetCommand::run() {
   for (std::size_t i = 0; i < words.details.size(); ++i) {
     require_shown(words.details[i], views[words.details[i].view], details[i]);
   }
-  if (parts_list) words.parts = listed(part.parts);
+  take_title(part.annotations, title, words);
+  words.parts = parts_list_of(part, parts_list);
+  const PartAnnotation annotation = placed_annotation(part, wanted, views);
+  words.least_gap = std::max(words.least_gap, gap_for_labels(annotation));
   const DrawingScale chosen = scale_of_sheet(views, words, asked ? &*asked : nullptr);
-  DrawingSheet sheet = arrange(views, {part.dimensions, part.axes}, words, chosen);
+  DrawingSheet sheet = arrange(views, annotation, words, chosen);
   sheet.font = font;
   write_sheet(sheet, output);
   for (const std::string& field : sheet.shortened) {

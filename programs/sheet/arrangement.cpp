@@ -16,8 +16,6 @@ namespace displayfile {
 
 namespace {
 
-constexpr double kLeastGap = 12.0;  // between views, and to the frame
-
 /// The extent of views that stand in one row or column, in the part's unit.
 struct RowExtent {
   double low, high;
@@ -91,7 +89,7 @@ std::array<ViewKind, 4> views_of_sheet(SheetProjection projection) {
 DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked) {
   const Cells cells = cells_of(views);
-  const Point2 room = room_for_views(words) - Point2(3.0 * kLeastGap);
+  const Point2 room = room_for_views(words) - Point2(3.0 * words.least_gap);
   if (room.x <= 0.0 || room.y <= 0.0) {
     throw Error(fmt::format("paper of {}x{} mm with margins of {} mm: no room for four views{}",
                             words.width, words.height, words.margin,
@@ -121,7 +119,7 @@ DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const Sheet
                           asked->text(), found.text()));
 }
 
-DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensions& dimensions,
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartAnnotation& annotation,
                      const SheetWords& words, const DrawingScale& scale) {
   DrawingSheet sheet;
   sheet.width = words.width;
@@ -141,7 +139,8 @@ DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensio
     const auto letters = add_details(views, places, boxes, words, hatching, sheet);
     taken.insert(taken.end(), letters.begin(), letters.end());
   }
-  sheet.not_as_wanted = add_dimensions(dimensions, views, places, words.margin, sheet, taken);
+  taken.push_back(block_of_titles(words));
+  sheet.not_as_wanted = add_annotation(annotation, views, places, words.margin, sheet, taken);
   add_section_marks(placed, taken, words, mm, sheet);
   remove_covered_centre_lines(sheet);
   add_title_block(words, scale, sheet);

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "clip/rectangle.h"
+#include "interp/annotation/page_annotation.h"
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"
-#include "programs/sheet/sheet_dimensions.h"
+#include "programs/sheet/sheet_annotation.h"
 
 namespace displayfile {
 
@@ -26,12 +27,6 @@ struct DetailWanted {
 /// The letters of details, in order: others than those of sections.
 inline constexpr std::string_view kDetailLetters = "XYZWVUTSRQPNMLKHGFED";
 
-/// A line of a parts list.
-struct ListedPart {
-  std::string name;
-  std::size_t quantity = 1;
-};
-
 /// What a sheet says of itself, and how it is arranged. Lengths in millimetres.
 struct SheetWords {
   std::string title, date;
@@ -40,7 +35,8 @@ struct SheetWords {
   double hatch = 2.0;  ///< between hatching lines
   double unit = 1.0;   ///< of the part's
   std::vector<DetailWanted> details{};
-  std::vector<ListedPart> parts{};  ///< of the parts list; empty: none
+  std::vector<PartsListRow> parts{};  ///< of the parts list; empty: none
+  double least_gap = 12.0;            ///< between views, and to the frame
 };
 
 /// The views of a sheet, in order: front, top, side, isometric.
@@ -51,9 +47,9 @@ std::array<ViewKind, 4> views_of_sheet(SheetProjection projection);
 DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const SheetWords& words,
                             const DrawingScale* asked);
 
-/// The sheet of four views, with the part's dimensions: the same point of the part stands above,
+/// The sheet of four views, with the part's annotation: the same point of the part stands above,
 /// below or beside itself.
-DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartDimensions& dimensions,
+DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartAnnotation& annotation,
                      const SheetWords& words, const DrawingScale& scale);
 
 /// Frame, title block and the symbol of the projection; above the title block the parts list.

@@ -165,7 +165,8 @@ PaperBox add_letter(const Point2& middle, double radius, char letter, DrawingShe
     if (std::ranges::none_of(sheet.lines, is_drawn)) found = at;
   }
   const Point2 at = found.value_or(*first);
-  sheet.texts.push_back({at - Point2(0.0, half.y), kCaptionHeight, text, true});
+  sheet.texts.push_back(
+      {at - Point2(0.0, half.y), kCaptionHeight, text, TextStyle::Alignment::centre});
   return {at - half, at + half};
 }
 
@@ -230,8 +231,10 @@ std::vector<PaperBox> add_details(const std::array<PartDrawing, 4>& views,
              {middle - mm * (detail.middle - view.low), mm}, hatching, enlarged);
     for (const auto& line : enlarged.lines) add_within_circle(line, middle, radius, sheet);
     add_detail_circle(middle, radius, sheet);
-    sheet.texts.push_back(
-        {{middle.x, middle.y + radius + kCaptionGap}, kCaptionHeight, caption_of(i, detail), true});
+    sheet.texts.push_back({{middle.x, middle.y + radius + kCaptionGap},
+                           kCaptionHeight,
+                           caption_of(i, detail),
+                           TextStyle::Alignment::centre});
     add_detail_circle(places[detail.view].on_paper(view, detail.middle),
                       detail.radius * places[detail.view].mm, sheet);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "displayfile/looks/style.h"
 
 namespace displayfile {
 
@@ -20,7 +21,8 @@ enum class SheetLayer {
   detail,
   frame,
   text,
-  dimension
+  dimension,
+  leader
 };
 struct SheetPen {
   std::string_view name;
@@ -30,8 +32,8 @@ struct SheetPen {
   /// pen's.
   std::string_view dxf_line_type = "CONTINUOUS";
 };
-inline const std::array<SheetPen, 10>& sheet_pens() {
-  static const std::array<SheetPen, 10> pens{{{"VISIBLE", 0.5},
+inline const std::array<SheetPen, 11>& sheet_pens() {
+  static const std::array<SheetPen, 11> pens{{{"VISIBLE", 0.5},
                                               {"HIDDEN", 0.25, {3.0, 1.0}, "DASHEDTINY"},
                                               {"HATCH", 0.13},
                                               {"CENTRE", 0.25, {8.0, 1.0, 1.0, 1.0}, "CENTER2"},
@@ -40,14 +42,15 @@ inline const std::array<SheetPen, 10>& sheet_pens() {
                                               {"DETAIL", 0.25},
                                               {"FRAME", 0.5},
                                               {"TEXT", 0.25},
-                                              {"DIMENSION", 0.25}}};
+                                              {"DIMENSION", 0.25},
+                                              {"LEADER", 0.25}}};
   return pens;
 }
 /// In the order of drawing.
 inline constexpr std::array kLayersFromBelow{
     SheetLayer::hatch,  SheetLayer::hidden,       SheetLayer::centre,  SheetLayer::cutting,
     SheetLayer::detail, SheetLayer::cutting_ends, SheetLayer::visible, SheetLayer::dimension,
-    SheetLayer::frame,  SheetLayer::text};
+    SheetLayer::leader, SheetLayer::frame,        SheetLayer::text};
 inline const SheetPen& pen_of(SheetLayer layer) {
   return sheet_pens()[static_cast<std::size_t>(layer)];
 }
@@ -60,10 +63,10 @@ struct DrawingSheet {
     bool closed = false;
   };
   struct Text {
-    Point2 at;      ///< where its baseline begins, or its middle if it is centred
+    Point2 at;      ///< on its baseline: where it begins, its middle or its end, as it is aligned
     double height;  ///< of capital letters
     std::string characters;
-    bool centred = false;
+    TextStyle::Alignment alignment = TextStyle::Alignment::left;
     double turn = 0.0;  ///< counterclockwise about `at`, degrees
     SheetLayer layer = SheetLayer::text;
   };
@@ -74,8 +77,14 @@ struct DrawingSheet {
   std::string font = "sans-serif";  ///< of texts, or hershey, as in Lettering
   std::vector<std::string>
       shortened;  ///< what the title block has of fields that it has no room for
-  std::vector<std::string> not_as_wanted;  ///< sentences on dimensions that it does not show
+  std::vector<std::string> not_as_wanted;  ///< sentences on annotation that it does not show
 };
+/// How much of a text stands before its point, in parts of its width.
+inline double before_anchor(TextStyle::Alignment alignment) {
+  return alignment == TextStyle::Alignment::left     ? 0.0
+         : alignment == TextStyle::Alignment::centre ? 0.5
+                                                     : 1.0;
+}
 /// The height of capital letters, in parts of the font's size.
 inline constexpr double kCapitalsOfFont = 0.72;
 

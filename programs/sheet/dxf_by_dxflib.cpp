@@ -60,6 +60,11 @@ std::string in_ascii(const std::string& utf8) {
   return out;
 }
 
+/// As the group 72 of texts has it: 0 left, 1 centre, 2 right.
+int justification_of(TextStyle::Alignment alignment) {
+  return static_cast<int>(2.0 * before_anchor(alignment));
+}
+
 std::string line_type_of(const SheetPen& pen) { return std::string(pen.dxf_line_type); }
 
 /// Hundredths of a millimetre.
@@ -177,11 +182,12 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
     }
   }
   for (const auto& text : sheet.texts) {
-    dxf.writeText(out,
-                  DL_TextData(text.at.x, text.at.y, 0.0, text.at.x, text.at.y, 0.0, text.height,
-                              1.0, 0, text.centred ? 1 : 0, 0, in_ascii(text.characters),
-                              "Standard", text.turn * std::numbers::pi / 180.0),
-                  on(text.layer));
+    dxf.writeText(
+        out,
+        DL_TextData(text.at.x, text.at.y, 0.0, text.at.x, text.at.y, 0.0, text.height, 1.0, 0,
+                    justification_of(text.alignment), 0, in_ascii(text.characters), "Standard",
+                    text.turn * std::numbers::pi / 180.0),
+        on(text.layer));
   }
 }
 

@@ -163,31 +163,14 @@ void show_ends(Part& part) {
   }
 }
 
-/// The dimensions of visible segments. Other annotation is warned of.
-std::vector<KeptAnnotation> dimensions_of(const RetainedScene& scene,
-                                          const DisplayFile& display_file,
-                                          const std::string& input) {
-  using enum KeptAnnotation::Kind;
-  constexpr KeptAnnotation::Kind kOthers[] = {leader, balloon, title, list};
-  std::vector<KeptAnnotation> dimensions;
-  bool has_others = false;
+std::vector<KeptAnnotation> annotations_of(const RetainedScene& scene,
+                                           const DisplayFile& display_file) {
+  std::vector<KeptAnnotation> all;
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!display_file.segment(segment.name).visible) continue;
-    for (const KeptAnnotation& one : segment.annotations) {
-      if (std::ranges::find(kOthers, one.kind) != std::end(kOthers)) {
-        has_others = true;
-      } else {
-        dimensions.push_back(one);
-      }
-    }
+    all.insert(all.end(), segment.annotations.begin(), segment.annotations.end());
   }
-  if (has_others) {
-    warnings() << fmt::format(
-        "{}: left out: leaders, balloons, titles and parts lists, which sheets do not draw: "
-        "expected dimensions, --title or --parts-list\n",
-        input);
-  }
-  return dimensions;
+  return all;
 }
 
 }  // namespace
@@ -219,7 +202,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
   if (part.mesh.faces() == 0) {
     throw Error(fmt::format("{}: no polygons: expected a part to draw", inputs.front()));
   }
-  part.dimensions = dimensions_of(scene, system.display_file(), inputs.front());
+  part.annotations = annotations_of(scene, system.display_file());
   const Upright axes = standing.value_or(Upright{});
   const auto turn = [&](Point3& p) {
     p = {glm::dot(p, axes.right), glm::dot(p, axes.up), glm::dot(p, axes.front)};
@@ -229,7 +212,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
     turn(axis.from);
     turn(axis.to);
   }
-  for (KeptAnnotation& dimension : part.dimensions) std::ranges::for_each(dimension.points, turn);
+  for (KeptAnnotation& one : part.annotations) std::ranges::for_each(one.points, turn);
   show_ends(part);
   divide_into_pieces(part);
   return part;

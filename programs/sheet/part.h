@@ -30,7 +30,7 @@ struct Part {
   std::vector<NamedPart> parts;             ///< in order of entry
   std::vector<std::uint32_t> part_of;       ///< of each object, in parts
   std::vector<CentreAxis> axes;             ///< of what turned routines made
-  std::vector<KeptAnnotation> dimensions;   ///< of drawing programs, in order of entry
+  std::vector<KeptAnnotation> annotations;  ///< of drawing programs, in order of entry
 };
 
 /// The polygons of drawing programs and the faces of meshes, entered in order as for a picture:

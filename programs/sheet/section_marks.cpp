@@ -79,7 +79,7 @@ struct CuttingEnd {
   void draw(DrawingSheet& sheet) const {
     sheet.lines.push_back({SheetLayer::cutting_ends, {end - kThick * along, end, tail()}});
     sheet.lines.push_back({SheetLayer::cutting_ends, {end, barbs()[0], barbs()[1]}, true});
-    sheet.texts.push_back({letter_at(), kLetter, letter, true});
+    sheet.texts.push_back({letter_at(), kLetter, letter, TextStyle::Alignment::centre});
   }
 };
 
@@ -203,7 +203,7 @@ void add_caption(std::size_t k, const std::array<PlacedDrawing, 4>& views,
   };
   const auto found = std::ranges::find_if(places, fits);
   const Point2 place = found == places.end() ? places.front() : *found;
-  sheet.texts.push_back({place, kLetter, letters, true});
+  sheet.texts.push_back({place, kLetter, letters, TextStyle::Alignment::centre});
   taken.add(box_of_text(place, letters));
 }
 

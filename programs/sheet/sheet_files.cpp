@@ -27,7 +27,7 @@ DrawingSheet with_strokes(DrawingSheet sheet, const HersheyFont& font) {
     const double width = font.width(text.characters) * size;
     const double across =
         width > 0.0 ? size * std::min(1.0, text_width(text.characters, text.height) / width) : size;
-    const double left = text.centred ? font.width(text.characters) * across / 2.0 : 0.0;
+    const double left = before_anchor(text.alignment) * font.width(text.characters) * across;
     const double turn = text.turn * std::numbers::pi / 180.0;
     const Point2 along(std::cos(turn), std::sin(turn)), up(-along.y, along.x);
     for (auto& stroke : font.strokes(text.characters, {-left, 0.0}, across, -size)) {

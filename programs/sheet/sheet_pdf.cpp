@@ -35,7 +35,7 @@ void draw_texts(const DrawingSheet& sheet, cairo_t* context) {
     cairo().save(context);
     cairo().translate(context, text.at.x, sheet.height - text.at.y);
     cairo().rotate(context, -text.turn * std::numbers::pi / 180.0);
-    cairo().move_to(context, text.centred ? -extents.x_advance / 2.0 : 0.0, 0.0);
+    cairo().move_to(context, -before_anchor(text.alignment) * extents.x_advance, 0.0);
     cairo().show_text(context, text.characters.c_str());
     cairo().restore(context);
   }

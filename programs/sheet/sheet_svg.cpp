@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "clip/base/collected_text.h"
@@ -29,6 +30,15 @@ std::string path_of(const DrawingSheet& sheet, const DrawingSheet::Line& line) {
                         sheet_number(sheet.height - p.y));
   }
   return path + (line.closed ? "Z" : "");
+}
+
+std::string_view anchor_of(TextStyle::Alignment alignment) {
+  switch (alignment) {
+    case TextStyle::Alignment::centre: return " text-anchor=\"middle\"";
+    case TextStyle::Alignment::right: return " text-anchor=\"end\"";
+    case TextStyle::Alignment::left: break;
+  }
+  return "";
 }
 
 void write_layer(const DrawingSheet& sheet, SheetLayer layer, std::ostream& out) {
@@ -63,7 +73,7 @@ void write_sheet_svg(const DrawingSheet& sheet, const std::string& file) {
   for (const auto& text : sheet.texts) {
     const double x = text.at.x, y = sheet.height - text.at.y;
     fmt::print(out, "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\"{}{}>{}</text>\n", x, y,
-               text.height / kCapitalsOfFont, text.centred ? " text-anchor=\"middle\"" : "",
+               text.height / kCapitalsOfFont, anchor_of(text.alignment),
                text.turn == 0.0
                    ? ""
                    : fmt::format(" transform=\"rotate({:.6g} {:.6g} {:.6g})\"", -text.turn, x, y),

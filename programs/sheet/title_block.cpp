@@ -93,15 +93,23 @@ void add_parts_list(const SheetWords& words, DrawingSheet& sheet) {
       const FittedText fitted = fit_text(texts[k], room);
       const double baseline = bottom + 0.5 * (kListRow - fitted.height);
       for (const std::string& line : fitted.lines) {
-        sheet.texts.push_back({{columns[k] + kInset, baseline}, fitted.height, line});
+        const bool is_name = k == 1;
+        const double at = is_name ? columns[k] + kInset : 0.5 * (columns[k] + columns[k + 1]);
+        sheet.texts.push_back(
+            {{at, baseline},
+             fitted.height,
+             line,
+             is_name ? TextStyle::Alignment::left : TextStyle::Alignment::centre});
       }
       if (!fitted.whole) sheet.shortened.push_back(fmt::format("PART {}", texts[k]));
     }
   };
-  add_row(0, {"ITEM", "PART", "QTY"});
+  std::array<std::string, 3> heads;
+  std::ranges::copy(kPartsListHeads, heads.begin());
+  add_row(0, heads);
   for (std::size_t i = 0; i < words.parts.size(); ++i) {
-    const ListedPart& part = words.parts[i];
-    add_row(i + 1, {fmt::format("{}", i + 1), part.name, fmt::format("{}", part.quantity)});
+    const PartsListRow& part = words.parts[i];
+    add_row(i + 1, {fmt::format("{}", part.number), part.name, fmt::format("{}", part.quantity)});
   }
 }
 

@@ -195,6 +195,19 @@ TEST_F(SheetAnnotation, AutomaticLabelsKeepApart) {
       EXPECT_TRUE(&label == &other || !meet) << label.characters << ' ' << other.characters;
     }
   }
+  expect_marks_apart("s.svg");  // of the section too
+  EXPECT_EQ(std::ranges::count(labels, "A", &Text::characters), 2);
+  for (const Text& letter : labels) {
+    if (letter.characters != "A") continue;
+    for (const Stroke& s : strokes("LEADER")) {
+      for (double t = 0.0; t <= 1.0; t += 0.1) {
+        const double x = s[0] + t * (s[2] - s[0]), y = s[1] + t * (s[3] - s[1]);
+        EXPECT_FALSE(x > letter.left() && x < letter.left() + letter.width() && y > letter.top() &&
+                     y < letter.y)
+            << x << ' ' << y;
+      }
+    }
+  }
   EXPECT_EQ(std::ranges::count(labels, "15", &Text::characters), 1);
   EXPECT_NE(read(folder_ / "s.svg").find(">Ground<"), std::string::npos);
 }

@@ -371,6 +371,10 @@ TEST_F(SheetDrafting, CutFacesHideCentreLines) {
   draw("along.draw --scale 1:1 --section front=5");
   EXPECT_EQ(count_of_length("CENTRE", (10.0 + 3.0) / 2.0), 4U);
   EXPECT_EQ(count_of_length("CENTRE", 30.0 + 3.0), 2U);  // in the top view
+  // Nor is that of a shape hidden which the plane cuts beside its axis.
+  write_segments("off.draw", {"rotate-y-3 90\ncylinder-3 0 0 -30 10 60 48\n"});
+  draw("off.draw --scale 1:1 --section front=4");
+  EXPECT_EQ(count_of_length("CENTRE", 30.0 + 3.0), 4U);
   // What the plane goes through has its own.
   write_segments("through.draw", {"box-3 -20 20 -20 20 0 40\ncylinder-3 0 0 -40 6 42 48\n"});
   draw("through.draw --scale 1:1 --section front=1");

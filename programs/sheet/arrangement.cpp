@@ -140,7 +140,9 @@ DrawingSheet arrange(const std::array<PartDrawing, 4>& views, const PartAnnotati
     taken.insert(taken.end(), letters.begin(), letters.end());
   }
   taken.push_back(block_of_titles(words));
-  sheet.not_as_wanted = add_annotation(annotation, views, places, words.margin, sheet, taken);
+  sheet.not_as_wanted =
+      add_annotation(annotation, views, places, usual_places_of_section_marks(placed, mm),
+                     words.margin, sheet, taken);
   add_section_marks(placed, taken, words, mm, sheet);
   remove_covered_centre_lines(sheet);
   add_title_block(words, scale, sheet);

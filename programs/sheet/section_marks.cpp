@@ -17,6 +17,7 @@ namespace displayfile {
 namespace {
 
 constexpr double kLetter = 3.5;  // height
+constexpr Point2 kClearOfMarks(1.0);
 
 PaperBox box_around(std::span<const Point2> points) {
   PaperBox box{points.front(), points.front()};
@@ -88,10 +89,10 @@ struct CuttingLine {
   std::array<CuttingEnd, 2> ends;
 
   bool is_free(const Taken& taken) const {
-    constexpr Point2 kClear(1.0);
     return std::ranges::all_of(ends, [&](const CuttingEnd& end) {
-      return std::ranges::all_of(
-          end.boxes(), [&](const PaperBox& box) { return taken.is_free(box.widened(kClear)); });
+      return std::ranges::all_of(end.boxes(), [&](const PaperBox& box) {
+        return taken.is_free(box.widened(kClearOfMarks));
+      });
     });
   }
   void draw(DrawingSheet& sheet) const {
@@ -207,27 +208,44 @@ void add_caption(std::size_t k, const std::array<PlacedDrawing, 4>& views,
   taken.add(box_of_text(place, letters));
 }
 
+/// The cuts of views, lettered in their order.
+std::vector<ShownCut> cuts_of(const std::array<PlacedDrawing, 4>& views) {
+  std::vector<ShownCut> cuts;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    if (!views[k].view->position) continue;
+    const std::string letter(1, static_cast<char>('A' + cuts.size()));
+    cuts.push_back({views[k].view, &views[k == 0 ? 1 : 0], letter});
+  }
+  return cuts;
+}
+
 }  // namespace
+
+std::vector<PaperBox> usual_places_of_section_marks(const std::array<PlacedDrawing, 4>& views,
+                                                    double mm_of_unit) {
+  std::vector<PaperBox> boxes;
+  for (const ShownCut& cut : cuts_of(views)) {
+    for (const CuttingEnd& end : cut.line(mm_of_unit, kBeyond).ends) {
+      for (const PaperBox& box : end.boxes()) boxes.push_back(box.widened(kClearOfMarks));
+    }
+  }
+  return boxes;
+}
 
 void add_section_marks(const std::array<PlacedDrawing, 4>& views,
                        std::span<const PaperBox> occupied, const SheetWords& words,
                        double mm_of_unit, DrawingSheet& sheet) {
   Taken taken(views, words);
   for (const PaperBox& box : occupied) taken.add(box);
-  std::array<std::string, 4> letters;
-  std::vector<ShownCut> cuts;
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    if (!views[k].view->position) continue;
-    letters[k] = std::string(1, static_cast<char>('A' + cuts.size()));
-    cuts.push_back({views[k].view, &views[k == 0 ? 1 : 0], letters[k]});
-  }
+  const std::vector<ShownCut> cuts = cuts_of(views);
   for (const CuttingLine& line : cutting_lines(cuts, mm_of_unit, taken)) {
     line.draw(sheet);
     line.take(taken);
   }
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    if (letters[k].empty()) continue;
-    add_caption(k, views, letters[k] + "-" + letters[k], taken, sheet);
+  for (const ShownCut& cut : cuts) {
+    const auto k = static_cast<std::size_t>(
+        std::ranges::find(views, cut.cut, &PlacedDrawing::view) - views.begin());
+    add_caption(k, views, cut.letter + "-" + cut.letter, taken, sheet);
   }
 }
 

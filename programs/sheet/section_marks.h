@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "programs/sheet/arrangement.h"
 
@@ -12,6 +13,11 @@ struct PlacedDrawing {
   const PartDrawing* view;
   Point2 low, high;
 };
+
+/// The rectangles of cutting lines beyond the views, with arrows and letters, where nothing else is
+/// in their way.
+std::vector<PaperBox> usual_places_of_section_marks(const std::array<PlacedDrawing, 4>& views,
+                                                    double mm_of_unit);
 
 /// For each view that is cut: in another view a line where, with arrows and letters, and the
 /// letters at the view itself. They keep clear of the views, of the rectangles that are taken

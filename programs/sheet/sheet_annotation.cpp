@@ -141,8 +141,9 @@ Rectangle as_rectangle(const PaperBox& box) {
 class AnnotatedSheet {
  public:
   AnnotatedSheet(const std::array<PartDrawing, 4>& views, std::span<const ViewPlace> places,
-                 double margin, DrawingSheet& sheet, std::vector<PaperBox>& taken)
-      : views_(views), places_(places), sheet_(sheet), taken_(taken) {
+                 std::span<const PaperBox> reserved, double margin, DrawingSheet& sheet,
+                 std::vector<PaperBox>& taken)
+      : views_(views), places_(places), reserved_(reserved), sheet_(sheet), taken_(taken) {
     page_ = {static_cast<int>(std::ceil(sheet.width)), static_cast<int>(std::ceil(sheet.height)),
              1.0};
     frame_ = {margin, sheet.width - margin, margin, sheet.height - margin};
@@ -183,6 +184,7 @@ class AnnotatedSheet {
 
   const std::array<PartDrawing, 4>& views_;
   std::span<const ViewPlace> places_;
+  std::span<const PaperBox> reserved_;  // for marks to come
   DrawingSheet& sheet_;
   std::vector<PaperBox>& taken_;
   AnnotationPage page_{};
@@ -201,6 +203,7 @@ LabelRoom AnnotatedSheet::label_room(std::size_t k) const {
   }
   const std::size_t fixed = room.occupied.size();
   for (const PaperBox& box : taken_) room.occupied.push_back(as_rectangle(box));
+  for (const PaperBox& box : reserved_) room.occupied.push_back(as_rectangle(box));
   Rectangle& around = *room.around;
   for (std::size_t i = 0; i < fixed; ++i) {
     const Rectangle& box = room.occupied[i];
@@ -280,9 +283,10 @@ double gap_for_labels(const PartAnnotation& annotation) {
 
 std::vector<std::string> add_annotation(const PartAnnotation& annotation,
                                         const std::array<PartDrawing, 4>& views,
-                                        std::span<const ViewPlace> places, double margin,
+                                        std::span<const ViewPlace> places,
+                                        std::span<const PaperBox> reserved, double margin,
                                         DrawingSheet& sheet, std::vector<PaperBox>& taken) {
-  AnnotatedSheet annotated(views, places, margin, sheet, taken);
+  AnnotatedSheet annotated(views, places, reserved, margin, sheet, taken);
   for (std::size_t i = 0; i < annotation.all.size(); ++i) {
     const KeptAnnotation& one = annotation.all[i];
     if (is_label(one)) {

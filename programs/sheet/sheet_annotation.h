@@ -35,12 +35,14 @@ double gap_for_labels(const PartAnnotation& annotation);
 /// which it is parallel, so that it shows the length that it measures: of several in the one where
 /// its dimension line is farthest from what it measures, or that shows the circle, otherwise in the
 /// first. Those with automatic placement stand outside of that view; leaders and balloons also
-/// clear of the rectangles `taken`. Balloons cover what is drawn before. Adds the rectangles of
-/// texts and balloons to `taken`. Returns a sentence on each dimension that is parallel to no view,
-/// and is left out, and on all that has no room, or reaches beyond the frame or over another view.
+/// clear of the rectangles `taken` and `reserved`. Balloons cover what is drawn before. Adds the
+/// rectangles of texts and balloons to `taken`. Returns a sentence on each dimension that is
+/// parallel to no view, and is left out, and on all that has no room, or reaches beyond the frame
+/// or over another view.
 std::vector<std::string> add_annotation(const PartAnnotation& annotation,
                                         const std::array<PartDrawing, 4>& views,
-                                        std::span<const ViewPlace> places, double margin,
+                                        std::span<const ViewPlace> places,
+                                        std::span<const PaperBox> reserved, double margin,
                                         DrawingSheet& sheet, std::vector<PaperBox>& taken);
 
 }  // namespace displayfile

@@ -86,13 +86,15 @@ class FacesOfTones {
 
  private:
   static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  static constexpr std::size_t kMostOnASide = 8;
 
-  /// Two fills with a common side, each pair once for each.
+  /// Pairs of fills with a common side, once for each such side. Where fills lie on each other many
+  /// may have one: each is paired with those that follow it closely.
   template <class Visit>
   void for_pairs(const Visit& visit) const {
     for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
-      for (std::size_t k = i + 1; k < sides_.size() && sides_[k].place() == sides_[i].place();
-           ++k) {
+      const std::size_t end = std::min(sides_.size(), i + kMostOnASide);
+      for (std::size_t k = i + 1; k < end && sides_[k].place() == sides_[i].place(); ++k) {
         if (sides_[k].fill != sides_[i].fill) visit(sides_[i], sides_[k]);
       }
     }

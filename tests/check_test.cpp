@@ -187,6 +187,8 @@ TEST_F(Check, ADifferenceNamesTheLineOfTheProgram) {
   }
   write("view.draw", "set-perspective 3 1 6\n");
   EXPECT_EQ(line_of("solid 0 0 1", "solid 0 0 0.5", " --with view.draw"), "a.draw:10:");
+  write("view.draw", "set-perspective 3 1 6\nopen-segment 1\nclose-segment\n");
+  EXPECT_EQ(line_of("solid 0 0 1", "solid 0 0 0.5", " --with view.draw"), "a.draw:10:");
 }
 
 /// --with is entered before each input, and before the one that they are compared with.

@@ -11,6 +11,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/text/program_line.h"
 #include "programs/inputs/inputs.h"
+#include "programs/inputs/segment_names.h"
 
 namespace displayfile {
 
@@ -167,10 +168,14 @@ std::optional<std::size_t> program_line_of(const DumpDifference& difference,
   GraphicsSystem system;
   meshes.start(system, aspect);
   LineFinder finder(system, source_of(difference, dump), segment, is_sorted);
-  for (const std::string& before : inputs.first(inputs.size() - 1)) replay_file(before, system);
-  replay_lines(
-      read_text_file(inputs.back()), inputs.back(), system,
-      [&](std::size_t line, std::string_view routine) { finder.after_line(line, routine); });
+  for (const std::string& before : inputs.first(inputs.size() - 1)) {
+    replay_beside(read_text_file(before), before, system);
+  }
+  const std::string program = read_text_file(inputs.back());
+  make_room_for_names(program, system);
+  replay_lines(program, inputs.back(), system, [&](std::size_t line, std::string_view routine) {
+    finder.after_line(line, routine);
+  });
   return finder.line();
 }
 

@@ -231,6 +231,31 @@ TEST_F(SheetAnnotation, ABalloonCoversWhatIsBehindIt) {
   EXPECT_NEAR(ends[1], left, 1e-3);
   EXPECT_NEAR(ends[2], right, 1e-3);
   EXPECT_NEAR(right - left, 2.0 * 1.15 * 3.5, 0.02);
+  // Of lines that end behind it nothing is left there.
+  write("corner.draw",
+        "open-segment 1\nbox-3 0 60 0 40 0 30\nballoon-3 0 0 30 1 \"\" 0 0\nclose-segment\n");
+  draw("corner.draw --scale 1:1");
+  double x = 1e9, y = 0.0;  // its centre
+  for (const Stroke& s : strokes("LEADER")) {
+    x = std::min(x, s[0] + 1.15 * 3.5);
+    y = std::max({y, s[1] - 1.15 * 3.5, s[3] - 1.15 * 3.5});
+  }
+  for (const Stroke& s : strokes("VISIBLE")) {
+    EXPECT_GT(std::hypot(s[0] - x, s[1] - y), 1.14 * 3.5);
+    EXPECT_GT(std::hypot(s[2] - x, s[3] - y), 1.14 * 3.5);
+  }
+}
+
+/// A text that is longer than the views are apart stands above its view or below it.
+TEST_F(SheetAnnotation, ALongTextKeepsOffOtherViews) {
+  write("long.draw",
+        "open-segment 1\nset-annotation-placement auto\nbox-3 0 60 0 40 0 30\n"
+        "leader-3 57 20 30 \"Ground on this face and polished\"\nclose-segment\n");
+  draw("long.draw --paper a4");
+  const auto all = texts("s.svg");
+  const auto text = std::ranges::find(all, "Ground on this face and polished", &Text::characters);
+  ASSERT_NE(text, all.end());
+  EXPECT_FALSE(is_drawn_over("s.svg", "VISIBLE", 2, *text));
 }
 
 TEST_F(SheetAnnotation, DotsAreFilled) {

@@ -41,13 +41,8 @@ Covering covering(const LineTable& scene, std::uint32_t polygon, const Point2& a
 /// The polygons near one cell after the other, the one that reaches nearest first.
 class Sheets {
  public:
-  Sheets(const LineTable& scene, const ContourEdges& contours, ContourEdges::Of of,
-         const CellGrid& grid)
-      : scene_(scene),
-        contours_(contours),
-        of_(of),
-        step_(of == ContourEdges::Of::cover ? contours.step() : 0.0),
-        grid_(grid) {}
+  Sheets(const LineTable& scene, const ContourEdges& contours, const CellGrid& grid)
+      : scene_(scene), contours_(contours), grid_(grid) {}
 
   /// What is known of a cell.
   struct Known {
@@ -66,7 +61,7 @@ class Sheets {
     low_ = layout.origin() + layout.cell() * (Point2(i, j) - CellLayout::kMargin);
     high_ = layout.origin() + layout.cell() * (Point2(i + 1, j + 1) + CellLayout::kMargin);
     middle_ = layout.origin() + layout.cell() * (Point2(i, j) + 0.5);
-    has_several_levels_ = false;
+    bool is_in_order = true;
     for (std::size_t k = 1; k < levels.size(); ++k) {
       if (levels[k].entries.empty()) continue;
       for (const CellGrid::Entry& entry :
@@ -76,9 +71,13 @@ class Sheets {
           continue;
         }
         near_.push_back(entry);
-        has_several_levels_ = true;
+        is_in_order = false;
       }
     }
+    if (is_in_order) return;
+    std::ranges::sort(near_, [](const CellGrid::Entry& a, const CellGrid::Entry& b) {
+      return a.z_max > b.z_max;
+    });
   }
 
   /// True if a polygon near the cell is not even: else covers are what sheets are.
@@ -90,25 +89,21 @@ class Sheets {
   /// Looks at the first sheets of the cell: polygons that follow each other by depth without a gap
   /// of more than the step. One that has no contour in the cell covers each of its points as often
   /// as its middle.
-  Known look() {
-    if (has_several_levels_) {
-      std::ranges::sort(near_, [](const CellGrid::Entry& a, const CellGrid::Entry& b) {
-        return a.z_max > b.z_max;
-      });
-    }
+  Known look(ContourEdges::Of of) const {
+    const double step = of == ContourEdges::Of::cover ? contours_.step() : 0.0;
     float least = std::numeric_limits<float>::infinity();
     bool is_first = true, is_broken = false, is_unknown = false;
     int covers = 0;
     const auto found = [&] { return covers > 0 && !is_broken; };
     const auto known = [&] { return Known{least, is_first && covers == 1 && !is_unknown}; };
     for (const CellGrid::Entry& entry : near_) {
-      if (entry.z_max < least - step_ && least < std::numeric_limits<float>::infinity()) {
+      if (entry.z_max < least - step && least < std::numeric_limits<float>::infinity()) {
         if (found()) return known();
         is_first = is_broken = is_unknown = false;
         covers = 0;
       }
       least = std::min(least, scene_.extent(entry.polygon).z_min);
-      is_broken = is_broken || has_contour_near(entry.polygon);
+      is_broken = is_broken || has_contour_near(entry.polygon, of);
       if (is_broken) continue;
       const Covering at_middle = covering(scene_, entry.polygon, middle_);
       covers += at_middle == Covering::yes ? 1 : 0;
@@ -119,11 +114,11 @@ class Sheets {
 
  private:
   /// False only if none of the polygon's sides in the cell is a contour.
-  bool has_contour_near(std::uint32_t polygon) const {
-    if (!contours_.has_contour(polygon, of_)) return false;
+  bool has_contour_near(std::uint32_t polygon, ContourEdges::Of of) const {
+    if (!contours_.has_contour(polygon, of)) return false;
     const std::uint32_t sides = scene_.sides(polygon);
     for (std::uint32_t k = 0; k < sides; ++k) {
-      if (!contours_.is_contour(polygon, k, of_)) continue;
+      if (!contours_.is_contour(polygon, k, of)) continue;
       const Point2 p(scene_.corner(polygon, previous_corner(k, sides)));
       const Point2 q(scene_.corner(polygon, k));
       if (std::max(p.x, q.x) >= low_.x && std::min(p.x, q.x) <= high_.x &&
@@ -136,11 +131,8 @@ class Sheets {
 
   const LineTable& scene_;
   const ContourEdges& contours_;
-  ContourEdges::Of of_;
-  double step_;
   const CellGrid& grid_;
   std::vector<CellGrid::Entry> near_;
-  bool has_several_levels_ = false;            // near_ is not in order
   Point2 low_{0.0}, high_{0.0}, middle_{0.0};  // of the cell
 };
 
@@ -150,13 +142,21 @@ void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& 
                                     int threads) {
   if (levels_.empty()) return;
   if (levels_[0].behind.empty()) begin_blocking();
-  single_.assign(levels_[0].cells(), 0);
-  find_sheets(scene, contours, ContourEdges::Of::depth, {}, single_, threads);
-  if (scene.all_even()) return;
-  behind_single_ = levels_[0].behind;
-  single_cover_ = single_;
-  find_sheets(scene, contours, ContourEdges::Of::cover, cells_near_uneven(scene, contours),
-              single_cover_, threads);
+  std::vector<float>& behind = levels_[0].behind;
+  single_.assign(behind.size(), 0);
+  if (scene.all_even()) {
+    find_sheets(scene, contours, {}, {}, threads);
+    return pass_on_blocking();
+  }
+  single_cover_.assign(behind.size(), 0);
+  std::vector<float> behind_cover(behind.size(), -std::numeric_limits<float>::infinity());
+  find_sheets(scene, contours, cells_near_uneven(scene, contours), behind_cover, threads);
+  pass_on_blocking();
+  behind_single_ = behind;
+  for (std::size_t cell = 0; cell < behind.size(); ++cell) {
+    behind[cell] = std::max(behind[cell], behind_cover[cell]);
+  }
+  pass_on_blocking();
 }
 
 /// For each cell of the finest level 0 only if no polygon near it is uneven: those few polygons are
@@ -187,30 +187,32 @@ std::vector<std::uint8_t> CellGrid::cells_near_uneven(const LineTable& scene,
   return std::move(near.front());
 }
 
-/// Raises `behind`, and finds the cells of a single sheet. Of covers only in cells near polygons
-/// that are not even, and in which no single sheet is first without them.
+/// Raises `behind`, and finds the cells of a single sheet. Where some polygon is not even also by
+/// covers, only in cells near such polygons in which no single sheet is first without them.
 void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
-                           ContourEdges::Of of, std::span<const std::uint8_t> near_uneven,
-                           std::vector<std::uint8_t>& single, int threads) {
+                           std::span<const std::uint8_t> near_uneven, std::span<float> behind_cover,
+                           int threads) {
   Level& finest = levels_[0];
-  const bool of_covers = of == ContourEdges::Of::cover;
   constexpr std::uint32_t kRowsOfAPart = 16;
   in_parallel(threads, (finest.rows + kRowsOfAPart - 1) / kRowsOfAPart, [&](std::size_t part) {
-    Sheets sheets(scene, contours, of, *this);
+    Sheets sheets(scene, contours, *this);
     const auto first = static_cast<std::uint32_t>(part) * kRowsOfAPart;
     for (std::uint32_t j = first; j < std::min(first + kRowsOfAPart, finest.rows); ++j) {
       for (std::uint32_t i = 0; i < finest.columns; ++i) {
         const std::size_t cell = std::size_t{j} * finest.columns + i;
-        if (of_covers && (near_uneven[cell] == 0 || single[cell] != 0)) continue;
         sheets.go_to(i, j);
-        if (of_covers && !sheets.is_any_uneven()) continue;
-        const Sheets::Known known = sheets.look();
+        const Sheets::Known known = sheets.look(ContourEdges::Of::depth);
         finest.behind[cell] = std::max(finest.behind[cell], known.behind);
-        single[cell] = known.is_single ? 1 : 0;
+        single_[cell] = known.is_single ? 1 : 0;
+        if (near_uneven.empty()) continue;
+        single_cover_[cell] = single_[cell];
+        if (known.is_single || near_uneven[cell] == 0 || !sheets.is_any_uneven()) continue;
+        const Sheets::Known of_cover = sheets.look(ContourEdges::Of::cover);
+        behind_cover[cell] = of_cover.behind;
+        single_cover_[cell] = of_cover.is_single ? 1 : 0;
       }
     }
   });
-  pass_on_blocking();
 }
 
 bool CellGrid::shows(const Extent& box) const {

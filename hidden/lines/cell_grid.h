@@ -78,8 +78,8 @@ class CellGrid {
   void begin_blocking();
   std::vector<std::uint8_t> cells_near_uneven(const LineTable& scene,
                                               const ContourEdges& contours) const;
-  void find_sheets(const LineTable& scene, const ContourEdges& contours, ContourEdges::Of of,
-                   std::span<const std::uint8_t> near_uneven, std::vector<std::uint8_t>& single,
+  void find_sheets(const LineTable& scene, const ContourEdges& contours,
+                   std::span<const std::uint8_t> near_uneven, std::span<float> behind_cover,
                    int threads);
   bool is_in_single(const Extent& box, std::span<const std::uint8_t> single,
                     std::span<const float> behind) const;

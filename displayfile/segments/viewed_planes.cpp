@@ -251,12 +251,13 @@ void ViewedScene::find_shared_planes(Planes& found) const {
   } else {
     found.polygons = entered_of_item_;
   }
-  found.item_of.clear();
+  std::size_t polygons = 0;
+  for (const std::uint32_t polygon : found.polygons) {
+    if (polygon != kNotEntered) polygons = std::max(polygons, std::size_t{polygon} + 1);
+  }
+  found.item_of.assign(polygons, kNone);
   for (Item item = 0; item < items(); ++item) {
-    const std::uint32_t polygon = found.polygons[item];
-    if (polygon == kNotEntered) continue;
-    if (polygon >= found.item_of.size()) found.item_of.resize(std::size_t{polygon} + 1, kNone);
-    found.item_of[polygon] = item;
+    if (found.polygons[item] != kNotEntered) found.item_of[found.polygons[item]] = item;
   }
   const auto look = [this](Item item) { return look_of(item); };
   const bool are_fills = fill_item_.empty() && fills_ == items();  // none is edge-on

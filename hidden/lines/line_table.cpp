@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <glm/common.hpp>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "clip/base/error.h"
 #include "clip/base/parallel.h"
+#include "clip/bounds.h"
 #include "clip/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
@@ -66,21 +66,10 @@ LineTable::LineTable(const Primitives& items, std::span<const LineName> names, i
   in_even_parts(items.items.size(), threads, [&](std::uint32_t i) {
     support_[i] = support_of(i);
     extents_[i] = hides(i) ? extent_of(i) : Extent::nothing();
-    if (hides(i)) widen(extents_[i]);
   });
   find_uneven(threads);
   add_lines();
   add_intersections();
-}
-
-/// Lines are compared with polygons beside which they are so close.
-void LineTable::widen(Extent& box) const {
-  const double off = std::max(off_lines().in_picture, off_lines().touching);
-  if (!(off > 0.0)) return;
-  box.x_min = rounded_down(box.x_min - off);
-  box.y_min = rounded_down(box.y_min - off);
-  box.x_max = -rounded_down(-(box.x_max + off));
-  box.y_max = -rounded_down(-(box.y_max + off));
 }
 
 void LineTable::require_names(const Primitives& items, std::span<const LineName> names) {
@@ -109,7 +98,7 @@ LineTable::Support LineTable::support_of(std::uint32_t number) const {
   return support;
 }
 
-void LineTable::include_on_plane(Extent& box, const Point3& at, const Plane& plane) {
+void LineTable::include_on_plane(Bounds& box, const Point3& at, const Plane& plane) {
   const PlaneValue slope = slope_value(plane, {at.x, at.y, 0.0});
   const Ball depth =
       Ball{plane.p.z} - Ball{slope.value, slope.bound} / Ball{plane.normal.z, plane.bound.z};
@@ -120,32 +109,41 @@ void LineTable::include_on_plane(Extent& box, const Point3& at, const Plane& pla
 
 Extent LineTable::extent_of(std::uint32_t item) const {
   const Primitives::Item& polygon = items_.items[item];
-  Extent box = Extent::nothing();
+  Bounds box;
   if (polygon.sides == 3 && items_.has_own_plane(item)) {
-    const Point3 &p = corner(item, 0), &q = corner(item, 1), &r = corner(item, 2);
-    return Extent::between(glm::min(glm::min(p, q), r), glm::max(glm::max(p, q), r));
+    for (std::uint32_t k = 0; k < 3; ++k) box.include(corner(item, k));
+  } else {
+    const Plane support = plane(item);
+    for (std::uint32_t k = 0; k < polygon.sides; ++k) {
+      include_on_plane(box, corner(item, k), support);
+    }
   }
-  const Plane support = plane(item);
-  for (std::uint32_t k = 0; k < polygon.sides; ++k) {
-    include_on_plane(box, corner(item, k), support);
-  }
-  return box;
+  // Lines are compared with polygons beside which they are so close.
+  constexpr double kOfRounding = 0x1p-50;
+  const double off = std::max(off_lines().in_picture, off_lines().touching);
+  const double beside_it = off > 0.0 ? off + kOfRounding : 0.0;
+  const Point3 beside(beside_it, beside_it, 0.0);
+  return Extent::between(box.low - beside, box.high + beside);
 }
 
 Extent LineTable::extent(const Line& line) const {
-  Extent box = Extent::nothing();
   const Point3 &a = point(line.a), &b = point(line.b);
   if (const IntersectionLine* intersection = this->intersection(line)) {
+    Extent box = Extent::nothing();
     box.include(a, intersection->from.radius);
     box.include(b, intersection->to.radius);
-  } else if (!line.by_plane) {
-    return Extent::between(glm::min(a, b), glm::max(a, b));
+    return box;
+  }
+  Bounds box;
+  if (!line.by_plane) {
+    box.include(a);
+    box.include(b);
   } else {
     const Plane own = plane(line.own);
     include_on_plane(box, a, own);
     include_on_plane(box, b, own);
   }
-  return box;
+  return Extent::between(box.low, box.high);
 }
 
 /// A polygon of more than three sides need not be flat. Most are, but for rounding.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "clip/bounds.h"
 #include "clip/corners.h"
 #include "hidden/boxes/extents.h"
 #include "hidden/exact/plane.h"
@@ -132,11 +133,10 @@ class LineTable {
   OffPlane off_plane(std::uint32_t item, std::uint32_t corner) const {
     return off_plane_.empty() ? OffPlane::none : off_plane_[first_corner_[item] + corner];
   }
-  void widen(Extent& box) const;
   Support support_of(std::uint32_t item) const;
   Extent extent_of(std::uint32_t item) const;
   /// Includes a point of the projection at its depth on the plane.
-  static void include_on_plane(Extent& box, const Point3& at, const Plane& plane);
+  static void include_on_plane(Bounds& box, const Point3& at, const Plane& plane);
   void find_uneven(int threads);
   void add_lines();
   void add_intersections();

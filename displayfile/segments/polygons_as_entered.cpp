@@ -60,7 +60,7 @@ const ClosePlanes& PolygonsAsEntered::close() const {
 }
 
 TouchingPlanes PolygonsAsEntered::planes() const {
-  return planes_within(reach_, close().may_touch());
+  return planes_within(reach_, close().may_touch(), close().pairs());
 }
 
 std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes(
@@ -74,9 +74,10 @@ std::shared_ptr<const TouchingPlanes> PolygonsAsEntered::near_planes(
 }
 
 /// Searches some of the polygons; the others are alone in their planes.
-TouchingPlanes PolygonsAsEntered::planes_within(double reach,
-                                                std::span<const std::uint32_t> looked_at) const {
-  return {size(), looked_at, [&](std::uint32_t number) { return polygon(number); }, reach};
+TouchingPlanes PolygonsAsEntered::planes_within(
+    double reach, std::span<const std::uint32_t> looked_at,
+    const std::vector<TouchingPlanes::Pair>* pairs) const {
+  return {size(), looked_at, [&](std::uint32_t number) { return polygon(number); }, reach, pairs};
 }
 
 EnteredPolygon PolygonsAsEntered::polygon(std::uint32_t number) const {

@@ -54,7 +54,8 @@ class PolygonsAsEntered {
   std::uint32_t size() const { return parts_.empty() ? 0 : parts_.back().end; }
   double near() const { return 0x1p-24 * largest_; }
   const ClosePlanes& close() const;
-  TouchingPlanes planes_within(double reach, std::span<const std::uint32_t> looked_at) const;
+  TouchingPlanes planes_within(double reach, std::span<const std::uint32_t> looked_at,
+                               const std::vector<TouchingPlanes::Pair>* pairs = nullptr) const;
   const Part& part_of(std::uint32_t number) const;
   void add(const Part& part, const Touching& touching, double largest);
 

@@ -112,7 +112,8 @@ ClosePlanes::ClosePlanes(std::uint32_t polygons, const TouchingPlanes::PolygonOf
   is_known_ = enter(polygons, polygon_of, reach, near) && find_touching(polygon_of);
   if (is_known_) return;
   auto in_reach = planes_in_reach(polygons, polygon_of, reach);
-  may_touch_ = in_reach ? std::move(*in_reach) : all();
+  may_touch_ = in_reach ? std::move(in_reach->polygons) : all();
+  if (in_reach) pairs_ = std::move(in_reach->pairs);
 }
 
 std::vector<std::uint32_t> ClosePlanes::all() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hidden/touching/touching_planes.h"
@@ -22,6 +23,8 @@ class ClosePlanes {
   /// All if doubles do not decide: where polygons are so thin that they may lie in planes of other
   /// normals.
   const std::vector<std::uint32_t>& may_touch() const { return may_touch_; }
+  /// As MayTouch::pairs, of these; null if they are unknown.
+  const std::vector<TouchingPlanes::Pair>* pairs() const { return pairs_ ? &*pairs_ : nullptr; }
   /// The indices, ascending, of those that may have another polygon's plane near them, or lie near
   /// another's, other than the plane in which they lie.
   std::vector<std::uint32_t> near_others(const TouchingPlanes& touching) const;
@@ -49,6 +52,7 @@ class ClosePlanes {
   double rounding_ = 0.0;            // of points there
   bool is_known_ = true;             // all planes are known accurately enough
   std::vector<std::uint32_t> may_touch_;
+  std::optional<std::vector<TouchingPlanes::Pair>> pairs_;
 };
 
 }  // namespace displayfile

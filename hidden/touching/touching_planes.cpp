@@ -50,6 +50,8 @@ class TouchingPlanes::Search {
 
   void enter(std::span<const std::uint32_t> polygons);
   void find_planes();
+  /// The same, by comparing these pairs of the polygons that were entered.
+  void find_planes(std::span<const std::uint32_t> polygons, std::span<const Pair> pairs);
   void keep(std::uint32_t polygons);
 
  private:
@@ -66,6 +68,7 @@ class TouchingPlanes::Search {
     double radius;
     bool is_close;  ///< as closely as it can be known in doubles
   };
+  static constexpr std::size_t kMostReady = 1024;
   /// Recently used planes, made ready.
   struct Ready {
     std::uint32_t own = kNone;
@@ -75,6 +78,7 @@ class TouchingPlanes::Search {
   std::uint32_t modelling_of(const EnteredPolygon& polygon);
   void set_order();
   void find_frame();
+  Estimate find_estimate(const OwnPlane& own);
   void find_keys();
   Estimate estimate(const OwnPlane& plane) const;
   Estimate estimate_closely(const EnteredPlane& plane, const OwnPlane& own) const;
@@ -186,9 +190,43 @@ void TouchingPlanes::Search::find_planes() {
   find_keys();
   grid_.emplace(wide_);
   set_order();
-  constexpr std::size_t kMostReady = 1024;
   ready_.resize(std::min(kMostReady, own_.size()));
   for (const std::uint32_t own : order_) find_plane(own);
+}
+
+void TouchingPlanes::Search::find_planes(std::span<const std::uint32_t> polygons,
+                                         std::span<const Pair> pairs) {
+  taken_.resize(own_.size());
+  std::iota(taken_.begin(), taken_.end(), 0u);
+  if (own_.empty()) return;
+  find_frame();
+  known_.reserve(own_.size());
+  for (const OwnPlane& own : own_) find_estimate(own);
+  set_order();
+  ready_.resize(std::min(kMostReady, own_.size()));
+  std::vector<std::uint32_t> own_of(polygons.size(), kNone);
+  for (std::uint32_t i = 0, k = 0; i < polygons.size() && k < own_.size(); ++i) {
+    if (own_[k].polygon == polygons[i]) own_of[i] = k++;
+  }
+  std::vector<std::uint32_t> first(own_.size() + 1, 0), planes(pairs.size());  // by polygon
+  for (const Pair& pair : pairs) {
+    if (own_of[pair.polygon] != kNone) ++first[own_of[pair.polygon]];
+  }
+  for (std::uint32_t sum = 0; std::uint32_t & end : first) end = sum += end;
+  for (const Pair& pair : pairs) {
+    if (own_of[pair.polygon] != kNone) planes[--first[own_of[pair.polygon]]] = own_of[pair.plane];
+  }
+  for (const std::uint32_t own : order_) {
+    take_corners(own);
+    first_plane_ = kNone;
+    steps_.step(first[own + 1] - first[own] + 1);
+    for (std::uint32_t k = first[own]; k < first[own + 1]; ++k) {
+      ++result_.counts_.compared;
+      const std::uint32_t plane = planes[k];
+      if (plane != kNone && taken_[plane] == plane) consider(plane, own);
+    }
+    if (first_plane_ != kNone) taken_[own] = first_plane_;
+  }
 }
 
 /// By comes_before: a radix sort of the areas, whose bits rise with them, in steps that leave equal
@@ -279,27 +317,35 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
   return {in_frame(plane.normal(), p), radius, kNoBound};
 }
 
+/// Finds what is known of the next plane.
+TouchingPlanes::Search::Estimate TouchingPlanes::Search::find_estimate(const OwnPlane& own) {
+  constexpr double kGood = 0x1p-32;  // so close are the keys of few planes by chance
+  steps_.step();
+  Estimate of = estimate(own);
+  if (!(of.radius <= std::max(close_radius_, kGood))) {
+    const EnteredPlane plane(own.corners, result_.modellings_[own.modelling]);
+    const Estimate close = estimate_closely(plane, own);
+    if (close.radius < of.radius) {
+      of.plane = close.plane;
+      of.radius = close.radius;
+    }
+  }
+  known_.push_back({of.plane, of.radius, of.radius <= close_radius_});
+  return of;
+}
+
 /// Finds the keys of planes, and their tolerances.
 void TouchingPlanes::Search::find_keys() {
-  constexpr double kGood = 0x1p-32;  // so close are the keys of few planes by chance
   keys_.reserve(own_.size());
   wide_.reserve(own_.size());
   known_.reserve(own_.size());
   double largest_radius = 0.0;
   for (const OwnPlane& own : own_) {
-    steps_.step();
-    Estimate of = estimate(own);
-    const double tilt = of.tilt;
-    if (!(of.radius <= std::max(close_radius_, kGood))) {
-      const EnteredPlane plane(own.corners, result_.modellings_[own.modelling]);
-      const Estimate close = estimate_closely(plane, own);
-      if (close.radius < of.radius) of = close;
-    }
-    keys_.push_back(keys_of(of.plane));
-    known_.push_back({of.plane, of.radius, of.radius <= close_radius_});
+    const auto [plane, radius, tilt] = find_estimate(own);
+    keys_.push_back(keys_of(plane));
     const double wide = tilt <= 0.5 ? (tilt + tilt * tilt) * farthest_ + reach_ : kNoBound;
-    wide_.push_back((wide + of.radius) * kWider);
-    largest_radius = std::max(largest_radius, of.radius);
+    wide_.push_back((wide + radius) * kWider);
+    largest_radius = std::max(largest_radius, radius);
   }
   for (double& wide : wide_) wide += largest_radius;
 }
@@ -512,13 +558,14 @@ TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_
     : TouchingPlanes(polygons, all_of(polygons), polygon_of, reach) {}
 
 TouchingPlanes::TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
-                               const PolygonOf& polygon_of, double reach)
+                               const PolygonOf& polygon_of, double reach,
+                               const std::vector<Pair>* pairs)
     : reach_(reach) {
   assert(std::ranges::is_sorted(looked_at) && (looked_at.empty() || looked_at.back() < polygons));
   const RoundToNearest mode;
   Search search(*this, polygon_of);
   search.enter(looked_at);
-  search.find_planes();
+  pairs == nullptr ? search.find_planes() : search.find_planes(looked_at, *pairs);
   search.keep(polygons);
 }
 

@@ -26,14 +26,22 @@ class TouchingPlanes {
     std::uint64_t tested = 0;    ///< of these, the ones that needed the definition
   };
 
+  /// A polygon and one whose plane it may lie in: indices of those looked at.
+  struct Pair {
+    std::uint32_t polygon, plane;
+  };
+
   TouchingPlanes() = default;
   /// The polygons are 0 to `polygons` - 1, in order of entry. `reach` is before the modelling
   /// transformation (entered_reach of clip/surfaces.h); with 0 polygons are coplanar only if they
   /// are exactly. World coordinates are finite. Throws LimitReached beyond the budget in force.
   TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_of, double reach);
-  /// The same for these polygons only, in ascending order: others have no plane.
+  /// The same for these polygons only, in ascending order: others have no plane. If pairs are
+  /// given, these are all that are compared: every polygon with each plane that it lies in is
+  /// among them.
   TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
-                 const PolygonOf& polygon_of, double reach);
+                 const PolygonOf& polygon_of, double reach,
+                 const std::vector<Pair>* pairs = nullptr);
 
   /// The polygon in whose support plane the polygon lies: itself if it touches no other's, or has
   /// no plane. plane_of(plane_of(p)) = plane_of(p).

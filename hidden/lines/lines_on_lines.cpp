@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "clip/secret_hash.h"
 
@@ -49,20 +50,32 @@ double length_of(const LineOfPicture& line) {
 }
 
 /// Leaders by cells of directions and distances, in which few lines are close to another cell.
+/// Those of a cell follow each other in memory.
 class LeaderTable {
  public:
   /// By how much the directions and distances of a line and its leader may differ, and how many
-  /// leaders there may be, at least 1.
-  LeaderTable(double directions, double distances, std::size_t most)
-      : directions_(directions), distances_(distances), first_(std::bit_ceil(most), kNoLine) {
-    leaders_.reserve(most);
-  }
+  /// lines there are, at least 1.
+  LeaderTable(double directions, double distances, std::size_t lines)
+      : directions_(directions),
+        distances_(distances),
+        first_(std::bit_ceil(lines) + 1, 0),
+        place_(lines) {}
 
+  /// First there is room made for all lines that may be added,
+  void make_room_for(const Support& support, std::uint32_t line) {
+    place_[line] = static_cast<std::uint32_t>(
+        place_of_cell(cell(support.direction, directions_), cell(support.distance, distances_)));
+    ++first_[place_[line]];
+  }
+  void begin() {
+    std::uint32_t sum = 0;
+    for (std::uint32_t& first : first_) first = std::exchange(sum, sum + first);
+    end_ = first_;
+    leaders_.resize(sum);
+  }
+  /// and then some are.
   void add(const Support& support, std::uint32_t leader) {
-    std::uint32_t& first = first_[place_of_cell(cell(support.direction, directions_),
-                                                cell(support.distance, distances_))];
-    leaders_.push_back({support.direction, support.distance, leader, first});
-    first = static_cast<std::uint32_t>(leaders_.size() - 1);
+    leaders_[end_[place_[leader]]++] = {support.direction, support.distance, leader};
   }
 
   /// Calls visit with the leaders whose directions and distances differ by no more than these,
@@ -87,13 +100,13 @@ class LeaderTable {
 
   struct Leader {
     double direction, distance;
-    std::uint32_t line, next;  // of those in one place
+    std::uint32_t line;
   };
 
   static double cell(double value, double part) { return std::floor(value / (kOfCell * part)); }
   /// Other cells may have the same.
   std::size_t place_of_cell(double direction, double distance) const {
-    return hash_({direction, distance, 0.0}) & (first_.size() - 1);
+    return hash_({direction, distance, 0.0}) & (first_.size() - 2);
   }
 
   template <class Visit>
@@ -105,7 +118,8 @@ class LeaderTable {
                  last_k = cell(distance + distances, distances_);
     for (double i = cell(direction - directions, directions_); i <= last_i; ++i) {
       for (double k = cell(distance - distances, distances_); k <= last_k; ++k) {
-        for (std::uint32_t n = first_[place_of_cell(i, k)]; n != kNoLine; n = leaders_[n].next) {
+        const std::size_t place = place_of_cell(i, k);
+        for (std::uint32_t n = first_[place]; n < end_[place]; ++n) {
           const Leader& leader = leaders_[n];
           const bool is_near = std::abs(leader.direction - direction) <= directions &&
                                std::abs(leader.distance - distance) <= distances;
@@ -117,7 +131,8 @@ class LeaderTable {
 
   double directions_, distances_;
   SecretHash hash_;
-  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> first_, end_;  // of the leaders in each place
+  std::vector<std::uint32_t> place_;        // of lines
   std::vector<Leader> leaders_;
 };
 
@@ -171,13 +186,16 @@ class LeadingLines {
     const bool is_last = longest * kOfLevel <= least_turned;
     const double shortest = is_last ? 0.0 : longest * kOfLevel;
     const double turned = turned_of(shortest);
+    std::size_t end = from;
+    while (end < order_.size() && (is_last || length_[order_[end]] > shortest)) ++end;
+    const auto level = std::span(order_).subspan(from, end - from);
     LeaderTable table(turned, distances_of(turned, reach_), lines_.size());
+    for (const std::uint32_t leader : leaders_) table.make_room_for(supports_[leader], leader);
+    for (const std::uint32_t line : level) table.make_room_for(supports_[line], line);
+    table.begin();
     for (const std::uint32_t leader : leaders_) table.add(supports_[leader], leader);
-    std::size_t n = from;
-    for (; n < order_.size() && (is_last || length_[order_[n]] > shortest); ++n) {
-      find_leader(order_[n], table);
-    }
-    return n;
+    for (const std::uint32_t line : level) find_leader(line, table);
+    return end;
   }
 
   /// By how much directions of a line of that length and its leader may differ: the sine is at most

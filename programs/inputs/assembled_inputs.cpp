@@ -1,6 +1,6 @@
 #include "programs/inputs/assembled_inputs.h"
 
-#include "clip/base/input_file.h"
+#include "clip/base/files.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/paper_box.h"
+#include "clip/rectangle.h"
 #include "displayfile/entered/kept_annotation.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"

@@ -24,7 +24,7 @@ inline bool in_range(const Point3& p) {
 }
 
 /// A rectangle: a window in the view plane, a viewport in normalised device coordinates, or a
-/// bounding rectangle in the projection. (clip/bounds.h has boxes in space.)
+/// bounding rectangle in the projection. (clip/geometry/bounds.h has boxes in space.)
 struct Rectangle {
   double x_min, x_max, y_min, y_max;
   bool operator==(const Rectangle&) const = default;

@@ -268,7 +268,7 @@ class GraphicsSystem {
   /// those of a coordinate, and of a view that open_segment refuses.
   std::optional<Point3> to_device(const Point3& p) const;
 
-  // The modelling transformation (clip/transformation.h).
+  // The modelling transformation (clip/view/transformation.h).
   void create_transformation_3();
   void translate_3(double tx, double ty, double tz);
   void scale_3(double sx, double sy, double sz);
@@ -286,7 +286,7 @@ class GraphicsSystem {
   // ---- Segments ---------------------------------------------------------------------------------
 
   /// CREATE-SEGMENT. Names are positive integers. Errors: a segment is open, the name is in use or
-  /// not positive, the view parameters do not fit together (clip/view_volume.h).
+  /// not positive, the view parameters do not fit together (clip/view/view_volume.h).
   void open_segment(int name);
   /// Closes the segment. If hidden-line removal is on, with a method that sorts and a scope other
   /// than `all`, sorts its hidden surfaces within the budget in force (BudgetInForce,
@@ -435,8 +435,8 @@ class GraphicsSystem {
   void set_vertex_normals(PointList<Point3> normals);
   /// Sets cutting plane n, 1 to 6: parts with a x + b y + c z + d < 0 of the primitives that follow
   /// are cut away in every view, where x y z are world coordinates after the modelling
-  /// transformation (clip/cutting_planes.md). Sides made by a cut are not drawn, and cut solids
-  /// stay open unless set_cut_faces closes them. Errors: those of CuttingPlanes::set.
+  /// transformation (clip/pipeline/cutting_planes.md). Sides made by a cut are not drawn, and cut
+  /// solids stay open unless set_cut_faces closes them. Errors: those of CuttingPlanes::set.
   void set_cutting_plane(int n, double a, double b, double c, double d);
   void set_cutting_plane_off(int n);  ///< Error: n is not 1 to 6.
   /// Sets the faces made where cutting planes cut closed solids that one call enters: shapes,
@@ -508,7 +508,7 @@ class GraphicsSystem {
 /// Returns `view` with a window that shows all points, given in world coordinates, with at least a
 /// twentieth of the picture free at each side, and with front and back planes around them. `aspect`
 /// is the width over height of its viewport in the picture. Errors: no points; a point that is not
-/// in front of the eye; those of ViewVolume (clip/view_volume.h).
+/// in front of the eye; those of ViewVolume (clip/view/view_volume.h).
 View fit(const View& view, std::span<const Point3> points, double aspect = 1.0);
 /// The same for an axis-aligned box with these corners.
 View fit(const View& view, const Point3& low, const Point3& high, double aspect = 1.0);

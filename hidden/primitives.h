@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "clip/point_row.h"
+#include "clip/geometry/point_row.h"
 #include "hidden/ends_as_entered.h"
 #include "hidden/surface_mark.h"
 

@@ -2,9 +2,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/unit.h"
 #include "clip/surfaces.h"
-#include "clip/unit.h"
 #include "tests/brute_force_world_truth.h"
 
 // What interp/truth/entered_truth.h gives, in rationals, by the definition word for word: each

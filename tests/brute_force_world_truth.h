@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/transformation.h"
-#include "clip/view_volume.h"
+#include "clip/view/transformation.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "tests/brute_force_truth.h"

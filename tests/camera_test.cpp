@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "clip/base/error.h"
-#include "clip/view_volume.h"
-#include "clip/window_fit.h"
+#include "clip/view/view_volume.h"
+#include "clip/view/window_fit.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/display_file.h"

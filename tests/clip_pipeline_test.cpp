@@ -1,4 +1,4 @@
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <map>
 #include <random>
 
-#include "clip/back_face.h"
-#include "clip/clip_to_rectangle.h"
-#include "clip/planarity.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/clip_to_rectangle.h"
+#include "clip/geometry/planarity.h"
 
 namespace displayfile {
 namespace {

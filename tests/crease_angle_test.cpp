@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/back_face.h"
-#include "clip/unit.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"

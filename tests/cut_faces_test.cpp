@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/section.h"
 #include "interp/draw/draw.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"
 #include "tests/touching_scenes.h"

@@ -1,7 +1,7 @@
 // Cutting planes: what they leave is a scene like any other, and the same for every method and
 // truth.
 
-#include "clip/cutting_planes.h"
+#include "clip/pipeline/cutting_planes.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "interp/vector/pens/hatched_fills.h"
 #include "interp/vector/pens/hatching.h"
 

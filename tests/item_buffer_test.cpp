@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"

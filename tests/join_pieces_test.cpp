@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/planarity.h"
+#include "clip/geometry/planarity.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/device/output_device.h"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/files.h"
 #include "displayfile/looks/phong.h"

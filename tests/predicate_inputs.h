@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "hidden/exact/pixel_centre.h"
 
 // Input for the tests of the predicates: at random, and whole-numbered constructions that are

@@ -1,6 +1,6 @@
 // Hashes of what files hold.
 
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 
 #include <gtest/gtest.h>
 

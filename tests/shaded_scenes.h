@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/graphics_system.h"
 #include "interp/draw/draw.h"
 #include "interp/files/picture_compare.h"

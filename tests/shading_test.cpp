@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/mesh.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "interp/device/raster_request.h"
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"

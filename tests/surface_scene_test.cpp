@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/height_colours.h"

@@ -5,7 +5,7 @@
 #include <glm/mat4x3.hpp>
 #include <vector>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/views/scene_in_one_view.h"
 #include "tests/predicate_inputs.h"

@@ -1,4 +1,4 @@
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "clip/crease_angle.h"
+#include "clip/geometry/crease_angle.h"
 #include "programs/scenes/random.h"
 
 namespace displayfile {

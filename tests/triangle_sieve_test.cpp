@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "clip/clip_pipeline.h"
-#include "clip/view_volume.h"
+#include "clip/pipeline/clip_pipeline.h"
+#include "clip/view/view_volume.h"
 #include "hidden/exact/orientation.h"
 #include "interp/scan/scan_convert.h"
 #include "tests/truth_scenes.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
-#include "clip/corners.h"
-#include "clip/planarity.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/planarity.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/triangles/ear_cutting.h"
 #include "tests/polygon_outlines.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/bounds.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/bounds.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/views/picture_windows.h"
 #include "displayfile/views/retained_views.h"
 #include "interp/draw/draw.h"

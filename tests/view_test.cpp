@@ -1,4 +1,4 @@
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Windows whose shape is not that of their viewport in the picture.
 
-#include "clip/window_fit.h"
+#include "clip/view/window_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "interp/truth/entered_truth.h"
 #include "interp/truth/truth.h"
 #include "interp/visibility/world_geometry.h"

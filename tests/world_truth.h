@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "hidden/exact/pixel_centre.h"

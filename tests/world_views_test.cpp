@@ -10,7 +10,7 @@
 #include <string>
 
 #include "clip/base/error.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/views/turntable.h"
 #include "interp/device/raster_request.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "clip/base/growing_array.h"
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "hidden/exact/entered_plane.h"
 
 namespace displayfile {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "clip/point_row.h"
+#include "clip/geometry/point_row.h"
 #include "clip/surfaces.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/entered/modelling_runs.h"
 #include "displayfile/entered/retained_polygons.h"
 #include "hidden/exact/entered_polygon.h"

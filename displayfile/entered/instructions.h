@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/entered/entered_polygons.h"
 #include "displayfile/entered/kept_annotation.h"
 #include "displayfile/looks/style.h"

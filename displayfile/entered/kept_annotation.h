@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "clip/transformation.h"
-#include "clip/view_volume.h"
+#include "clip/view/transformation.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/looks/style.h"
 
 namespace displayfile {

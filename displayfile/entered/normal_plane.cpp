@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/exact/support_plane.h"
 
 namespace displayfile {

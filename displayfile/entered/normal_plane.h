@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/point.h"
 
 namespace displayfile {

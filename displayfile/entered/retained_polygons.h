@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clip/base/growing_array.h"
-#include "clip/point_row.h"
+#include "clip/geometry/point_row.h"
 
 namespace displayfile {
 

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <glm/geometric.hpp>
 
-#include "clip/back_face.h"
-#include "clip/unit.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/unit.h"
 
 namespace displayfile {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 #include "displayfile/looks/lighting.h"
 
 namespace displayfile {

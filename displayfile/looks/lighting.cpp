@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "clip/point.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/looks/style.h"
 
 namespace displayfile {

@@ -4,8 +4,8 @@
 #include <glm/mat4x3.hpp>
 #include <span>
 
+#include "clip/geometry/point_row.h"
 #include "clip/point.h"
-#include "clip/point_row.h"
 
 namespace displayfile {
 

@@ -12,9 +12,9 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/bounds.h"
-#include "clip/view_volume.h"
-#include "clip/window_fit.h"
+#include "clip/geometry/bounds.h"
+#include "clip/view/view_volume.h"
+#include "clip/view/window_fit.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/user_routines/system_inside.h"

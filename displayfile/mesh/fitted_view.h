@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/up_axis.h"

@@ -10,9 +10,9 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/cutting_planes.h"
-#include "clip/transformation.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
+#include "clip/pipeline/cutting_planes.h"
+#include "clip/view/transformation.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/text/program_in_view.h"

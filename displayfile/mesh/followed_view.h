@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/mesh.h"

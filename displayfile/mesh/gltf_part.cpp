@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/surfaces.h"
 
 namespace displayfile {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "clip/base/files.h"
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 
 namespace displayfile {
 

@@ -11,9 +11,9 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/surfaces.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/solids/solid_faces.h"

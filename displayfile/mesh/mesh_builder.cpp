@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "clip/base/error.h"
-#include "clip/bounds.h"
-#include "clip/secret_hash.h"
+#include "clip/geometry/bounds.h"
+#include "clip/geometry/secret_hash.h"
 #include "clip/surfaces.h"
 #include "displayfile/mesh/import_losses.h"
 

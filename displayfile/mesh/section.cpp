@@ -12,8 +12,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/planarity.h"
-#include "clip/secret_hash.h"
+#include "clip/geometry/planarity.h"
+#include "clip/geometry/secret_hash.h"
 #include "displayfile/mesh/joined_by_bridges.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/exact/double_double.h"

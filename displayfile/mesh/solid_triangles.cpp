@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/equal_points.h"
+#include "clip/geometry/equal_points.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/triangles/triangulation.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/mesh/mesh.h"
 
 namespace displayfile {

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/corners.h"
-#include "clip/crease_angle.h"
-#include "clip/point_row.h"
-#include "clip/unit.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/crease_angle.h"
+#include "clip/geometry/point_row.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/welded_faces.h"

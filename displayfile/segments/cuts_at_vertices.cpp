@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "clip/corners.h"
-#include "clip/secret_hash.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/secret_hash.h"
 
 namespace displayfile {
 

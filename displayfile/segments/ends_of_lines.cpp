@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "clip/corners.h"
-#include "clip/transformation.h"
+#include "clip/geometry/corners.h"
+#include "clip/view/transformation.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/entered_plane.h"
 #include "hidden/exact/eye.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "clip/corners.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/map/map_pieces.h"

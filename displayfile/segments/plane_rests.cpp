@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/boxes/extents.h"
 #include "hidden/exact/entered_outline.h"

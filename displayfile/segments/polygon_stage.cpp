@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 #include "displayfile/looks/gouraud.h"
 #include "displayfile/looks/phong.h"
 #include "displayfile/looks/style.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "displayfile/entered/entered_polygons.h"
 #include "displayfile/segments/retained_scene.h"
 #include "hidden/exact/entered_plane.h"

@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 
-#include "clip/back_face.h"
 #include "clip/base/error.h"
 #include "clip/base/growing_array.h"
-#include "clip/bounds.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/bounds.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/side_kinds.h"

@@ -152,7 +152,7 @@ class RetainedScene : public Watched<RetainedScene> {
   bool is_smooth(std::uint32_t i) const;  ///< its vertices have normals
   bool draws(std::uint32_t i) const;      ///< false for hollow polygons with line style none
   /// The largest distance of a vertex from the plane that a tree uses for the polygon: one of more
-  /// than three sides counts as planar within a tolerance (clip/planarity.h).
+  /// than three sides counts as planar within a tolerance (clip/geometry/planarity.h).
   double off_plane(std::uint32_t i) const;
   double off_plane(std::uint32_t i, const Plane& plane) const;  ///< from that plane
 

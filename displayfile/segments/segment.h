@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "clip/surfaces.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/segments/sorted_scene.h"

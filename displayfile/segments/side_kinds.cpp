@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "clip/back_face.h"
-#include "clip/corners.h"
-#include "clip/crease_angle.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/crease_angle.h"
 #include "clip/point.h"
 #include "displayfile/segments/side_tiling.h"
 #include "hidden/disjoint_sets.h"

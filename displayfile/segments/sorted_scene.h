@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/strokes_once.h"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/exact/eye.h"
 #include "hidden/exact/support_plane.h"

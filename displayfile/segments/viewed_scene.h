@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "clip/point_row.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/point_row.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/entered/vertex_values.h"
 #include "displayfile/looks/style.h"

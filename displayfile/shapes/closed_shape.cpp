@@ -9,7 +9,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
 #include "clip/base/work_budget.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 
 namespace displayfile {
 

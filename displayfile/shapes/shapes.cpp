@@ -8,7 +8,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/shapes/closed_shape.h"
 #include "displayfile/shapes/swept.h"
 

@@ -9,9 +9,9 @@
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/work_budget.h"
-#include "clip/corners.h"
-#include "clip/transformation.h"
-#include "clip/unit.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/unit.h"
+#include "clip/view/transformation.h"
 
 namespace displayfile {
 

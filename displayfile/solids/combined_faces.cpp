@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "clip/back_face.h"
-#include "clip/equal_points.h"
-#include "clip/unit.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/equal_points.h"
+#include "clip/geometry/unit.h"
 #include "hidden/triangles/triangulation.h"
 
 namespace displayfile {

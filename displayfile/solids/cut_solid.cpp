@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
-#include "clip/equal_points.h"
-#include "clip/unit.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/equal_points.h"
+#include "clip/geometry/unit.h"
 
 namespace displayfile {
 

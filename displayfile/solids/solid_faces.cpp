@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clip/equal_points.h"
+#include "clip/geometry/equal_points.h"
 
 namespace displayfile {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/cutting_planes.h"
+#include "clip/pipeline/cutting_planes.h"
 #include "clip/point.h"
 #include "displayfile/looks/style.h"
 

@@ -7,8 +7,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/crease_angle.h"
-#include "clip/unit.h"
+#include "clip/geometry/crease_angle.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/user_routines/ranges.h"
 #include "displayfile/user_routines/system_inside.h"
 

@@ -15,7 +15,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/user_routines/ranges.h"

@@ -1,4 +1,4 @@
-#include "clip/cutting_planes.h"
+#include "clip/pipeline/cutting_planes.h"
 
 #include <array>
 #include <cstdint>

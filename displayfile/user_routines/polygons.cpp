@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <string>
 
-#include "clip/back_face.h"
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
-#include "clip/planarity.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/planarity.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/solids/solid_faces.h"
 #include "displayfile/user_routines/ranges.h"

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
+#include "clip/geometry/back_face.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/user_routines/system_state.h"
 

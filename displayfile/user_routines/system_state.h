@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/crease_angle.h"
-#include "clip/cutting_planes.h"
-#include "clip/transformation.h"
+#include "clip/geometry/crease_angle.h"
+#include "clip/pipeline/cutting_planes.h"
+#include "clip/view/transformation.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"

@@ -6,7 +6,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "displayfile/views/scene_in_one_view.h"
 

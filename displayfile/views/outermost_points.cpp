@@ -6,8 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <iterator>
 
-#include "clip/unit.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/unit.h"
+#include "clip/view/view_volume.h"
 
 namespace displayfile {
 

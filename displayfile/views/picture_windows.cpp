@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "clip/base/error.h"
-#include "clip/window_fit.h"
+#include "clip/view/window_fit.h"
 
 namespace displayfile {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/view.h"
-#include "clip/window_fit.h"
+#include "clip/view/window_fit.h"
 #include "displayfile/graphics_system.h"
 
 namespace displayfile {

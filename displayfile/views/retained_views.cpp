@@ -10,7 +10,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/scene_lines.h"
 #include "displayfile/views/shared_planes.h"

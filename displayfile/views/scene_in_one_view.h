@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "clip/base/parallel.h"
-#include "clip/equal_points.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/equal_points.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/scene_viewer_part.h"
 

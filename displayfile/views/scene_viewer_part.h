@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/views/scene_viewer.h"
 #include "hidden/exact/few_centres.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 

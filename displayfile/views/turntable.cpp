@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "clip/base/round_to_nearest.h"
-#include "clip/bounds.h"
-#include "clip/transformation.h"
-#include "clip/unit.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/bounds.h"
+#include "clip/geometry/unit.h"
+#include "clip/view/transformation.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/views/picture_windows.h"
 #include "displayfile/views/scene_in_one_view.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"

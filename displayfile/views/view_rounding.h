@@ -3,7 +3,7 @@
 #include <glm/mat4x4.hpp>
 #include <span>
 
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "hidden/boxes/box_tree.h"
 
 namespace displayfile {

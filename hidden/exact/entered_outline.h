@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "clip/transformation.h"
-#include "clip/view_volume.h"
+#include "clip/view/transformation.h"
+#include "clip/view/view_volume.h"
 #include "hidden/exact/entered_polygon.h"
 #include "hidden/exact/exact_number.h"
 #include "hidden/exact/exact_vector.h"

@@ -4,7 +4,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
 
-#include "clip/point_row.h"
+#include "clip/geometry/point_row.h"
 
 namespace displayfile {
 

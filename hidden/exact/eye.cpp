@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "hidden/exact/exact_vector.h"
 #include "hidden/exact/predicate_counts.h"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/depth_order.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/base/parallel.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/cell_grid.h"
 #include "hidden/lines/contour_edges.h"

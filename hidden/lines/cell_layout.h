@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "hidden/boxes/extents.h"
 
 namespace displayfile {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/cell_walk.h"
 
 namespace displayfile {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 
 namespace displayfile {
 

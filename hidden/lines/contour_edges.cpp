@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "clip/base/parallel.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/boxes/build_box_tree.h"
 #include "hidden/lines/simple_polygon.h"
 

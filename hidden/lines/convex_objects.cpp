@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <tuple>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/side_table.h"

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "clip/base/parallel.h"
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "clip/base/parallel.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/lines/cells_of_lines.h"
 #include "hidden/lines/line_table.h"
 

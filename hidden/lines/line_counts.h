@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/contour_edges.h"
 #include "hidden/lines/ends_at_plane.h"
 #include "hidden/lines/far_planes.h"

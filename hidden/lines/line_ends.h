@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/point.h"
 #include "hidden/lines/visible_lines.h"
 #include "hidden/primitives.h"

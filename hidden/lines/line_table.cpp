@@ -9,8 +9,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/parallel.h"
-#include "clip/bounds.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/bounds.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/support_plane.h"

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/bounds.h"
-#include "clip/corners.h"
+#include "clip/geometry/bounds.h"
+#include "clip/geometry/corners.h"
 #include "hidden/boxes/extents.h"
 #include "hidden/exact/plane.h"
 #include "hidden/lines/intersection_lines.h"

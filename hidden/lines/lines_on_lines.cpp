@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/convex_objects.h"
 #include "hidden/lines/line_against_polygon.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/point.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/triangles/convex_turning.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/lines/grid_surface.h"
 
 namespace displayfile {

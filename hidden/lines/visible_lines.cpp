@@ -8,7 +8,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
 #include "clip/base/work_budget.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/grid_surface.h"
 #include "hidden/lines/items_near_lines.h"
 #include "hidden/lines/line_methods.h"

@@ -4,7 +4,7 @@
 #include "clip/base/budgeted_work.h"
 #include "clip/base/parallel.h"
 #include "clip/base/work_budget.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/visible_pieces.h"
 #include "hidden/map/edges_along_line.h"
 #include "hidden/map/map_edges.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/lines/line_table.h"
 #include "hidden/lines/side_table.h"
 

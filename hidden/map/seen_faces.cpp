@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clip/base/parallel.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/lines/visible_pieces.h"

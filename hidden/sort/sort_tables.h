@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/boxes/extents.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/sort/compare_polys.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "clip/geometry/unit.h"
 #include "clip/point.h"
-#include "clip/unit.h"
 
 namespace displayfile {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "clip/point_row.h"
+#include "clip/geometry/point_row.h"
 
 namespace displayfile {
 

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "clip/base/round_to_nearest.h"
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "hidden/touching/planes_in_row.h"
 
 namespace displayfile {

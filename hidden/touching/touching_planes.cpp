@@ -12,10 +12,10 @@
 #include <optional>
 #include <utility>
 
-#include "clip/back_face.h"
 #include "clip/base/budgeted_work.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
+#include "clip/geometry/back_face.h"
 #include "hidden/touching/key_grid.h"
 #include "hidden/touching/plane_tree.h"
 

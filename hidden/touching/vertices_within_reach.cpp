@@ -11,8 +11,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "clip/bounds.h"
-#include "clip/secret_hash.h"
+#include "clip/geometry/bounds.h"
+#include "clip/geometry/secret_hash.h"
 #include "hidden/disjoint_sets.h"
 #include "hidden/touching/key_grid.h"
 

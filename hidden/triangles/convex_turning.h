@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/point.h"
 
 namespace displayfile {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 
 namespace displayfile {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "hidden/exact/orientation.h"
 
 namespace displayfile {

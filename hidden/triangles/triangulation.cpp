@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "clip/back_face.h"
-#include "clip/corners.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/corners.h"
 #include "hidden/triangles/ear_cutting.h"
 
 namespace displayfile {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "interp/annotation/page_annotation.h"
 
 namespace displayfile {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "displayfile/entered/kept_annotation.h"
 #include "interp/annotation/annotation_marks.h"
 

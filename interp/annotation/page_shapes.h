@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 
 namespace displayfile {
 

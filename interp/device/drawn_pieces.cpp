@@ -8,7 +8,7 @@
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/surfaces.h"
 #include "displayfile/entered/normal_plane.h"
 #include "displayfile/entered/styled_sides.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "clip/base/budgeted_work.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/entered/styled_sides.h"
 #include "displayfile/looks/lighting.h"

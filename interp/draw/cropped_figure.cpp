@@ -6,7 +6,7 @@
 #include <span>
 
 #include "clip/base/round_to_nearest.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 namespace displayfile {
 

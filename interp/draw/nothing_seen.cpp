@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "clip/back_face.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/bounds.h"
-#include "clip/clip_pipeline.h"
-#include "clip/transformation.h"
+#include "clip/geometry/back_face.h"
+#include "clip/geometry/bounds.h"
+#include "clip/pipeline/clip_pipeline.h"
+#include "clip/view/transformation.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "hidden/exact/support_plane.h"

@@ -6,7 +6,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/files.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/text/program_in_view.h"

@@ -12,7 +12,7 @@
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/work_budget.h"
-#include "clip/window_fit.h"
+#include "clip/view/window_fit.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "displayfile/segments/sorted_scene.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/clip_to_rectangle.h"
+#include "clip/geometry/clip_to_rectangle.h"
 #include "hidden/exact/support_plane.h"
 #include "hidden/triangles/convex_turning.h"
 #include "interp/device/output_device.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/cutting_planes.h"
+#include "clip/pipeline/cutting_planes.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "interp/python/arguments.h"

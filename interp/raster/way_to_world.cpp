@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "hidden/exact/rounding.h"
 
 namespace displayfile {

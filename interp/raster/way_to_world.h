@@ -2,7 +2,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/view.h"
 
 namespace displayfile {

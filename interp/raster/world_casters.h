@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "displayfile/segments/retained_scene.h"
 #include "hidden/boxes/space_tree.h"
 

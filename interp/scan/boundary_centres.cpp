@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/corners.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/rounding.h"
 
 namespace displayfile {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "interp/device/picture.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"
 

@@ -11,7 +11,7 @@ namespace displayfile {
 /// How much nearer than a point a polygon must be to hide it, as a part of the depth of the view
 /// volume, or of the point's own depth if that is more. The corner of a face, or a point that was
 /// meant to lie on it, is not hidden by that face: viewing rounds both, and faces count as flat
-/// within such a tolerance (clip/planarity.h).
+/// within such a tolerance (clip/geometry/planarity.h).
 inline constexpr double kOnSurface = 0x1p-20;  // about 1e-6
 
 /// For each point (the scene's coordinates) 1 if it is visible, 0 if hidden (interp/truth/truth.md,

@@ -5,7 +5,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "clip/base/error.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 namespace displayfile {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/transformation.h"
 #include "clip/view.h"
+#include "clip/view/transformation.h"
 #include "interp/truth/true_picture.h"
 #include "interp/truth/whole_points.h"
 

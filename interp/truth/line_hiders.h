@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "interp/truth/exact_parts.h"
 #include "interp/truth/line_items.h"
 

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "clip/back_face.h"
 #include "clip/base/budgeted_work.h"
 #include "clip/base/work_budget.h"
+#include "clip/geometry/back_face.h"
 
 namespace displayfile {
 

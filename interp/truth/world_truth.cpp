@@ -8,8 +8,8 @@
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/work_budget.h"
-#include "clip/clip_pipeline.h"
-#include "clip/transformation.h"
+#include "clip/pipeline/clip_pipeline.h"
+#include "clip/view/transformation.h"
 #include "interp/truth/exact_projection.h"
 #include "interp/truth/retained_picture.h"
 #include "interp/truth/true_picture.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "displayfile/looks/lighting.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"

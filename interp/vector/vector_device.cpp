@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "clip/clip_to_rectangle.h"
-#include "clip/corners.h"
+#include "clip/geometry/clip_to_rectangle.h"
+#include "clip/geometry/corners.h"
 #include "hidden/exact/support_plane.h"
 #include "interp/device/picture.h"
 #include "interp/text/seen_texts.h"

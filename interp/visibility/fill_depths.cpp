@@ -1,5 +1,5 @@
 #include "interp/visibility/fill_depths.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/entered_outline.h"
 #include "hidden/exact/rounding.h"
 

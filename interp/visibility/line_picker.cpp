@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "clip/corners.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/rectangle.h"
 #include "displayfile/segments/scene_lines.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/support_plane.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "clip/clip_to_rectangle.h"
+#include "clip/geometry/clip_to_rectangle.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "interp/visibility/drawn_layers.h"
 #include "interp/visibility/pixel_tree.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 
 namespace displayfile {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "interp/visibility/world_geometry.h"
 
 namespace displayfile {

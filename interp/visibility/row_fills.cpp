@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "clip/base/parallel.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/triangles/convex_turning.h"
 #include "interp/scan/scan_edge.h"

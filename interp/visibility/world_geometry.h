@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "clip/base/error.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/view.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "hidden/boxes/space_tree.h"
 #include "hidden/exact/ball.h"
 #include "hidden/exact/exact_number.h"

@@ -11,8 +11,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/parallel.h"
-#include "clip/clip_pipeline.h"
-#include "clip/view_volume.h"
+#include "clip/pipeline/clip_pipeline.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/views/shared_planes.h"
 #include "hidden/exact/orientation.h"
 #include "hidden/exact/plane.h"

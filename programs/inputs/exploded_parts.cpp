@@ -18,7 +18,7 @@
 #include <tuple>
 
 #include "clip/base/error.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/segments/display_file.h"
 #include "programs/inputs/assembled_inputs.h"
 #include "programs/inputs/inputs.h"

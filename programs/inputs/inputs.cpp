@@ -17,7 +17,7 @@
 #include "clip/base/error.h"
 #include "clip/base/files.h"
 #include "clip/system/process_memory.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/hidden_lines_left.h"

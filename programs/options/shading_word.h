@@ -7,7 +7,7 @@
 #include <string>
 
 #include "clip/base/error.h"
-#include "clip/crease_angle.h"
+#include "clip/geometry/crease_angle.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/options/number_in.h"

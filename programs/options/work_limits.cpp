@@ -11,9 +11,9 @@
 #include "clip/base/error.h"
 #include "clip/base/memory.h"
 #include "clip/base/unfinished_path.h"
+#include "clip/geometry/unit.h"
 #include "clip/system/process_memory.h"
 #include "clip/system/stopping.h"
-#include "clip/unit.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
 

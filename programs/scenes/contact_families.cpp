@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 
 namespace displayfile {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 

@@ -1,6 +1,6 @@
 #include "programs/scenes/scene.h"
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "clip/surfaces.h"
-#include "clip/transformation.h"
 #include "clip/view.h"
+#include "clip/view/transformation.h"
 #include "displayfile/graphics_system.h"
 #include "displayfile/views/scene_in_one_view.h"
 

@@ -1,4 +1,4 @@
-#include "clip/planarity.h"
+#include "clip/geometry/planarity.h"
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 

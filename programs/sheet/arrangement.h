@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "interp/annotation/page_annotation.h"
 #include "programs/sheet/drawing_scale.h"
 #include "programs/sheet/drawing_sheet.h"

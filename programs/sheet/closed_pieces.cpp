@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 #include "displayfile/mesh/welded_faces.h"
 
 namespace displayfile {

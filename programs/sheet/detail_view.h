@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "programs/sheet/arrangement.h"
 #include "programs/sheet/placed_view.h"
 

@@ -13,8 +13,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"
-#include "clip/secret_hash.h"
-#include "clip/unit.h"
+#include "clip/geometry/secret_hash.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/mesh/up_axis.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "displayfile/segments/display_file.h"

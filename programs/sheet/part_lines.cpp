@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/planarity.h"
+#include "clip/geometry/planarity.h"
 #include "clip/surfaces.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/polygon_stage.h"

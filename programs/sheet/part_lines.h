@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "clip/bounds.h"
+#include "clip/geometry/bounds.h"
 #include "clip/surfaces.h"
 #include "programs/sheet/part.h"
 #include "programs/sheet/part_drawing.h"

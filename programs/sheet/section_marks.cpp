@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "programs/sheet/text_fit.h"
 
 namespace displayfile {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 #include "displayfile/entered/kept_annotation.h"
 #include "programs/sheet/drawing_sheet.h"
 #include "programs/sheet/part_drawing.h"

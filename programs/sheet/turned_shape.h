@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clip/point.h"
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 
 namespace displayfile {
 

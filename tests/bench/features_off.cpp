@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 #include "programs/process/exit_status.h"
 #include "programs/scenes/generated_scenes.h"
 #include "tests/bench/command/callgrind.h"

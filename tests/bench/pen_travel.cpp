@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "displayfile/segments/sorted_display_file.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "interp/vector/pens/pen_order.h"

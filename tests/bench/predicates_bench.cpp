@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 #include "hidden/exact/defined_point.h"
 #include "hidden/exact/depth_order.h"
 #include "hidden/exact/orientation.h"

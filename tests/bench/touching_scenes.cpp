@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 #include "programs/scenes/shapes.h"
 
 namespace displayfile::bench {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "clip/corners.h"
-#include "clip/rectangle.h"
+#include "clip/geometry/corners.h"
+#include "clip/geometry/rectangle.h"
 
 namespace displayfile {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/hatched_faces.h"
 #include "interp/vector/pens/stroke.h"

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "clip/clip_to_rectangle.h"
+#include "clip/geometry/clip_to_rectangle.h"
 #include "interp/vector/pens/sheet_point.h"
 
 namespace displayfile {

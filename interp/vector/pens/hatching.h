@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "clip/geometry/rectangle.h"
 #include "clip/point.h"
-#include "clip/rectangle.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/stroke.h"
 

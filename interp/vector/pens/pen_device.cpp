@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "clip/clip_to_rectangle.h"
-#include "clip/corners.h"
+#include "clip/geometry/clip_to_rectangle.h"
+#include "clip/geometry/corners.h"
 #include "displayfile/entered/instructions.h"
 #include "interp/device/picture.h"
 #include "interp/text/letter_paths.h"

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "clip/base/error.h"
-#include "clip/equal_points.h"
-#include "clip/view_volume.h"
+#include "clip/geometry/equal_points.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/looks/lighting.h"
 #include "displayfile/views/turntable.h"
 #include "hidden/triangles/triangulation.h"

@@ -14,7 +14,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 #include "clip/surfaces.h"
 #include "displayfile/text/output_file.h"
 #include "programs/inputs/output_paths.h"

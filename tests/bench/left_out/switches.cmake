@@ -29,9 +29,9 @@ function(switch header declaration replacement)
   file(WRITE ${overlay}/${header} "${replaced}")
 endfunction()
 
-switch(clip/transformation.h "return identity_;"
+switch(clip/view/transformation.h "return identity_;"
        "return is_left_out(PartLeftOut::modelling) || identity_;")
-switch(clip/transformation.h "return scale == Point2(1.0, 1.0)"
+switch(clip/view/transformation.h "return scale == Point2(1.0, 1.0)"
        "if (is_left_out(PartLeftOut::image_transformation)) return true;\n    return scale == Point2(1.0, 1.0)")
 switch(clip/base/budgeted_work.h "if (--left_ == 0) ask();"
        "if (!is_left_out(PartLeftOut::budgets) && --left_ == 0) ask();")

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "clip/base/error.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
 #include "clip/surfaces.h"
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/scene_lines.h"
 #include "displayfile/user_routines/system_inside.h"

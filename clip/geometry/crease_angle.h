@@ -23,7 +23,7 @@ void require_crease_angle(double degrees);
 class CreaseAngle {
  public:
   /// Polygons that meet at less [radians] are coplanar whatever the angle: where a flat polygon was
-  /// cut into triangles, or stored in single precision (clip/planarity.h).
+  /// cut into triangles, or stored in single precision (clip/geometry/planarity.h).
   static constexpr double kCoplanar = 1e-5;
 
   /// The least angle of a crease, exclusive. Requires is_crease_angle(degrees).

@@ -1,4 +1,4 @@
-#include "clip/window_fit.h"
+#include "clip/view/window_fit.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 
 #include "clip/base/error.h"
 #include "clip/base/words.h"
-#include "clip/crease_angle.h"
+#include "clip/geometry/crease_angle.h"
 
 namespace displayfile {
 

@@ -1,10 +1,10 @@
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "clip/clip_stage.h"
-#include "clip/corners.h"
+#include "clip/geometry/corners.h"
+#include "clip/pipeline/clip_stage.h"
 
 namespace displayfile {
 

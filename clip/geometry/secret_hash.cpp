@@ -1,4 +1,4 @@
-#include "clip/secret_hash.h"
+#include "clip/geometry/secret_hash.h"
 
 #include <chrono>
 

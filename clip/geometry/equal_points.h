@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "clip/geometry/secret_hash.h"
 #include "clip/point.h"
-#include "clip/secret_hash.h"
 
 namespace displayfile {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "clip/crease_angle.h"
+#include "clip/geometry/crease_angle.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "clip/base/error.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
 
 namespace displayfile {
 

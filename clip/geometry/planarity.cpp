@@ -1,11 +1,11 @@
-#include "clip/planarity.h"
+#include "clip/geometry/planarity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "clip/back_face.h"
+#include "clip/geometry/back_face.h"
 
 namespace displayfile {
 

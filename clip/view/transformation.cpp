@@ -1,4 +1,4 @@
-#include "clip/transformation.h"
+#include "clip/view/transformation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,8 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <numbers>
 
+#include "clip/geometry/unit.h"
 #include "clip/system/fused_product.h"
-#include "clip/unit.h"
 
 namespace displayfile {
 

@@ -11,7 +11,8 @@
 namespace displayfile {
 
 /// A polygon after cutting, in world coordinates; spans as in ClippedPolygon
-/// (clip/clip_pipeline.h). Sides made by cutting are not drawn. No vertices: all is cut away.
+/// (clip/pipeline/clip_pipeline.h). Sides made by cutting are not drawn. No vertices: all is cut
+/// away.
 struct CutPolygon {
   std::span<const Point3> vertices;
   std::span<const std::uint8_t> edge_visible;  ///< empty: all
@@ -20,8 +21,8 @@ struct CutPolygon {
 };
 
 /// Up to six planes in world coordinates; each cuts away the half-space a x + b y + c z + d < 0
-/// (clip/cutting_planes.md). Distances and cut points are doubles. PHIGS's modelling clipping
-/// volume, and OpenGL's user clip planes.
+/// (clip/pipeline/cutting_planes.md). Distances and cut points are doubles. PHIGS's modelling
+/// clipping volume, and OpenGL's user clip planes.
 class CuttingPlanes {
  public:
   static constexpr int kMost = 6;

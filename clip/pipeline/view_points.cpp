@@ -1,14 +1,14 @@
-#include "clip/view_volume.h"
+#include "clip/view/view_volume.h"
 
 #include <cassert>
 #include <cstddef>
 
 #include "clip/base/vector_kind.h"
-#include "clip/clip_pipeline.h"
+#include "clip/pipeline/clip_pipeline.h"
 
 // The code below is compiled once for each kind of vector.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "clip/view_points.cpp"
+#define HWY_TARGET_INCLUDE "clip/pipeline/view_points.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "clip/rectangle.h"
+#include "clip/geometry/rectangle.h"
 
 namespace displayfile {
 

@@ -1,4 +1,4 @@
-#include "clip/cutting_planes.h"
+#include "clip/pipeline/cutting_planes.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "clip/base/error.h"
-#include "clip/clip_stage.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
+#include "clip/pipeline/clip_stage.h"
 
 namespace displayfile {
 

@@ -7,8 +7,8 @@
 
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
-#include "clip/transformation.h"
-#include "clip/unit.h"
+#include "clip/geometry/unit.h"
+#include "clip/view/transformation.h"
 
 namespace displayfile {
 

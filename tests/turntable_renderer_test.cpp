@@ -135,9 +135,11 @@ TEST_F(TurntableRendererTest, NumbersItsFiles) {
 TEST_F(TurntableRendererTest, TurnsAboutAnotherAxisAndFitsItsWindow) {
   const DrawOptions options = options_of(HiddenMethod::z_buffer);
   const Picture plain = renderer(options).draw(1);
-  EXPECT_NE(renderer(options, {kViews, Point3(1, 0, 0)}).draw(1).pixels, plain.pixels);
-  EXPECT_EQ(renderer(options, {kViews, Point3(0, 5, 0)}).draw(1).pixels, plain.pixels);
-  EXPECT_NE(renderer(options, {kViews, std::nullopt, true}).draw(1).pixels, plain.pixels);
+  EXPECT_NE(renderer(options, {.number = kViews, .axis = Point3(1, 0, 0)}).draw(1).pixels,
+            plain.pixels);
+  EXPECT_EQ(renderer(options, {.number = kViews, .axis = Point3(0, 5, 0)}).draw(1).pixels,
+            plain.pixels);
+  EXPECT_NE(renderer(options, {.number = kViews, .fit_window = true}).draw(1).pixels, plain.pixels);
 }
 
 /// A scene of the system's own goes back with it.

@@ -31,6 +31,7 @@ _OF_CYCLE = (
 _UNKNOWN = (0.75, 0.75, 0.75)
 """The colour of values that are nan or masked."""
 _STEPS = 256
+_FINE_STEPS = 4096
 
 
 def colour(value: typing.Any, what: str = "colour") -> tuple[float, float, float]:
@@ -121,28 +122,37 @@ def colours(values: typing.Any, what: str = "colours") -> Floats:
 # ---- Colour maps -------------------------------------------------------------------------
 
 
-def steps_of(cmap: typing.Any, steps: int | None = None) -> Floats:
+def steps_of(cmap: typing.Any, at: Floats | None = None) -> Floats:
     """The colours of a colour map from its low to its high end, (N, 3).
 
     None is the command's own, an array (N, 3) its colours; a name is one of matplotlib's, which is
-    imported for it; an object of matplotlib's is called. `steps`: as many colours.
+    imported for it; an object of matplotlib's is called. `at`: the colours at these places, from 0
+    at its low end to 1.
     """
     import numpy as np
 
     if cmap is None or isinstance(cmap, str) and cmap == "displayfile":
-        return _displayfile._height_colours(steps or _STEPS)
+        if at is None:
+            return _displayfile._height_colours(_STEPS)
+        own = _displayfile._height_colours(_FINE_STEPS)
+        return np.asarray(own)[_places(at, len(own))]
     if isinstance(cmap, str):
         cmap = _of_matplotlib(cmap)
     if callable(cmap):
-        n = steps or int(getattr(cmap, "N", _STEPS))
-        return _opaque(np.asarray(cmap((np.arange(n) + 0.5) / n), float)[:, :3], "cmap")
+        if at is None:
+            n = int(getattr(cmap, "N", _STEPS))
+            at = (np.arange(n) + 0.5) / n
+        return _opaque(np.asarray(cmap(at), float)[:, :3], "cmap")
     table = colours(cmap, "cmap")
     if not len(table):
         raise Error("cmap: expected at least one colour")
-    if steps is None:
-        return table
-    chosen: Floats = table[((np.arange(steps) + 0.5) / steps * len(table)).astype(int)]
-    return chosen
+    return table if at is None else table[_places(at, len(table))]
+
+
+def _places(at: Floats, steps: int) -> npt.NDArray[np.int64]:
+    import numpy as np
+
+    return np.asarray((at * steps).astype(np.int64).clip(0, steps - 1))
 
 
 def _of_matplotlib(name: str) -> typing.Any:
@@ -198,15 +208,19 @@ def scale_of(
     levels: typing.Any = None,
 ) -> Scale:
     """The scale for these values: `levels` is a number of bands, or their bounds, instead of as many
-    colours as the map has."""
+    colours as the map has. A band has the colour of its middle, as in matplotlib's contourf."""
     import numpy as np
 
+    if np.isinf(values).any():
+        raise Error("values: expected finite numbers, or nan where there is none")
     low, high = limits_of(values, limits)
     if levels is None:
         table = steps_of(cmap)
         return Scale(np.linspace(low, high, len(table) + 1), table)
     bounds = bounds_of(levels, low, high)
-    return Scale(bounds, steps_of(cmap, len(bounds) - 1))
+    # Halves first: the sum of two large bounds may be none.
+    middles = 0.5 * bounds[1:] + 0.5 * bounds[:-1]
+    return Scale(bounds, steps_of(cmap, (middles - bounds[0]) / (bounds[-1] - bounds[0])))
 
 
 def bounds_of(levels: typing.Any, low: float, high: float) -> Floats:

@@ -23,6 +23,8 @@ class Faces(typing.NamedTuple):
     sides: typing.Any
     fills: typing.Any
     left_out: list[str]
+    arrays: dict[str, typing.Any] = {}
+    """Data of its points and its faces, by name."""
 
 
 def of_trimesh(mesh: typing.Any) -> Faces:
@@ -36,7 +38,8 @@ def of_trimesh(mesh: typing.Any) -> Faces:
         left_out.append("colours of vertices: faces have the mean of theirs")
     if kind == "texture":
         left_out.append("its texture")
-    return Faces(vertices, faces, None, _opaque_colours(fills, left_out), left_out)
+    arrays = _arrays(mesh, "vertex_attributes", "face_attributes")
+    return Faces(vertices, faces, None, _opaque_colours(fills, left_out), left_out, arrays)
 
 
 def of_meshio(mesh: typing.Any) -> Faces:
@@ -44,18 +47,25 @@ def of_meshio(mesh: typing.Any) -> Faces:
     import numpy as np
 
     points, cells = _members(mesh, "meshio.Mesh", "points", "cells")
-    corners, sides, left_out = [], [], []
-    for block in cells:
+    corners, sides, left_out, drawn = [], [], [], []
+    for number, block in enumerate(cells):
         kind, data = block.type, np.asarray(block.data)
         n = _SIDES.get(kind, data.shape[-1] if kind.startswith("polygon") else 0)
         if not n:
             left_out.append(f"{len(data)} cells of type {kind}")
             continue
+        drawn.append(number)
         corners.append(data[:, :n].ravel())
         sides.append(np.full(len(data), n))
     if not corners:
         raise Error(f"from_meshio: no faces: it has {', '.join(left_out) or 'no cells'}")
-    return Faces(_in_space(points), np.concatenate(corners), np.concatenate(sides), None, left_out)
+    arrays = {
+        name: np.concatenate([np.asarray(blocks[k]) for k in drawn])
+        for name, blocks in _arrays(mesh, "cell_data").items()
+    }
+    arrays.update(_arrays(mesh, "point_data"))
+    vertices, all_corners = _in_space(points), np.concatenate(corners)
+    return Faces(vertices, all_corners, np.concatenate(sides), None, left_out, arrays)
 
 
 def of_pyvista(mesh: typing.Any) -> Faces:
@@ -81,7 +91,8 @@ def of_pyvista(mesh: typing.Any) -> Faces:
     counts = np.array(sides, np.int64)
     is_corner = np.ones(len(padded), bool)
     is_corner[np.concatenate([[0], np.cumsum(counts + 1)[:-1]]).astype(int)[: len(counts)]] = False
-    return Faces(points, padded[is_corner], counts, None, left_out)
+    arrays = _arrays(mesh, "cell_data", "point_data")
+    return Faces(points, padded[is_corner], counts, None, left_out, arrays)
 
 
 def _members(mesh: typing.Any, kind: str, *names: str) -> list[typing.Any]:
@@ -89,6 +100,24 @@ def _members(mesh: typing.Any, kind: str, *names: str) -> list[typing.Any]:
     if missing:
         raise Error(f"expected a {kind}, with {' and '.join(names)}, not {type(mesh).__name__}")
     return [getattr(mesh, name) for name in names]
+
+
+def array_of(found: Faces, name: str) -> typing.Any:
+    """Data of points or faces."""
+    if name not in found.arrays:
+        names = ", ".join(found.arrays) or "none: it has no data"
+        raise Error(f"values '{name}': expected an array, or the name of one of the mesh's: {names}")
+    return found.arrays[name]
+
+
+def _arrays(mesh: typing.Any, *sources: str) -> dict[str, typing.Any]:
+    """The arrays of these dictionaries of a mesh, where it has them; of one name, the last."""
+    found: dict[str, typing.Any] = {}
+    for source in sources:
+        arrays = getattr(mesh, source, None)
+        if arrays is not None:
+            found.update({str(name): arrays[name] for name in arrays.keys()})
+    return found
 
 
 def _in_space(points: typing.Any) -> typing.Any:

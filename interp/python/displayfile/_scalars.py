@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import typing
+import warnings
 
 from . import _colours, _displayfile
 from ._displayfile import Error
@@ -124,7 +125,10 @@ def contours_of(
         levels = _colours.numbers(contours, "contours").ravel()
         if not np.isfinite(levels).all():
             raise Error("contours: expected finite levels")
-    return cut(triangles[known], values[known], levels)
+    lines = cut(triangles[known], values[known], levels)
+    if not len(lines):
+        warnings.warn("contours: no level is between the values", stacklevel=3)
+    return lines
 
 
 def planes_of(crop: typing.Any) -> Floats:

@@ -379,7 +379,7 @@ class System(Drawing):
 
         Args:
             mesh: The mesh, or any object with points and cells. meshio is not imported.
-            options: Those of mesh; values may be one of its arrays of data.
+            options: Those of mesh; values may be the name of one of its arrays of data.
 
         Returns:
             The name of the segment, as mesh does.
@@ -394,7 +394,7 @@ class System(Drawing):
 
         Args:
             mesh: The mesh, or any object with points and padded faces. pyvista is not imported.
-            options: Those of mesh; values may be one of its arrays of data.
+            options: Those of mesh; values may be the name of one of its arrays of data.
 
         Returns:
             The name of the segment, as mesh does.
@@ -407,6 +407,8 @@ class System(Drawing):
     def _enter_other(self, found: _other_meshes.Faces, options: dict[str, typing.Any]) -> int:
         coloured = any(options.get(name) is not None for name in ("fill", "fills", "values"))
         fills = {} if coloured or found.fills is None else {"fills": found.fills}
+        if isinstance(options.get("values"), str):
+            options = {**options, "values": _other_meshes.array_of(found, options["values"])}
         name = self.mesh(found.vertices, found.faces, sides=found.sides, **fills, **options)
         if found.left_out:
             warnings.warn(f"left out: {', '.join(found.left_out)}", stacklevel=3)

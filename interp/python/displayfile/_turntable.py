@@ -24,6 +24,9 @@ class Turntable:
         self._views = views
         self._more_than_pixels = more_than_pixels
 
+    def __repr__(self) -> str:
+        return f"<Turntable: {len(self)} views>"
+
     def __len__(self) -> int:
         return self._views._views()
 

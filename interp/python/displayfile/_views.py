@@ -27,6 +27,9 @@ class Views:
         if views._leaves_out():
             warnings.warn("views are without colour bars and legends", stacklevel=3)
 
+    def __repr__(self) -> str:
+        return "<Views: a scene that draw, picture and save show from any eye>"
+
     def draw(
         self,
         eye: _Numbers | None = None,

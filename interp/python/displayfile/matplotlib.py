@@ -39,8 +39,9 @@ def exact(
     Args:
         ax: Three-dimensional axes.
         method: "depth-sort", or "bsp", which cuts more.
-        lift: Moves lines and markers toward the viewer by this fraction of the scene's depth. Lines
-            and markers in a surface are visible without it.
+        lift: Moves lines and markers toward the viewer by this fraction of the scene's depth. Those
+            in the plane of a polygon are visible without it. A curve on a bent surface needs some,
+            such as 0.01: between its points it passes below the polygons.
         line_order: Which of two lines that cross is drawn over the other: "entry", the later one,
             or "depth", the nearer one. Lines behind translucent polygons stay in the order of
             method.
@@ -59,10 +60,30 @@ def exact(
     """
     if not isinstance(ax, Axes3D):
         raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
+    options = _checked(
+        {"method": method, "lift": lift, "line_order": line_order, "halo": halo, "clip": clip}
+    )
+    off = _switch(off, "off")
+    private.require_axes(ax)
+    handle = getattr(vars(ax).get("draw"), "__self__", None)
+    if not isinstance(handle, Exact):
+        handle = Exact(ax)
+    vars(handle).update(options)
+    ax.stale = True
+    if off:
+        handle.remove()
+    else:
+        ax.draw = handle._draw
+    return handle
+
+
+def _checked(options: dict[str, Any]) -> dict[str, Any]:
+    """The options of exact, with numbers as float."""
+    method, line_order = options["method"], options["line_order"]
     if not isinstance(method, str) or method not in _METHODS:
         raise Error(f"method {method!r}: expected depth-sort or bsp")
-    lift, halo = _number(lift, "lift"), _number(halo, "halo")
-    clip, off = _switch(clip, "clip"), _switch(off, "off")
+    lift, halo = _number(options["lift"], "lift"), _number(options["halo"], "halo")
+    clip = _switch(options["clip"], "clip")
     if not 0.0 <= lift < 1.0:
         raise Error(f"lift: {lift}: expected 0 or more, and less than 1")
     if not isinstance(line_order, str) or line_order not in _LINE_ORDERS:
@@ -71,21 +92,7 @@ def exact(
         raise Error(f"halo: {halo}: expected 0 to 10000 points")
     if halo > 0.0 and line_order == "entry":
         raise Error(f"halo: {halo} with line_order 'entry': expected line_order depth")
-    private.require_axes(ax)
-    handle = getattr(vars(ax).get("draw"), "__self__", None)
-    if not isinstance(handle, Exact):
-        handle = Exact(ax)
-    handle.method = method
-    handle.lift = lift
-    handle.line_order = line_order
-    handle.halo = halo
-    handle.clip = clip
-    ax.stale = True
-    if off:
-        handle.remove()
-    else:
-        ax.draw = handle._draw
-    return handle
+    return {**options, "lift": lift, "halo": halo, "clip": clip}
 
 
 def _number(value: Any, what: str) -> float:
@@ -118,7 +125,20 @@ class Exact:
     """As in exact; it may be set."""
 
     def __init__(self, ax: Axes3D) -> None:
-        self.ax = ax
+        vars(self)["ax"] = ax
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        options = self._options()
+        if name not in options:
+            raise Error(f"exact has no option {name}: expected {', '.join(options)}")
+        vars(self).update(_checked({**options, name: value}))
+        self.ax.stale = True
+
+    def __repr__(self) -> str:
+        return f"<Exact: {', '.join(f'{name}={value!r}' for name, value in self._options().items())}>"
+
+    def _options(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "ax"}
 
     def remove(self) -> None:
         """Restore the axes."""

@@ -235,6 +235,14 @@ def test_meshio():
     cells = [SimpleNamespace(type="quad", data=QUADS), SimpleNamespace(type="triangle", data=HALVES)]
     mesh = SimpleNamespace(points=CUBE, cells=cells)
     assert entered("from_meshio", mesh) == expected([*SIDES, *HALVES.tolist()])
+    lines = SimpleNamespace(type="line", data=QUADS[:, :2])
+    data = {"p": [np.arange(6.0), np.full(6, 99.0), np.arange(6.0, 18.0)]}
+    mixed = SimpleNamespace(
+        points=CUBE, cells=[cells[0], lines, cells[1]], point_data={}, cell_data=data
+    )
+    with pytest.warns(UserWarning, match="6 cells of type line"):
+        coloured = entered("from_meshio", mixed, values="p")
+    assert coloured == expected([*SIDES, *HALVES.tolist()], values=np.arange(18.0))
     quadratic = [SimpleNamespace(type="quad8", data=np.c_[QUADS, QUADS])]
     assert entered("from_meshio", SimpleNamespace(points=CUBE, cells=quadratic)) == expected(QUADS)
     lines = SimpleNamespace(type="line", data=QUADS[:, :2])
@@ -252,6 +260,11 @@ def test_pyvista():
     assert entered("from_pyvista", mesh) == expected(QUADS)
     values = np.arange(8.0)
     assert entered("from_pyvista", mesh, values=values) == expected(QUADS, values=values)
+    mesh.point_data, mesh.cell_data = {"T": values}, {"p": np.arange(6.0)}
+    assert entered("from_pyvista", mesh, values="T") == expected(QUADS, values=values)
+    assert entered("from_pyvista", mesh, values="p") == expected(QUADS, values=np.arange(6.0))
+    with pytest.raises(Error, match="values 'q': expected an array, or the name of .*: p, T"):
+        entered("from_pyvista", mesh, values="q")
     grid = SimpleNamespace(extract_surface=lambda: mesh)
     assert entered("from_pyvista", grid) == expected(QUADS)
     mesh.n_lines = 3

@@ -82,13 +82,29 @@ def test_colour_maps():
     assert np.array_equal(steps_of("viridis"), viridis(np.arange(256))[:, :3])
     assert np.array_equal(steps_of(viridis), steps_of("viridis"))
     assert np.array_equal(steps_of(TABLE), TABLE)
-    assert np.array_equal(steps_of(TABLE, 4), TABLE[[1, 3, 5, 7]])
-    assert len(steps_of(None)) == 256 and len(steps_of(None, 5)) == 5
+    middles = (np.arange(4) + 0.5) / 4
+    assert np.array_equal(steps_of(TABLE, middles), TABLE[[1, 3, 5, 7]])
+    assert np.array_equal(steps_of(TABLE, np.array([0.0, 1.0])), TABLE[[0, -1]])
+    assert len(steps_of(None)) == 256 and len(steps_of(None, middles)) == 4
     lightness = steps_of(None) @ (0.2, 0.7, 0.1)
     assert (np.diff(lightness) > 0).all()
     for bad in ("viridi", 5, [], np.zeros((2, 2))):
         with pytest.raises(Error):
             steps_of(bad)
+
+
+@pytest.mark.parametrize("levels", ([0.0, 0.1, 0.5, 1.0], [-3, 1, 2, 7.5, 8], 6))
+def test_bands_have_the_colours_of_contourf(levels):
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    from matplotlib import pyplot
+
+    values = np.linspace(0.0, 1.0, 50)
+    bounds = levels if isinstance(levels, list) else np.linspace(0.0, 1.0, levels + 1)
+    _, ax = pyplot.subplots()
+    drawn = ax.contourf(*np.meshgrid(values, values), values[:, None] + 0 * values, levels=bounds)
+    pyplot.close("all")
+    scale = scale_of(values, "viridis", None, levels)
+    assert scale.colours == pytest.approx(drawn.to_rgba(drawn.cvalues)[:, :3], abs=0.005)
 
 
 def test_matplotlib_is_imported_for_its_maps_alone():
@@ -232,6 +248,8 @@ def test_picks_of_faces_in_pieces():
         {"values": [1.0, 2.0], "limits": (2, 1)},
         {"values": [1.0, 2.0], "limits": 3},
         {"values": [1.0, 2.0], "limits": (0, np.inf)},
+        {"values": [1.0, np.inf]},
+        {"values": [-np.inf, 2.0, 1.0, 0.0], "levels": 3},
         {"values": [1.0, 2.0], "levels": 0},
         {"values": [1.0, 2.0], "levels": [2, 1]},
         {"values": [0, 1, 2, 3], "picks": [1]},
@@ -345,6 +363,12 @@ def test_contours_are_on_the_surface():
 
 X, Y = np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 7))
 Z = X * Y
+
+
+def test_contours_that_are_nowhere_are_warned_of():
+    system = System()
+    with pytest.warns(UserWarning, match="contours: no level is between the values"):
+        system.surface(X, Y, Z, contours=[5.0])
 
 
 def test_filled_contours_and_contours_of_a_surface():

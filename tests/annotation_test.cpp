@@ -138,6 +138,12 @@ TEST(Annotation, TheStyleIsRecordedWhereverRecordingBegins) {
   GraphicsSystem again;
   replay(recording.str(), "recording", again);
   EXPECT_EQ(again.looks().annotation, style);
+  // Recorded further, back to the defaults.
+  g.set_annotation_style({});
+  g.set_recorder(&recorder);
+  g.set_annotation_style({});
+  replay(recording.str(), "recording", again);
+  EXPECT_EQ(again.looks().annotation, AnnotationStyle());
 }
 
 /// After all else of the segment, in the colour of the line style, with the style in force.

@@ -242,11 +242,11 @@ void GraphicsSystem::set_annotation_style(const AnnotationStyle& style) {
   if (style.decimals < 0 || style.decimals > 9) {
     throw Error(fmt::format("annotation decimals {}: expected 0 to 9", style.decimals));
   }
-  const AnnotationStyle before = std::exchange(state_->looks_.annotation, style);
-  // What is not the default may have been set before recording began.
-  const auto is_recorded = [&](auto member) {
-    return style.*member != before.*member || style.*member != AnnotationStyle().*member;
-  };
+  state_->looks_.annotation = style;
+  if (state_->recorder_ == nullptr) return;
+  // The rest may have been set before recording began.
+  const AnnotationStyle before = std::exchange(state_->recorded_annotation_, style);
+  const auto is_recorded = [&](auto member) { return style.*member != before.*member; };
   using Style = AnnotationStyle;
   if (is_recorded(&Style::size) || is_recorded(&Style::unit)) {
     state_->record("set-annotation-size", {style.size, name_of(style.unit)});

@@ -56,7 +56,12 @@ void GraphicsSystem::set_threads(int threads) { state_->surfaces_.threads = thre
 void GraphicsSystem::set_progress(WorkProgress progress) {
   state_->surfaces_.progress = std::move(progress);
 }
-void GraphicsSystem::set_recorder(Recorder* recorder) { state_->recorder_ = recorder; }
+void GraphicsSystem::set_recorder(Recorder* recorder) {
+  state_->recorder_ = recorder;
+  if (recorder == nullptr || recorder == state_->last_recorder_) return;
+  state_->last_recorder_ = recorder;
+  state_->recorded_annotation_ = {};
+}
 
 const CuttingPlanes& SystemInside::cutting_planes(const GraphicsSystem& system) {
   return system.state_->cutting_planes_;

@@ -153,6 +153,8 @@ struct GraphicsSystem::State {
   unsigned styles_replaced_ = 0;          // a bit for each StyledLines
   std::optional<double> width_replaced_;  // of line styles
   Recorder* recorder_ = nullptr;
+  Recorder* last_recorder_ = nullptr;          // not used but to know another one
+  AnnotationStyle recorded_annotation_;        // the style that a replay of its recording has
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // the system's, for world_ray_cast and set_lines
   bool retains_alone_ = false;

@@ -96,7 +96,6 @@ def rug_on_floor(shift: float) -> Any:
     return ax
 
 
-@pytest.mark.parametrize("proj_type", ["persp", "ortho"])
 def test_options_that_are_set_later_are_checked() -> None:
     drawn = exact(pyplot.figure().add_subplot(projection="3d"), lift=0.5)
     drawn.clip, drawn.lift, drawn.line_order = True, 0, "depth"
@@ -112,6 +111,7 @@ def test_options_that_are_set_later_are_checked() -> None:
     assert copy.deepcopy(drawn.ax).draw.__self__.halo == 2.0
 
 
+@pytest.mark.parametrize("proj_type", ["persp", "ortho"])
 @pytest.mark.parametrize("shift", [738_000.0 / 3, 1e9])
 def test_what_touches_lies_in_one_plane_on_axes_of_dates(shift: float, proj_type: str) -> None:
     for azim in (-60, 15, 130):

@@ -198,7 +198,7 @@ std::string names_of(LineKinds kinds);
 /// `hidden` for a hidden line, otherwise the name of the first kind; empty for no kind.
 std::string_view first_name_of(LineKinds kinds);
 
-/// Which lines are drawn: those with at least one of these kinds.
+/// A selection of the lines to draw: those with at least one of these kinds.
 struct LineSelection {
   LineKinds kinds = kinds_of(LineKind::all);
   double crease_degrees = 30.0;  ///< minimum angle of a crease, exclusive; 0 to 180
@@ -276,7 +276,7 @@ Touching touching(std::string_view word);
 /// call sets otherwise, whenever the application draws (GraphicsSystem::set_hidden_surfaces).
 /// Members without a value leave what is in force.
 struct HiddenSurfaceOptions {
-  // Of the application. Error in a call.
+  // Set for the application; an Error in a call's options.
 
   /// Also turns back-face removal on or off, as in the textbook. When off, pictures are drawn in
   /// order of entry. If neither this nor `method` was ever set, segments are stored unsorted, and
@@ -284,7 +284,7 @@ struct HiddenSurfaceOptions {
   std::optional<bool> removal = std::nullopt;
   std::optional<bool> z_buffer = std::nullopt;  ///< draws with the z-buffer whatever the method
 
-  // Of both.
+  // Set for the application or a call.
 
   /// For the application: world_ray_cast, ray casting in object space, reads the primitives in
   /// world coordinates: if no scene is retained, setting it retains one in the system from now on.
@@ -294,34 +294,34 @@ struct HiddenSurfaceOptions {
   /// scope is `segment` then.
   std::optional<HiddenScope> scope = std::nullopt;
   std::optional<Precision> precision = std::nullopt;  ///< Error: a ROUNDOFF outside of [0,1)
-  /// Whether hidden parts of lines are drawn dashed or not at all, by the methods that find lines
+  /// Draws hidden parts of lines dashed, or not at all, by the methods that find lines
   /// (hidden/lines/README.md): when a segment is closed, or with scope `all` when a picture is
   /// drawn.
   std::optional<HiddenLines> hidden_lines = std::nullopt;
-  /// Whether of two lines that overlap in a picture the one entered later is drawn over the other,
-  /// or the nearer one. `depth` takes all visible segments together, whatever the scope, and acts
-  /// where lines are drawn over fills or without them: not in order of entry, nor in vectors by bsp
-  /// or depth-sort. A call that sets it where it cannot act is an Error.
+  /// The line drawn over the other where two overlap in a picture: the one entered later, or the
+  /// nearer one. `depth` takes all visible segments together, whatever the scope, and acts where
+  /// lines are drawn over fills or without them: not in order of entry, nor in vectors by bsp or
+  /// depth-sort. A call that sets it where it cannot act is an Error.
   std::optional<LineOrder> line_order = std::nullopt;
   /// With `depth`: the gap beside a line that crosses another one in front of it, in pixels of the
   /// picture, as widths of lines; 0: none. Error: outside of 0 to kWidestHalo, and in a call
   /// without `depth`.
   std::optional<double> line_halo = std::nullopt;
 
-  // Of the application. Error in a call.
+  // Set for the application; an Error in a call's options.
 
-  /// Which sides of polygons are drawn as lines (displayfile/segments/line_kinds.md), for segments
-  /// closed from now on, whatever the method: the selected kinds, of sides that have a line style.
-  /// Any value except `all` alone retains the scene in the system from now on, if none is retained.
-  /// Errors: no kind; a crease outside of 0 to 180 degrees; there are segments that were not
-  /// retained.
+  /// The sides of polygons that are drawn as lines (displayfile/segments/line_kinds.md), for
+  /// segments closed from now on, whatever the method: the selected kinds, of sides that have a
+  /// line style. Any value except `all` alone retains the scene in the system from now on, if none
+  /// is retained. Errors: no kind; a crease outside of 0 to 180 degrees; there are segments that
+  /// were not retained.
   std::optional<LineSelection> lines = std::nullopt;
   /// The distance within which polygons touch, for segments opened from now on
   /// (hidden/touching/touching_planes.md): a polygon that touches another's plane is taken to lie
   /// in it. Error: a length that is not above 0 and at most kCoordinateLimit.
   std::optional<Touching> touching = std::nullopt;
 
-  // Of one call. Error for the application.
+  // Set for one call; an Error for the application.
 
   RootChoice root = RootChoice::free;     ///< for `bsp`; Error with any other method
   int threads = 1;                        ///< maximum, at least 1; the result does not depend on it
@@ -346,17 +346,17 @@ struct SurfacePlan {
   HiddenMethod method = HiddenMethod::automatic;  ///< `automatic` until one is chosen
   Precision precision = {};
   RootChoice root = RootChoice::free;
-  /// Whether methods that find lines also draw hidden parts (hidden/lines/lines_in_order.h).
+  /// How methods that find lines draw hidden parts (hidden/lines/lines_in_order.h).
   HiddenLines hidden_lines = HiddenLines::none;
   /// The order of visible lines that overlap, and with `depth` the gap beside the farther one, in
   /// pixels of a picture of that size.
   LineOrder line_order = LineOrder::entry;
   double line_halo = 0.0;
   int width = 512, height = 512;
-  /// Whether they also draw lines along which polygons intersect
+  /// True if they also draw lines along which polygons intersect
   /// (hidden/lines/intersection_lines.h).
   bool intersections = false;
-  /// Whether the map finds which of its pieces are lit, for shadows.
+  /// True if the map finds which of its pieces are lit, for shadows.
   bool shadows = false;
   std::optional<HiddenScope> scope = std::nullopt;  ///< none: the default of the drawing function
   int threads = 1;                                  ///< the result does not depend on it

@@ -50,7 +50,7 @@ struct Primitives {
   double touching = 0.0;
   /// Bound on the rounding of each coordinate by viewing alone; 0: unknown.
   double rounding = 0.0;
-  /// Which line ends touch which planes. Null: nothing touches, or by `touching` only.
+  /// The positions of line ends relative to planes. Null: nothing touches, or by `touching` only.
   const EndsAsEntered* ends = nullptr;
   /// The items' indices there; empty: the same as here.
   std::span<const std::uint32_t> numbers = {};

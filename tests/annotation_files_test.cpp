@@ -130,7 +130,7 @@ TEST(AnnotationFiles, PensDrawLetters) {
   EXPECT_NE(size("W"), size("I"));
 }
 
-/// What a pen draws of a program, in millimetres from the sheet's corner, joined to paths.
+/// A pen's paths for a program's red lines, in millimetres from the sheet's corner, joined.
 std::vector<PenPath> paths_of_red(std::string_view program, const Pens& pens,
                                   const Background& background = {}) {
   const PenDrawing drawing =
@@ -164,7 +164,7 @@ TEST(AnnotationFiles, PensDrawNothingBehindBalloons) {
   EXPECT_EQ(paths_of_red(kLineBehindBalloon, {}, none).size(), 1u);
 }
 
-/// Hatching and the dashes of dashed lines are covered too, and what comes after a balloon is not.
+/// Hatching and the dashes of dashed lines are covered too; lines drawn after a balloon are not.
 TEST(AnnotationFiles, PensCoverHatchingAndDashesBeforeABalloon) {
   Pens hatched;
   hatched.hatching = Hatching{.angle = 0.0, .colour = Colour(1, 0, 0)};
@@ -196,7 +196,7 @@ TEST(AnnotationFiles, PensCoverHatchingAndDashesBeforeABalloon) {
   EXPECT_TRUE(reaches_middle(paths_of_red(leader_after, {})));
 }
 
-/// Letters are those of a Hershey font, in the width of the annotation's lines, with one pen.
+/// Letters are in a Hershey font, as wide as the annotation's lines, with one pen.
 TEST(AnnotationFiles, PensWriteWithThePenOfTheLines) {
   const GraphicsSystem g =
       replayed("open-segment 1\nleader-3 0 0 0 \"AWX\" 10 10\nclose-segment\n");
@@ -248,7 +248,7 @@ TEST(AnnotationFiles, MillimetresAreThoseOfTheDensity) {
   EXPECT_NEAR(extent(300.0), 2 * 4.025 * 300 / 25.4, 2.0);
 }
 
-/// What has no room is warned of by name, on that paper.
+/// Annotation that does not fit on that paper is warned of by name.
 TEST(AnnotationFiles, WhatHasNoRoomIsWarnedOf) {
   GraphicsSystem g = replayed(
       "set-annotation-placement auto\nopen-segment 1\n"

@@ -55,7 +55,7 @@ Polygon hull_of(const Polygon& points) {
   }
 }
 
-/// True if a side of one convex polygon, or of the other, has the other one beyond it.
+/// True if a side of either convex polygon separates them.
 bool apart(const Polygon& a, const Polygon& b) {
   const auto has_beyond = [](const Polygon& of, const Polygon& other) {
     for (std::size_t i = 0; i < of.size(); ++i) {
@@ -70,11 +70,11 @@ bool apart(const Polygon& a, const Polygon& b) {
   return has_beyond(a, b) || has_beyond(b, a);
 }
 
-/// What one annotation draws.
+/// The drawing of one annotation.
 struct Drawn {
   std::vector<std::pair<Point2, Point2>> leader;  // one line, or none
   Polygon box;                                    // of its text, or of its circle
-  Polygon arrows;  // of a dimension: what is outside of the figure, in a hull
+  Polygon arrows;  // of a dimension: the parts outside the figure, in a hull
   Polygon number;  // of a dimension
   std::vector<std::pair<Point2, Point2>> lines;  // of a dimension
 };
@@ -296,7 +296,7 @@ TEST(AnnotationPlacement, InRows) {
   }
 }
 
-/// What has no cell stays where it was entered.
+/// Labels without a free cell stay where they were entered.
 TEST(AnnotationPlacement, MoreLabelsThanPlaces) {
   std::string program =
       "set-annotation-placement auto\nopen-segment 1\n"
@@ -315,8 +315,8 @@ TEST(AnnotationPlacement, MoreLabelsThanPlaces) {
   EXPECT_LT(stay, 50u);
 }
 
-/// The parts list takes a corner in which it covers nothing; labels stay clear of it and of what
-/// was entered with a place.
+/// The parts list takes a corner in which it covers nothing; labels stay clear of it and of
+/// annotation entered with a place.
 TEST(AnnotationPlacement, OfAPartsList) {
   const auto corner = [](std::string_view polygon) {
     GraphicsSystem g = replayed(

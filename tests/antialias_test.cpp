@@ -56,7 +56,7 @@ TEST(Antialias, APixelHalfCoveredIsHalfAsDark) {
   }
 }
 
-/// The area under a slanted edge, to what n x n samples can tell.
+/// The area under a slanted edge, to the precision of n x n samples.
 TEST(Antialias, MeansComeCloserToTheAreaWithMoreSamples) {
   GraphicsSystem g = system_of(HiddenMethod::z_buffer);
   g.set_fill_style({FillStyle::Kind::solid, {0, 0, 0}});
@@ -196,7 +196,7 @@ TEST(UsualSamples, AreThoseOfFilesAndViewsToo) {
   EXPECT_NE(view(std::nullopt).pixels, view(1).pixels);
 }
 
-/// As many as fit, where four do not: no size is refused for samples that nobody set.
+/// As many as fit, where four do not: no size is refused because of default samples.
 TEST(UsualSamples, AreFewerInTheLargestPictures) {
   const auto samples = [](int width, int height) {
     return resolve(DrawOptions{.width = width, .height = height}).samples;

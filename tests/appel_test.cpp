@@ -1,5 +1,5 @@
-// Appel's method (hidden/lines/appel.md): that counts are carried, and where they must not be. That
-// it finds what the other methods find is in hidden_lines_test.cpp.
+// Appel's method (hidden/lines/appel.md): where counts are carried and where they must not be.
+// hidden_lines_test.cpp tests that it agrees with the other methods.
 
 #include "hidden/lines/line_methods.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 using namespace test;
 
-/// What Appel's method finds of all drawn lines, and how; the same pieces as Roberts's.
+/// The counts of Appel's method for all drawn lines; its pieces are Roberts's.
 AppelCounts found_as_by_roberts(const ItemList& list, const SurfacePlan& options = {}) {
   const Primitives items = list.view();
   const std::vector<LineName> lines = drawn_lines(items);
@@ -105,7 +105,8 @@ TEST(Appel, ContourEdgesAreWhereTheNumberOfPolygonsChanges) {
   ItemList list;
   list.solid(square(0.0, 0.0, 0.5, 1.0, 0.5));
   EXPECT_EQ(contour_edges(list), 4u);
-  list.solid(square(0.5, 0.0, 1.0, 1.0, 0.5));  // the side between them is none any more
+  list.solid(
+      square(0.5, 0.0, 1.0, 1.0, 0.5));  // the side between them is not a contour edge any more
   EXPECT_EQ(contour_edges(list), 6u);
   list.solid({{0.5, 0.0, 0.5}, {0.5, 1.0, 0.5}, {0.2, 1.0, 0.7}, {0.2, 0.0, 0.7}});  // a fold
   EXPECT_EQ(contour_edges(list), 10u);
@@ -117,7 +118,7 @@ TEST(Appel, ContourEdgesAreWhereTheNumberOfPolygonsChanges) {
   EXPECT_EQ(contour_edges(bow_tie), 0u);
 }
 
-/// Lines from point to point, before, behind and through what the list has.
+/// Lines from point to point, before, behind and through the list's polygons.
 ItemList with_path(ItemList list, const std::vector<Point3>& path) {
   for (std::size_t k = 1; k < path.size(); ++k) list.line(path[k - 1], path[k]);
   return list;

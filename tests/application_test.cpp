@@ -1,5 +1,5 @@
 // The one header that an application includes, in the source tree: nothing else of Display File is
-// included here. tests/package_test has it installed.
+// included here. tests/package_test tests it as installed.
 
 #include "displayfile/displayfile.h"
 
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// No part of what an application includes: trees of a retained scene.
+// Not part of that header: trees of a retained scene.
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/views/retained_views.h"
 #include "interp/draw/world_views.h"
@@ -114,7 +114,7 @@ TEST(Application, ViewsARetainedScene) {
   }
 }
 
-/// A camera: the target is in the middle, up is up, and what is fitted fills the picture.
+/// A camera: the target is in the middle, up is up, and the fitted box fills the picture.
 TEST(Application, LooksAtAPointAndFitsABox) {
   using displayfile::Point3;
   const Point3 low(10, 20, 30), high(14, 22, 31), middle = 0.5 * (low + high);
@@ -235,7 +235,7 @@ TEST(Application, SetsHowHiddenSurfacesAreFound) {
   EXPECT_EQ(program.str(), "set-hidden-method map\nset-z-buffer off\n");
 }
 
-/// A device of the application's own gets what the pieces are.
+/// An application's own device receives the pieces.
 TEST(Application, DrawsOnADeviceOfItsOwn) {
   class Counter : public displayfile::OutputDevice {
    public:
@@ -288,7 +288,7 @@ TEST(Application, SystemsAreCopiedAndMoved) {
   EXPECT_EQ(displayfile::dump(of_copy), dumped);
 }
 
-/// Every way to draw says what is wrong with an option, and in a file and in memory the same.
+/// Every way to draw reports an invalid option, in a file and in memory the same.
 TEST(Application, BadOptionsAreErrors) {
   using displayfile::DrawOptions;
   displayfile::GraphicsSystem g;
@@ -348,7 +348,7 @@ TEST(Application, TurnsAnImageAboutAPointOfTheModel) {
   }
 }
 
-/// A picture that was refused leaves the one before as it is, or gives it up whole.
+/// A refused picture leaves the previous one unchanged, or discards all of it.
 TEST(Renderer, ARefusedPictureIsWholeOrNone) {
   displayfile::GraphicsSystem g;
   g.open_segment(1);

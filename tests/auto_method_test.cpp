@@ -1,4 +1,4 @@
-// What `auto` picks: always exact, and no more work than the scene needs.
+// The choice of `auto`: always exact, and no more work than the scene needs.
 
 #include "interp/visibility/auto_method.h"
 
@@ -37,7 +37,7 @@ TEST(AutoMethod, VectorsWithoutFillsHideNothing) {
   EXPECT_EQ(choose_method(file, PictureKind::vector).method, HiddenMethod::none);
 }
 
-/// Where fills have the background's colour lines alone are seen, unless something is asked for
+/// Where fills have the background's colour, only lines are visible, unless an output is requested
 /// that only fills have.
 TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   GraphicsSystem g;
@@ -77,7 +77,7 @@ TEST(AutoMethod, LinesOverFillsThatAreNotSeenAreLeftToAMethodOfLines) {
   EXPECT_EQ(method(), HiddenMethod::map);  // no line is drawn
 }
 
-/// How far that is from the best method of each scene, `displayfile bench` tells.
+/// `displayfile bench` measures how far that is from the best method of each scene.
 TEST(AutoMethod, PixelsAreLeftToTheZBuffer) {
   EXPECT_EQ(choose_method(DisplayFile(), PictureKind::raster).method, HiddenMethod::z_buffer);
   const DisplayFile file = file_of({square(0.1, 0.1, 0.5, 0.9), square(0.3, 0.3, 0.5, 0.1)});

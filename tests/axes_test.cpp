@@ -1,4 +1,4 @@
-// The axes of a box: where they stand in a view, and what stands at their ticks.
+// The axes of a box: their edges in a view, and the texts at their ticks.
 
 #include "displayfile/user_routines/axes.h"
 
@@ -217,7 +217,7 @@ TEST(Axes, AreOutsideOfTheirBoxInEveryView) {
   EXPECT_EQ(views, 300);
 }
 
-/// About what its letters cover, in a picture that is as wide as high.
+/// The approximate extent of its letters, in a picture that is as wide as high.
 Rectangle covered_by(const DeviceText& text) {
   using Alignment = TextStyle::Alignment;
   const double of_letter = 0.55 * text.style.size;
@@ -229,7 +229,7 @@ Rectangle covered_by(const DeviceText& text) {
   return {left, left + width, text.anchor.y, text.anchor.y + 0.7 * text.style.size};
 }
 
-/// Whether a text covers a point of an edge of the box from low to high.
+/// True if a text covers a point of an edge of the box from low to high.
 bool is_over_an_edge(const Rectangle& text, const GraphicsSystem& g, const Point3& low,
                      const Point3& high) {
   for (int from = 0; from < 8; ++from) {
@@ -330,8 +330,8 @@ TEST(Axes, AnAxisSeenEndOnIsLeftOut) {
   EXPECT_EQ(std::ranges::count(texts, "z"), 0);
 }
 
-/// In the modelling transformation, in the styles in force, which stay; recorded as what they are
-/// made of.
+/// In the modelling transformation, in the styles in force, which stay; recorded as the routines
+/// that make them.
 TEST(Axes, AreMadeOfUserRoutines) {
   std::ostringstream recorded;
   Recorder recorder(recorded);

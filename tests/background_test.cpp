@@ -1,4 +1,4 @@
-// What pictures show where nothing is drawn.
+// The background of pictures.
 
 #include "displayfile/looks/style.h"
 
@@ -43,7 +43,8 @@ DrawOptions options(HiddenMethod method, const Background& background) {
   return o;
 }
 
-/// The pixels of a picture on white are those on another background, but for where nothing is seen.
+/// The pixels of a picture on white are those on another background, except where nothing is
+/// visible.
 void expect_only_the_background_differs(const Picture& on_white, const Picture& picture,
                                         std::uint32_t background) {
   ASSERT_EQ(picture.ids, on_white.ids);
@@ -92,7 +93,7 @@ TEST_F(BackgroundTest, IsThatOfOsmesaAndOfThePlainZBuffer) {
   }
 }
 
-/// A renderer keeps what it made ready; the background is no part of that.
+/// A renderer keeps its prepared data; the background is not part of that.
 TEST_F(BackgroundTest, TheApplicationsHoldsUnlessThePictureHasItsOwn) {
   GraphicsSystem g;
   enter(g);
@@ -122,7 +123,7 @@ TEST_F(BackgroundTest, SamplesOnNothingHaveTheirColourAndAlphaForWhatTheyCover) 
       const std::uint32_t pixel = picture.pixels[i], alpha = pixel >> 24;
       partly += alpha > 0 && alpha < 255 ? 1 : 0;
       EXPECT_EQ(pixel & 0xFFFFFF, alpha == 0 ? 0 : kRed & 0xFFFFFF);
-      // Laid over white it is what is drawn on white.
+      // Composited over white, it equals the picture drawn on white.
       const auto green = static_cast<double>(on_white.pixels[i] >> 8 & 0xFF);
       EXPECT_NEAR(green, 255.0 - alpha, 1.0);
     }

@@ -32,7 +32,7 @@ class Batch : public Command {
     write("a/deep/house.draw", kBlue);
   }
 
-  /// The one is what drawing the other alone gives.
+  /// The picture equals that of the input drawn alone.
   void expect_picture_of(const std::string& input, const std::string& picture) {
     ASSERT_EQ(run("draw '" + input + "' --size 40x30 -o alone.png"), 0) << err_;
     EXPECT_EQ(read(folder_ / "alone.png"), read(folder_ / picture)) << picture;
@@ -93,7 +93,7 @@ TEST_F(Batch, InputsWithoutAnExtension) {
   }
 }
 
-/// What stands before the folder is never left, whatever the input's is.
+/// The output never leaves the folder before the field, whatever the input's folder is.
 TEST_F(Batch, FoldersStayBelowWhatStandsBeforeThem) {
   fs::create_directory(folder_ / "out");
   const std::string root = folder_.string();
@@ -107,7 +107,7 @@ TEST_F(Batch, FoldersStayBelowWhatStandsBeforeThem) {
   EXPECT_TRUE(fs::exists(folder_ / "a/beside.png"));
 }
 
-/// Nor by what its name is: what stands before the last dot may be one that leads elsewhere.
+/// Nor does it depending on its name: the text before the last dot may be one that leads elsewhere.
 TEST_F(Batch, NamesStayBelowWhatStandsBeforeThem) {
   fs::create_directory(folder_ / "out");
   fs::create_directory(folder_ / "sub");
@@ -210,7 +210,7 @@ TEST_F(Batch, OneBadFileIsReportedAndTheOthersAreDrawn) {
   }
 }
 
-/// Why each was not drawn stands in the list, and nothing else is said.
+/// The list has the reason for each input that was not drawn, and nothing else is printed.
 TEST_F(Batch, QuietListsWhatWasNotDrawnAndWhy) {
   write("bad.draw", "open-segment 1\nfly\n");
   write("empty.draw", "");
@@ -339,7 +339,7 @@ TEST_F(Batch, EveryMessageNamesItsFile) {
   EXPECT_NE(out_.find("\nred.draw:\n"), std::string::npos) << out_;
 }
 
-/// What one input cost is not counted in what the next did. Times vary.
+/// The costs of one input are not counted in those of the next. Times vary.
 TEST_F(Batch, StatisticsAreThoseOfEachInput) {
   const auto without_times = [](const std::string& text) {
     return std::regex_replace(text, std::regex("times .*\n"), "");
@@ -468,8 +468,8 @@ TEST_F(StandardOutput, NeedsAFolderForTemporaryFiles) {
                "expected one for temporary files");
 }
 
-/// A reader that goes away ends the command as it ends any other, or is told if that is ignored;
-/// no temporary file stays.
+/// A reader that goes away ends the command as it ends any other, or is reported if the signal is
+/// ignored; no temporary file stays.
 TEST_F(StandardOutput, ReaderThatGoesAway) {
   fs::create_directory(folder_ / "temporary");
   const std::string command =

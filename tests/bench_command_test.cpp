@@ -1,4 +1,4 @@
-// `displayfile bench` as a command: runs that were interrupted, help, what it refuses.
+// `displayfile bench` as a command: interrupted runs, help, refused options.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace displayfile::test {
 namespace {
 
-/// Runs the command and ends it when so many lines of the partial file are written.
+/// Runs the command and ends it when the partial file has `lines` lines.
 void interrupt(const fs::path& folder, const std::string& arguments, int lines) {
   const std::string line = fmt::format(
       "cd '{}'; '{}' {} >.out 2>.err & run=$!; until [ ! -d /proc/$run ] || "
@@ -43,7 +43,7 @@ TEST_F(Bench, AnInterruptedRunGoesOn) {
   EXPECT_NE(out_.find(fmt::format(" {} taken over", lines - 1)), out_.npos) << out_;
   EXPECT_EQ(counts(json("b.json")), counts(whole));
   EXPECT_FALSE(fs::exists(partial));
-  // What was measured before is what is reported.
+  // Figures measured before the interruption are reported.
   const std::size_t second = kept.find('\n') + 1;
   const Json first = Json::parse(kept.substr(second, kept.find('\n', second) - second));
   EXPECT_EQ(json("b.json")["cells"][0], first["figures"]);
@@ -55,7 +55,7 @@ TEST_F(Bench, AnotherBuildsFiguresAreNotTakenOver) {
   EXPECT_NE(out_.find(" 0 taken over"), out_.npos) << out_;
 }
 
-/// What measures stands beside the command; a command by itself says so.
+/// The program that measures is beside the command; a command without it reports that.
 TEST_F(Bench, SaysThatItsProgramIsNotThere) {
   fs::copy_file(DISPLAYFILE_COMMAND, folder_ / "alone");
   const std::string line = "cd '" + folder_.string() + "' && ./alone bench soup >.out 2>.err";
@@ -65,8 +65,8 @@ TEST_F(Bench, SaysThatItsProgramIsNotThere) {
   EXPECT_NE(message.find("neither is there"), message.npos) << message;
 }
 
-/// Wherever the command's own parser ends, the program's says what it takes.
-/// All that is generated is: the city that is walked through, too.
+/// Wherever the command's own parser ends, the program's describes its arguments. The seed applies
+/// to all generated scenes, including the city of the walk.
 TEST_F(Bench, TheSeedIsThatOfTheWalk) {
   ASSERT_EQ(run("bench walk --polygons 60 --sizes 16 --rounds 1 --seed 2 --json b.json"), 0)
       << err_;
@@ -168,7 +168,7 @@ TEST_F(Bench, SkipsWhatExceedsALimitOfPieces) {
   EXPECT_FALSE(shown("limited.html", "b.json").empty());
 }
 
-/// The time of the whole command is no limit of one method.
+/// The limit for the whole command is not a limit of one method.
 TEST_F(Bench, EndsWhereItsTimeIsOver) {
   EXPECT_EQ(run("bench planes --polygons 400 --sizes 256 --methods bsp --limit-seconds 0.05"), 2);
   EXPECT_FALSE(fs::exists(folder_ / "report.html"));

@@ -1,4 +1,4 @@
-// What `displayfile bench` counts of each feature, off and on.
+// The counts of `displayfile bench` for each feature, off and on.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ bool valgrind_is_installed() {
   return std::system("valgrind --version >/dev/null 2>/dev/null") == 0;
 }
 
-/// No feature costs anything when it is off; every one does something when it is on.
+/// No feature costs anything when it is off; every one costs something when it is on.
 TEST_F(Bench, FeaturesCostNothingWhenTheyAreOff) {
   ASSERT_EQ(run(kFeatures + "--json f.json"), 0) << err_;
   const Json costs = json("f.json")["feature_costs"];
@@ -72,7 +72,7 @@ TEST_F(Bench, FeaturesAreCountedTheSameAgainAndShownEverywhere) {
   EXPECT_EQ(json("b.json")["feature_costs"], first);
 }
 
-/// A valgrind that is not there, and one that cannot run the command.
+/// A missing valgrind, and one that cannot run the command.
 TEST_F(Bench, SaysWhereInstructionsAreNotCounted) {
   write("valgrind", "#!/bin/sh\necho it cannot >&2\nexit 1\n");
   fs::permissions(folder_ / "valgrind", fs::perms::owner_all);

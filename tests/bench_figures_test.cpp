@@ -1,4 +1,4 @@
-// What `displayfile bench` measures: errors, times beside others, what two runs count.
+// The measurements of `displayfile bench`: errors, times beside others, counts that two runs share.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace displayfile::test {
 namespace {
 
-/// What viewing rounds decides no pixel where polygons are farther apart than that.
+/// Viewing's rounding decides no pixel where polygons are farther apart than that.
 TEST_F(Bench, SaysWhereExactnessBegins) {
   ASSERT_EQ(run("bench parallel_sheets saw shingles coplanar_patches terrain --polygons 24 "
                 "--sizes 48 --methods z-buffer --roundoff none --threads 1 --rounds 1 "
@@ -74,7 +74,7 @@ TEST_F(Bench, ExactMethodsHaveNoWrongPixelsAndOthersHave) {
   EXPECT_FALSE(fs::exists(folder_ / "report.html.partial"));
 }
 
-/// How far the method that picks itself is from the best is printed, and follows from the cells.
+/// The distance of the automatic method from the best is printed, and follows from the cells.
 TEST_F(Bench, HoldsAutoAgainstTheBestFixedMethod) {
   ASSERT_EQ(run(kTiny + "--threads 1 --json b.json"), 0) << err_;
   const Json report = json("b.json");
@@ -138,8 +138,8 @@ TEST_F(Bench, MeasuresThePeersThatAreInstalled) {
   EXPECT_EQ(cells["gl2ps"], 3 * expected("gl2ps"));  // plain, with its best root, and culled
 }
 
-/// Sheets in one plane are ties where another than the later one is shown; sheets that are apart
-/// are none, however small the gap is. No method that is exact has either.
+/// Sheets in one plane are ties where another than the later one is shown; separate sheets are not,
+/// however small the gap is. Exact methods have neither.
 TEST_F(Bench, CountsTiesApart) {
   ASSERT_EQ(run("bench coplanar_patches parallel_sheets --sizes 32 --rounds 1 --threads 1 "
                 "--methods z-buffer,plain-z-buffer --roundoff none --json b.json"),
@@ -164,7 +164,8 @@ TEST_F(Bench, CountsTiesApart) {
   EXPECT_GT(wrong_but_not_tied, 0);
 }
 
-/// What a near square hides wholly is left out where gl2ps culls, and the picture is the same.
+/// Triangles that a near square hides wholly are left out where gl2ps culls, and the picture is the
+/// same.
 TEST_F(Bench, Gl2psLeavesOutWhatIsHiddenWhereItCulls) {
   std::string program = "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n";
   for (int k = 0; k < 5; ++k) {
@@ -193,7 +194,7 @@ TEST_F(Bench, TwoRunsCountTheSame) {
   EXPECT_EQ(counts(json("a.json")), counts(json("b.json")));
 }
 
-/// What the report tells of a comparison with another on so many threads.
+/// The reported ratio of a comparison with another program on `threads` threads.
 double times_faster(const Json& report, int threads, const std::string& other,
                     const std::string& what) {
   for (const Json& beside : report["beside"]) {
@@ -255,7 +256,7 @@ TEST_F(Bench, HoldsRaysAgainstEmbreesAndPiecesAgainstThoseOfGl2ps) {
   for (const char* of : {"bsp", "depth-sort", "gl2ps", "gl2ps, best root"}) {
     EXPECT_GE(pieces[of], 1.0) << of;
   }
-  EXPECT_GT(pieces["map"], 0.0);  // only what is seen: it may be less than a triangle each
+  EXPECT_GT(pieces["map"], 0.0);  // only visible ones: there may be fewer than one a triangle
   for (const char* peer : {"gl2ps", "gl2ps, best root"}) {
     EXPECT_GT(times_faster(report, 1, peer, "map"), 0.0) << peer;
   }
@@ -264,9 +265,9 @@ TEST_F(Bench, HoldsRaysAgainstEmbreesAndPiecesAgainstThoseOfGl2ps) {
   if (report["environment"]["Embree"] == "not in this build") GTEST_SKIP() << "no Embree";
 }
 
-/// Whoever reads that a method is exact reads also, once, what that costs it: in the JSON and in a
-/// row of the table. The other side is the same code, not another: on a scene that rounding hardly
-/// confuses hardly a pixel is wrong.
+/// The cost of exactness of each exact method is reported once: in the JSON and in a row of the
+/// table. The other side is the same code: on a scene with few rounding errors hardly a pixel is
+/// wrong.
 TEST_F(Bench, HoldsEachExactMethodAgainstItselfWithoutItsExactStages) {
   write("R.md", block("exactness", ""));
   ASSERT_EQ(run("bench soup --polygons 24 --sizes 32 --rounds 1 --threads 1 --json b.json"), 0)
@@ -292,8 +293,8 @@ TEST_F(Bench, HoldsEachExactMethodAgainstItselfWithoutItsExactStages) {
   EXPECT_EQ(methods, exact);
 }
 
-/// A square in front of one that it hides and of one that it leaves the shape of an L: the sorts
-/// keep all three, and the map has two pieces. All see the same.
+/// A square in front of one that it hides and of one of which it leaves an L: the sorts keep all
+/// three, and the map has two pieces. All show the same.
 TEST_F(Bench, CountsThePiecesOfTheMapThatAreSeen) {
   write("squares.draw",
         "set-window 0 1 0 1\nset-line-style none\nopen-segment 1\n"

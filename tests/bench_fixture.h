@@ -11,7 +11,7 @@
 
 #include "tests/command_fixture.h"
 
-/// What the tests of `displayfile bench` have in common.
+/// The common part of the tests of `displayfile bench`.
 namespace displayfile::test {
 
 using Json = nlohmann::ordered_json;
@@ -33,7 +33,7 @@ class Bench : public Command {
     err_ = read(folder_ / ".err");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  /// What the page of a report shows, and the scripts that make it are those of the page.
+  /// The text of a report's page, made by the page's own scripts.
   std::string shown(const std::string& page, const std::string& report) {
     const std::string text = read(folder_ / page);
     const std::string begin = "<script type='application/json' id='report'>";
@@ -54,7 +54,7 @@ inline int wrong_of(const Json& cell) {
   return cell["wrong_pixels"].get<int>() - cell["wrong_and_tied"].get<int>();
 }
 
-/// What does not hang on time.
+/// The parts of a report that do not depend on time.
 inline Json counts(Json report) {
   report["environment"].erase("date");
   for (Json& beside : report["beside"]) beside.erase("times_faster");
@@ -66,7 +66,7 @@ inline Json counts(Json report) {
     for (Json& cell : report[cells]) {
       cell.erase("time");
       cell.erase("time_again");
-      if (cell["threads"] != 1) cell.erase("bytes");  // threads share out the work as it comes
+      if (cell["threads"] != 1) cell.erase("bytes");  // the division of work among threads varies
     }
   }
   return report;
@@ -91,7 +91,7 @@ inline double up(double value) {
   return value == 0.0 || !may_be_half ? value : std::nextafter(value, 1e300);
 }
 
-/// A ratio as the tables have it.
+/// A ratio in the form of the tables.
 inline std::string in_table(double ratio) {
   return fmt::format("{:.{}f}", up(ratio), ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
 }

@@ -26,7 +26,7 @@ class PageOfFigures : public Bench {
   }
 };
 
-/// When, of what and with what is on it; both errors, every precision, and what is slower.
+/// The date, the measured version and the machine; both errors, every precision, and slower rows.
 TEST_F(PageOfFigures, IsMadeByOneCommand) {
   ASSERT_EQ(make_page("-o page"), 0) << err_ << out_;
   const std::string page = read(folder_ / "page/figures.md");
@@ -81,7 +81,7 @@ TEST_F(PageOfFigures, IsMadeByOneCommand) {
   EXPECT_TRUE(fs::exists(folder_ / "page/report.html"));
 }
 
-/// What the script adds to a report: rows of other programs, and the meshes.
+/// The parts that the script adds to a report: rows of other programs, and the meshes.
 TEST_F(PageOfFigures, HasTheRowsOfOtherPrograms) {
   write("R.md", block("map-and-sorts", "") + block("sheets", "") + block("slower", "") +
                     block("map-cost", "") + block("meshes", ""));

@@ -1,4 +1,4 @@
-// What `displayfile bench` writes: the page, the plot and the blocks of a README.
+// The output of `displayfile bench`: the page, the plot and the blocks of a README.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST_F(Bench, PageHoldsEveryFigure) {
   }
 }
 
-/// The method that draws surfaces alone is measured on the surface, beside the others, and told
+/// The method that draws only surfaces is measured on the surface, beside the others, and reported
 /// there.
 TEST_F(Bench, ReportsLinesOfSurfaces) {
   write("R.md", block("lines", "old\n") + block("surfaces", "old\n"));
@@ -201,7 +201,7 @@ TEST_F(Bench, ReportsMethodsOfLines) {
   expect_error("bench soup --methods frnklin -o x.html", "--methods frnklin: no method or peer");
 }
 
-/// A line of Markdown as the page has it.
+/// A line of Markdown in the form of the page.
 std::string on_page(const std::string& line) {
   if (!line.starts_with("| ")) return line;
   std::string row;
@@ -330,7 +330,7 @@ TEST_F(Bench, TableOfMethodsHasTheErrorsOfWhatIsTimedAndOfStressScenes) {
   EXPECT_GT(with_ties, 0);
   EXPECT_NE(written.find("\n| plain-z-buffer, double |"), written.npos) << written;
 
-  // Without stress scenes there is no column of them; with one size it is that.
+  // Without stress scenes there is no column of them; with one size, the column is of that size.
   ASSERT_EQ(
       run("bench soup --polygons 24 --sizes 16 --rounds 1 --threads 1 --methods z-buffer,none "
           "--json a.json"),
@@ -349,7 +349,7 @@ TEST_F(Bench, TableOfMethodsHasTheErrorsOfWhatIsTimedAndOfStressScenes) {
             std::string::npos);
 }
 
-/// The comparisons of a report, by scene, threads, other and what.
+/// The comparisons of a report, by scene, threads, peer and task.
 std::map<std::string, Json> compared(const Json& report) {
   std::map<std::string, Json> all;
   for (const Json& beside : report["beside"]) {
@@ -360,7 +360,7 @@ std::map<std::string, Json> compared(const Json& report) {
   return all;
 }
 
-/// A row of the table of new views, as the JSON has it.
+/// A row of the table of new views, from the JSON.
 std::string row_of_new_views(const Json& report, const Json& growth_of_new_views,
                              const std::string& name, const std::string& scene,
                              const std::string& triangles, bool is_last) {
@@ -393,8 +393,8 @@ std::string row_of_new_views(const Json& report, const Json& growth_of_new_views
   return row;
 }
 
-/// Every view is right, and all outputs say the same. A closed mesh has its back faces removed, and
-/// its squares are cut.
+/// Every view is correct, and all outputs agree. A closed mesh has its back faces removed, and its
+/// squares are cut.
 TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
   write("cube.obj",
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
@@ -456,8 +456,8 @@ TEST_F(Bench, HoldsNewViewsOfRetainedScenesAgainstOsmesaAndTheTruth) {
   }
 }
 
-/// Who is named on the front is who none is as fast and as accurate as; errors are wrong pixels and
-/// all of them.
+/// The front names the methods that no other equals in both speed and accuracy; errors are all
+/// wrong pixels.
 void expect_front(const std::string& written, const std::map<std::string, double>& times,
                   const std::map<std::string, std::pair<double, double>>& errors) {
   for (const auto& timed : times) {
@@ -480,8 +480,8 @@ void expect_front(const std::string& written, const std::map<std::string, double
   }
 }
 
-/// The page begins with the plot of all, which is a file of its own too; who is on its front
-/// follows from the cells.
+/// The page begins with the plot of all, which is a file of its own too; its front follows from the
+/// cells.
 TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
   write("R.md", block("front", ""));
   ASSERT_EQ(run(kTiny + "--threads 1 --json b.json -o p.html"), 0) << err_;
@@ -526,9 +526,9 @@ TEST_F(Bench, ThePageBeginsWithSpeedAgainstErrorOfAll) {
   expect_front(second == written.npos ? written : written.substr(second), times, stress_errors);
 }
 
-/// A sort that would take too long is said to be skipped, with the reason, and nothing is advised
-/// from its scene. What is left out is sure on any machine: the sort of 20 planes is measured in
-/// any case, that of 200 would take a hundred times as long, and a mesh has one size only.
+/// A sort that would take too long is reported as skipped, with the reason, and nothing is advised
+/// from its scene. The omission is certain on any machine: the sort of 20 planes is measured in any
+/// case, that of 200 would take a hundred times as long, and a mesh has one size only.
 TEST_F(Bench, SaysWhatWasSkippedAndAdvisesNothingFromIt) {
   write("R.md", block("exactness", "") + block("advice", ""));
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n");

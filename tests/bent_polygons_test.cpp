@@ -1,6 +1,6 @@
-// Polygons of more than three sides that are flat enough to be entered whole, and yet not flat: the
-// plane that counts is that of three vertices as they were entered, whatever the view and whatever
-// clipping leaves. Judged by the truth from what was entered.
+// Polygons of more than three sides that are flat enough to be entered whole, and yet not flat:
+// their plane is that of three vertices as entered, whatever the view and the clipping. Judged by
+// the truth from the scene as entered.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ void enter_rugs_with_a_corner_up(Source& s, GraphicsSystem& g) {
   }
 }
 
-/// Boxes whose coordinates are in single precision after a turn: each face is bent by that.
+/// Boxes whose coordinates are in single precision after a turn: that bends each face.
 void enter_boxes_in_single_precision(Source& s, GraphicsSystem& g) {
   const double angle = in_range(s, 0.0, 6.28), tilt = in_range(s, -0.5, 0.5);
   const auto turned = [&](double x, double y, double z) {
@@ -135,14 +135,14 @@ void expect_right(EnterBent enter) {
         entered_truth(retained.scene, g.display_file(), kBentSize, kBentSize, false, std::nullopt);
     const bool is_transformed = seed % 4 >= 2;
     for (const HiddenMethod method : test::kSurfaceMethods) {
-      // Before viewing a modelling transformation has rounded what was entered.
+      // A modelling transformation has rounded the vertices before viewing.
       if (is_transformed && method == HiddenMethod::world_ray_cast) continue;
       EXPECT_EQ(wrong_pixels(ids_by(g, method, kBentSize), truth.picture), 0u) << name_of(method);
     }
   }
 }
 
-/// In views of what was retained, by the methods that make no new display file.
+/// In views of the retained scene, by the methods that make no new display file.
 void expect_right_in_new_views(EnterBent enter) {
   for (int seed = 0; seed < 12 / test::kSlower; ++seed) {
     Source s(static_cast<std::uint64_t>(seed));

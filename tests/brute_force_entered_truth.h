@@ -7,7 +7,7 @@
 #include "clip/surfaces.h"
 #include "tests/brute_force_world_truth.h"
 
-// What interp/truth/entered_truth.h gives, in rationals, by the definition word for word: each
+// The result of interp/truth/entered_truth.h, in rationals, literally by the definition: each
 // polygon against each plane, without a filter; and then ray by ray.
 
 namespace displayfile::test {

@@ -14,10 +14,10 @@
 #include "tests/brute_force_truth.h"
 #include "tests/rational_points.h"
 
-// The definition of what is seen of a line (interp/truth/true_lines.md) in rationals, in the most
-// naive way that can be read against it: between any two places where a side meets the line or a
-// plane its depth, the middle is judged by points that lie really a little left and right of it.
-// It shares nothing with interp/truth but the walk over the items. For few polygons.
+// The definition of the visible parts of a line (interp/truth/true_lines.md) in rationals, in the
+// most naive form that can be compared with it: between any two places where a side meets the line
+// or a plane its depth, the middle is judged by points that actually lie a little left and right of
+// it. It shares nothing with interp/truth but the walk over the items. For few polygons.
 
 namespace displayfile::test {
 
@@ -40,7 +40,7 @@ class BruteForceLines {
     double from, to;
     bool operator==(const Part&) const = default;
   };
-  /// What is seen of a line that the sharers are, along the first; exact ends to the nearest
+  /// The visible parts of the line of the sharers, along the first; exact ends to the nearest
   /// double.
   std::vector<Part> visible(std::span<const LineId> sharers) const {
     const QPoint from = vertex(items_.from(sharers[0])), to = vertex(items_.to(sharers[0]));

@@ -32,8 +32,8 @@ class BruteForceTruth {
     }
   }
 
-  /// Pick identifiers of the polygons that are exactly as near as the one seen and were entered
-  /// before it, of each pixel, top row first.
+  /// Pick identifiers of the polygons that are exactly as near as the visible one and were entered
+  /// before it, for each pixel, top row first.
   using Ties = std::vector<std::vector<std::int32_t>>;
 
   /// ids and depth, top row first; depth is the double nearest to the exact one.

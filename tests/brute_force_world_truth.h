@@ -18,10 +18,10 @@
 #include "displayfile/segments/retained_scene.h"
 #include "tests/brute_force_truth.h"
 
-// What interp/truth/world_truth.h gives, in rationals and in another way: nothing is clipped, but
-// the ray through each pixel centre is met with each polygon. A polygon covers the centre if an odd
-// number of the triangles of its fan do, and the point of its plane that is seen there is inside of
-// the view volume. A centre on an edge is moved by (e, -e^2), with e as small as it takes: so left
+// The result of interp/truth/world_truth.h, in rationals and in another way: nothing is clipped,
+// but the ray through each pixel centre is intersected with each polygon. A polygon covers the
+// centre if an odd number of the triangles of its fan do, and the point of its plane there is
+// inside the view volume. A centre on an edge is moved by (e, -e^2), with e small enough: so left
 // and top edges belong.
 
 namespace displayfile::test {
@@ -75,7 +75,7 @@ class BruteForceWorldTruth {
     Q u, v;    // x and y in the picture
     Q toward;  // z of view-plane coordinates
   };
-  /// a + b e - c e^2: a value at the centre and what it grows by along x and along y.
+  /// a + b e - c e^2: a value at the centre and its growth along x and along y.
   struct Value {
     Q at, along_x, along_y;
     int sign() const {
@@ -155,7 +155,7 @@ class BruteForceWorldTruth {
     return v;
   }
 
-  /// Whether a triangle or a convex polygon turns its back to the viewer.
+  /// True if a triangle or a convex polygon faces away from the viewer.
   static bool turned_away(const Polygon& polygon) {
     const auto& v = polygon.vertices;
     for (std::size_t i = 2; i < v.size(); ++i) {
@@ -204,8 +204,8 @@ class BruteForceWorldTruth {
     return determinant({a.u, a.v, a.w}, {b.u, b.v, b.w}, {c.u, c.v, c.w});
   }
 
-  /// How much of each of the triangle's vertices makes the homogeneous point (x, y, 1) of the
-  /// picture; nothing if the triangle is seen edge-on.
+  /// The weights of the triangle's vertices that give the homogeneous point (x, y, 1) of the
+  /// picture; nothing if the triangle is edge-on.
   static std::optional<std::array<Value, 3>> parts_at(const Vertex& a, const Vertex& b,
                                                       const Vertex& c, const Q& x, const Q& y) {
     const Q all = picture_determinant(a, b, c);

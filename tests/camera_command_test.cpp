@@ -1,4 +1,4 @@
-// The options of the command that say how inputs are looked at, and on what background.
+// The options of the command for the camera and the background.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_F(Camera, AnImportedMeshIsNotDistortedWhateverTheSize) {
   same("b.png", "c.png");
 }
 
-/// Seen straight from above, the axis of a turntable is that of the view.
+/// Seen straight from above, the axis of a turntable is the line of sight.
 TEST_F(Camera, TurntableTurnsAboutTheUpAxis) {
   write("m.obj", kPyramid);
   draw("m.obj -o a.png --turntable 4 --up z --eye 0,90 --parallel --size 60x60 --ids a.npy");
@@ -69,7 +69,7 @@ TEST_F(Camera, TurntableTurnsAboutTheUpAxis) {
   EXPECT_EQ(run("compare a-001.npy b.npy"), 0) << out_;
 }
 
-/// STL has z up, which is said once a call; not where another axis is set.
+/// STL has z up, which is noted once a call; not where another axis is set.
 TEST_F(Camera, StlStandsUpright) {
   write("m.stl",
         "solid m\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 4\n"
@@ -187,14 +187,14 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   same("a.png", "b.png");
   draw("m.obj -o c.png --size 90x60");
   differ("a.png", "c.png");
-  // One view of all meshes, wherever the program stands.
-  // What a program draws beside a mesh is shown whole, far as it may reach.
+  // One view of all meshes, wherever the program stands. A program's drawing beside a mesh is shown
+  // whole, however far it reaches.
   write("far.draw", "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 40 0\nclose-segment\n");
   draw("m.obj far.draw --background none -o far.png --size 90x90");
   write("far-2.draw", "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 80 0\nclose-segment\n");
   draw("m.obj far-2.draw --background none -o far-2.png --size 90x90 --ids far-2.npy");
   EXPECT_EQ(run("compare far.png far-2.png"), 1);
-  // A program may speak of a mesh's segments.
+  // A program may name a mesh's segments.
   write("moved.draw", "set-image-translation 1 0.25 0\n");
   draw("m.obj moved.draw -o moved.png --size 90x60");
   EXPECT_EQ(run("compare a.png moved.png"), 1);
@@ -211,7 +211,7 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   same("g.npy", "h.npy");  // the view is fitted to the mesh where it is
   EXPECT_EQ(run("draw - m.obj -o s.png --size 90x60", "axes.draw"), 0) << err_;
   same("a.png", "s.png");
-  // What is not visible needs no place.
+  // Invisible segments need no room.
   write("unseen.draw",
         "open-segment 7\nmove-abs-3 0 0 0\nline-abs-3 0 40 0\nclose-segment\n"
         "set-visibility 7 off\n");
@@ -221,7 +221,7 @@ TEST_F(Camera, ProgramsBeforeAMeshAndAfterItShareItsView) {
   }
 }
 
-/// Whatever a program says of a mesh's segments, what it says besides holds for all that follows.
+/// A program may change a mesh's segments; its other settings apply to all inputs that follow.
 TEST_F(Camera, AProgramThatNamesAMeshsSegmentPlacesTheNextMesh) {
   write("m.obj", kPyramid);
   write("n.obj", "v 3 0 0\nv 4 0 0\nv 3 1 0\nf 1 2 3\n");
@@ -248,8 +248,7 @@ TEST_F(Camera, AProgramThatNamesAMeshsSegmentPlacesTheNextMesh) {
   EXPECT_EQ(out_, expected);
 }
 
-/// Which edges of the box they stand on depends on the view, and what the view is fitted to on
-/// them.
+/// The edges of the box with axes depend on the view, and the fitted view on the axes.
 TEST_F(Camera, AxesBesideAMeshAreInThePicture) {
   write("m.obj", kPyramid);
   write("axes.draw", "open-segment 90\naxes-3 0 1 0 1 0 1\nclose-segment\n");

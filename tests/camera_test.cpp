@@ -1,4 +1,4 @@
-// Cameras of bare meshes, and what was said before a mesh.
+// Cameras of bare meshes, and settings before a mesh.
 
 #include "displayfile/mesh/mesh.h"
 
@@ -46,7 +46,7 @@ std::string ball() {
 }
 
 /// A box with a notch of an outline of its own from each side; closed, light faces out. `z_up` is
-/// the same, turned so that what was y is z.
+/// the same, turned so that y becomes z.
 std::string wedge(bool z_up) {
   std::ostringstream text;
   const auto vertex = [&](int x, int y, int z) {
@@ -66,7 +66,7 @@ class CameraTest : public test::MeshFiles {
  protected:
   Mesh mesh_of(const std::string& obj) { return read("a.obj", obj); }
 
-  /// What is seen of a mesh by a camera.
+  /// The picture of a mesh by a camera.
   Picture drawn(const std::string& obj, const Camera& camera, int width, int height) {
     GraphicsSystem g;
     g.set_aspect_ratio(static_cast<double>(width) / height);
@@ -171,7 +171,7 @@ TEST_F(CameraTest, EyeIsWhereItIsSaid) {
   EXPECT_EQ(view.reference_point, Point3(1, 2, 3));
   EXPECT_NEAR(view.window.x_min + view.window.x_max, 0.0, 1e-12) << "it is in the middle";
   EXPECT_NEAR(view.window.y_min + view.window.y_max, 0.0, 1e-12);
-  camera.eye = Point3(1, 50, 3);  // above what it looks at
+  camera.eye = Point3(1, 50, 3);  // above the target
   EXPECT_EQ(view_of(mesh, camera).up, Point3(0, 0, -1));
 }
 
@@ -257,7 +257,7 @@ TEST_F(CameraTest, RefusesWhatCannotBeSeen) {
   refused(camera);
 }
 
-// ---- What was said before a mesh -------------------------------------------------------
+// ---- Settings before a mesh ------------------------------------------------------------
 
 /// A system in which a program was carried out and then a cube imported.
 class SettingsBeforeAMesh : public CameraTest {
@@ -271,7 +271,7 @@ class SettingsBeforeAMesh : public CameraTest {
     enter(program, g);
     return dump(g.display_file());
   }
-  /// True if the dumps are the same but for lines that begin with the word.
+  /// True if the dumps are the same except for lines that begin with the word.
   static bool differ_only_in(const std::string& word, const std::string& a, const std::string& b) {
     const auto rest = [&](const std::string& text) {
       std::istringstream lines(text);
@@ -352,7 +352,7 @@ TEST_F(SettingsBeforeAMesh, OnlyTheCameraLeavesTheRestToTheMesh) {
   EXPECT_EQ(text.find("fill solid 0.8 0.8 0.8"), std::string::npos);
 }
 
-/// What is said of the view replaces only that: the mesh is seen whole, unless the window was said.
+/// A setting of the view replaces only that: the mesh is shown whole, unless the window was set.
 class ViewBeforeAMesh : public SettingsBeforeAMesh {
  protected:
   View view_after(const std::string& program) {
@@ -361,7 +361,7 @@ class ViewBeforeAMesh : public SettingsBeforeAMesh {
     EXPECT_FALSE(g.counts().stretched_window) << program;
     return g.view();
   }
-  /// How near to a side of the viewport a vertex is, in parts of the viewport.
+  /// The distance of the vertex nearest to a side of the viewport, in parts of the viewport.
   double nearest_to_a_side(const View& view) {
     const ViewVolume volume(view);
     const Rectangle& v = view.viewport;

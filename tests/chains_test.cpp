@@ -78,7 +78,7 @@ TEST(Chains, AtAJunctionItGoesStraightOn) {
 using Node = std::tuple<double, double, double, std::uint64_t>;
 Node node(const Point3& p, std::uint64_t key) { return {p.x, p.y, p.z, key}; }
 
-/// What is wrong with the chains; nothing if they are as they should be.
+/// Describes the error in the chains; empty if they are correct.
 std::string wrong(const std::vector<ChainLink>& pieces) {
   const Chains chains = chains_of(pieces);
   std::vector<int> drawn(pieces.size(), 0);

@@ -91,7 +91,7 @@ TEST_F(Check, OneGoldenFileForAllInputs) {
   expect_error("check a/house.draw --picture --golden bad.png", "bad.png: not a PNG file");
 }
 
-/// A name that is given by mistake costs nobody a file.
+/// A wrong name never costs a file.
 TEST_F(Check, UpdateWritesOverNothingButGoldenFiles) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   write("m.obj", corners);
@@ -110,7 +110,7 @@ TEST_F(Check, UpdateWritesOverNothingButGoldenFiles) {
   is_there("m.obj", corners);
   is_there("other.obj", corners);
   is_there("gold.ppm", "a picture");
-  // A mesh may have any extension, and what lists the inputs is read, too.
+  // A mesh may have any extension, and lists of inputs are read, too.
   write("m.txt", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   fs::create_symlink("m.txt", folder_ / "same.txt");
   write("class.txt", "a/house.draw\nclass.draw\n");
@@ -122,12 +122,12 @@ TEST_F(Check, UpdateWritesOverNothingButGoldenFiles) {
   EXPECT_EQ(run("check @class.txt --golden gold --update"), 0) << err_;
 }
 
-/// A bad input is told, and the others are checked.
+/// A bad input is reported, and the others are checked.
 TEST_F(Check, SummaryOfAllInputs) {
   write("bad.draw", "open-segment 1\nfly\n");
   const std::string all = "check a/house.draw bad.draw b/house.draw --golden a/house.draw";
   EXPECT_EQ(run(all + " --summary"), 2);
-  EXPECT_EQ(err_, "");  // the table tells it
+  EXPECT_EQ(err_, "");  // the table reports it
   EXPECT_EQ(
       out_,
       "passed   a/house.draw\n"
@@ -235,7 +235,7 @@ TEST_F(Check, QuietTellsOnlyWhatDoesNotPass) {
   EXPECT_EQ(out_ + err_, "");
 }
 
-/// A class's list: who handed in nothing is told too.
+/// A class's list: missing submissions are reported too.
 TEST_F(Check, InputsOfAList) {
   write("class.txt", "a/house.draw\nc/house.draw\n");
   EXPECT_EQ(run("check @class.txt --golden a/house.draw --summary"), 2);
@@ -288,8 +288,8 @@ TEST_F(Check, PicturesWithinATolerance) {
   EXPECT_EQ(run("compare x.png gold/house.png --wrong-pixels 49%"), 1) << out_;
 }
 
-/// A share is what it says in decimals, whatever its product with the pixels is in binary.
-/// A figure that draw wrote is checked with the options that it was drawn with.
+/// A share has its decimal value, whatever its product with the pixels is in binary. A figure that
+/// draw wrote is checked with the options that it was drawn with.
 TEST_F(Check, PicturesWithTheOptionsOfDraw) {
   fs::create_directory(folder_ / "gold");
   write("slanted.draw", "set-background 0.9 0.9 1\n" + square("1 0 0", "0.37"));

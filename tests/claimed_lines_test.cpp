@@ -1,4 +1,4 @@
-// What is claimed of lines, judged by their truth: wrong answers are found out, right ones are not.
+// Claims about lines, judged by their truth: wrong ones are found, right ones are accepted.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(JudgeLines, PlacesDoNotDependOnThreadsOrOtherLinesButOnTheSeed) {
   const auto all = items.all_lines();
   const auto places = [&](std::span<const LineId> lines, std::uint64_t seed, int threads) {
     std::vector<double>
-        at;  // of the line (7, 1): nothing is claimed, so that what is seen is wrong
+        at;  // of the line (7, 1): nothing is claimed, so its visible part is an error
     for (const WrongSample& s : judge_lines(items, lines, {}, 5, seed, threads).wrong) {
       if (s.line == LineId{49, 3}) at.push_back(s.at);
     }

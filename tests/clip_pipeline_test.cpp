@@ -161,8 +161,8 @@ TEST(ClipPipeline, ConcavePolygonKeepsItsAreaInside) {
   EXPECT_NEAR(area(out.vertices), expected, 1e-15);
 }
 
-// The area of what is clipped, over random triangles, is that of the polygon that the window
-// cuts out: judged by sampling the definition.
+// Random clipped triangles cover the part of the polygon inside the window: judged by sampling the
+// definition.
 TEST(ClipPipeline, ClippedPolygonCoversWhatTheWindowCutsOut) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> u(-2, 2);
@@ -211,7 +211,7 @@ TEST(ClipPipeline, SharedEdgesAreCutAtTheSamePointBitForBit) {
     for (int trial = 0; trial < 20000; ++trial) {
       const Point3 a(u(random), u(random), u(random)), b(u(random), u(random), u(random));
       const Point3 c(u(random), u(random), u(random)), d(u(random), u(random), u(random));
-      // The edge a-b alone is a line; what both polygons keep of it must be its two ends.
+      // The edge a-b alone is a line; its parts in both polygons must have the same two ends.
       Point3 p, q;
       if (!clip.clip_line(a, b, p, q)) continue;
       const auto on_edge = [&](std::span<const Point3> polygon) {
@@ -247,7 +247,7 @@ TEST(ClipPipeline, HiddenEdgesStayHidden) {
   const auto out = clip.clip_polygon(Polygon{{-0.5, -0.5, 0}, {2, 0, 0}, {-0.5, 0.5, 0}}, visible);
   ASSERT_EQ(out.vertices.size(), 4u);
   EXPECT_EQ(out.edge_visible[0], 1);
-  EXPECT_EQ(out.edge_visible[1], 0);  // what is left of the hidden side
+  EXPECT_EQ(out.edge_visible[1], 0);  // the rest of the hidden side
   EXPECT_EQ(out.edge_visible[2], 0);  // along the window
   EXPECT_EQ(out.edge_visible[3], 1);
 }

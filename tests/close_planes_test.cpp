@@ -105,7 +105,7 @@ TEST(ClosePlanes, OneThatIsThinMayLieInAnyPlane) {
   EXPECT_FALSE(std::ranges::binary_search(close.may_touch(), 22u));
 }
 
-/// One so thin that doubles do not know its plane.
+/// One so thin that doubles do not determine its plane.
 TEST(ClosePlanes, WhereOneIsAlmostInLineAllMayBe) {
   ScenePlanes scene(6);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
@@ -115,7 +115,7 @@ TEST(ClosePlanes, WhereOneIsAlmostInLineAllMayBe) {
   EXPECT_EQ(close.may_touch(), scene.all_from(0));
 }
 
-/// The support plane is what counts where a polygon is not flat.
+/// The support plane decides where a polygon is not flat.
 TEST(ClosePlanes, SmallOnesLieInTheSupportPlaneOfABentOne) {
   ScenePlanes scene(7);
   for (int n = 0; n < 20; ++n) scene.enter_anywhere();
@@ -144,7 +144,7 @@ TEST(ClosePlanes, ThatAreAlikeAndApartAreNeither) {
   EXPECT_EQ(near.near_others(still), (std::vector<std::uint32_t>{0, 3}));
 }
 
-/// Triangles that have a side in common are apart but for it, unless one is folded over the other.
+/// Triangles with a common side are apart except along it, unless one is folded over the other.
 TEST(ClosePlanes, NeighboursAreNearOnlyWhereTheyAreFolded) {
   const Point3 p(0.0, -0.5, 0.0), q(0.0, 0.5, 0.0), left(-1.0, 0.0, 0.0), right(1.0, 0.0, 1e-8),
       folded(-0.9, 0.1, 1e-8);
@@ -192,7 +192,7 @@ TEST(ClosePlanes, AreNearOthersOnlyIfTheseAreNotOneWithThem) {
   }
 }
 
-/// Tangent planes of a sphere around the point that distances are from, which all have one.
+/// Tangent planes of a sphere around the reference point of distances: all have the same distance.
 void enter_tangent_planes(ScenePlanes& scene, int planes) {
   const Point3 least(-2.0), size(4.0), from = least + Point3(0.6180, 0.2716, 0.4142) * size;
   scene.enter({least, least + Point3(0.1, 0, 0), least + Point3(0, 0.1, 0)});
@@ -242,7 +242,7 @@ void expect_same_planes(const ScenePlanes& scene, double reach, const std::strin
                all, scene.size(), name + ", by pairs");
 }
 
-/// A curved surface of triangles, turned anyhow, with slivers on some.
+/// A curved surface of triangles, turned randomly, with slivers on some.
 void enter_surface(ScenePlanes& scene, int squares, double bend, double height_of_slivers) {
   const Point3 u = glm::normalize(scene.point()), v = glm::normalize(glm::cross(u, scene.point())),
                w = glm::cross(u, v);
@@ -323,7 +323,7 @@ TEST(PlanesInReach, PolygonsAnyhowAndAnyReach) {
   }
 }
 
-/// Where floats do not tell planes apart, nearly, and where they do.
+/// Where floats nearly fail to separate planes, and where they do separate them.
 TEST(PlanesInReach, OfManyPolygonsAtAnyReach) {
   std::size_t left_out = 0;
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -347,7 +347,7 @@ TEST(PlanesInReach, OfManyPolygonsAtAnyReach) {
   EXPECT_GT(left_out, 60u) << "most of them are left out of most scenes";
 }
 
-/// The frame is made of some polygons; these are all in one place, or one point.
+/// The frame is derived from some polygons; these are all in one place, or one point.
 TEST(PlanesInReach, PolygonsFarFromThoseThatAreLookedAtFirst) {
   for (const double size : {1.0, 1e-5, 1e-200}) {
     ScenePlanes scene(12);

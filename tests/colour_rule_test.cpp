@@ -1,5 +1,5 @@
-// The colour rule (interp/raster/colour_rule.md): what it is called, what it draws, and where it
-// differs from exact hidden lines.
+// The colour rule (interp/raster/colour_rule.md): its names, its pictures, and where they differ
+// from exact hidden lines.
 
 #include <gtest/gtest.h>
 
@@ -203,8 +203,8 @@ class Reasons {
     }
   }
 
-  /// Where the order of drawing decides, the outline of any polygon is a reason, since nothing says
-  /// that one which does not overlap the line's own is drawn before; and so are those of pieces.
+  /// Where the order of drawing decides, the outline of any polygon is a reason, since one which
+  /// does not overlap the line's own polygon need not be drawn before; so are outlines of pieces.
   void take_order(const SortedScene& sorted) {
     in_order_ = true;
     for (const auto& part : sorted.parts) {

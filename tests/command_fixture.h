@@ -35,8 +35,8 @@ class Command : public displayfile::test::TemporaryFolder {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// Runs the command, which must succeed. False only if this build lacks what the words of its
-  /// message name: then a test may be skipped. Any other failure fails the test.
+  /// Runs the command, which must succeed. Returns false only if this build lacks a library and the
+  /// message names it: then a test may be skipped. Any other failure fails the test.
   bool can_run(const std::string& arguments, const std::string& lacks) {
     const int status = run(arguments);
     if (status == 2 && err_.find(lacks) != std::string::npos) return false;
@@ -65,6 +65,6 @@ class Command : public displayfile::test::TemporaryFolder {
     EXPECT_EQ(files(), before) << arguments;
   }
 
-  std::string before_;  ///< what the shell does first
+  std::string before_;  ///< run by the shell first
   std::string out_, err_;
 };

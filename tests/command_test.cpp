@@ -90,7 +90,7 @@ TEST_F(Command, ImportedMeshDrawsTheSamePicture) {
   EXPECT_EQ(run("compare a.txt b.txt"), 0);
 }
 
-/// The loader says on standard error what it loads.
+/// The loader reports on standard error what it loads.
 TEST_F(Command, LoadsTheImportLibraryOnlyForItsFormats) {
   const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
   write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -183,8 +183,8 @@ TEST_F(Command, StatsSayWhatWasDrawn) {
   EXPECT_NE(out_.find("polygons entered   1"), std::string::npos) << out_;
 }
 
-/// What auto picks for lines over fills that are not seen is the picture of the surface method:
-/// each of its lines is one that the painter shows (tests/auto_method_test.cpp says when).
+/// The picture that auto chooses for lines over invisible fills is the surface method's: each of
+/// its lines is one that the painter shows (tests/auto_method_test.cpp).
 TEST_F(Command, AutoDrawsLinesAlone) {
   write("t.draw",
         "set-window 0 1 0 1\nset-fill-style solid 1 1 1\nset-line-style solid 0 0 0\n"
@@ -496,11 +496,11 @@ TEST_F(Command, HelpNamesEveryFormatAndDevice) {
   expect_error("draw t.draw -o x.svg --device osmesa", "expected .png or .ppm");
 }
 
-/// What most pictures do without is loaded when it is asked for, and otherwise not.
+/// Libraries that most pictures do not need are loaded only when they are needed.
 TEST_F(Command, LoadsWhatAPictureNeeds) {
   write("t.draw", kTriangle);
   const auto loaded = [&](const std::string& arguments) {
-    setenv("LD_DEBUG", "files", 1);  // the loader says on standard error what it loads
+    setenv("LD_DEBUG", "files", 1);  // the loader reports on standard error what it loads
     EXPECT_EQ(run(arguments), 0);
     unsetenv("LD_DEBUG");
     return err_;
@@ -552,7 +552,8 @@ TEST_F(Command, PickSaysWhatIsSeenThere) {
   }
 }
 
-/// A picture in which nothing is seen is drawn, however little is left to say why.
+/// A picture in which nothing is visible is drawn, however little of the limits is left to find the
+/// reason.
 TEST_F(Command, NothingSeenIsToldWithinTheLimits) {
   std::string program = "open-segment 1\n";
   for (int i = 0; i < 100000; ++i) program += "polygon-abs-3 5 5 0 6 5 0 5 6 0\n";
@@ -569,8 +570,8 @@ TEST_F(Command, NothingSeenIsToldWithinTheLimits) {
   EXPECT_GT(failed, 0);
 }
 
-/// What is too much for the memory there is said with its bytes, before any work, and nothing is
-/// written.
+/// A picture too large for the memory is refused before any work, with its bytes in the message,
+/// and nothing is written.
 TEST_F(Command, OutOfMemoryStatesTheBytes) {
   write("cube.draw", "open-segment 1\npolygon-abs-3 0 0 0  1 0 0  0 1 0\nclose-segment\n");
   before_ = "ulimit -v 2000000 && ";
@@ -591,7 +592,7 @@ TEST_F(Command, OptionsOfVectorsOutOfTheirRangesAreRefused) {
   }
   EXPECT_EQ(run("draw t.draw -o t.svg --seams butted --vector-precision 0.05 --pick-ids"), 0);
 }
-/// What is wrong with a program is told, and not what sorting its half would have taken.
+/// An error in a program is reported, not the limit that sorting its first half would exceed.
 TEST_F(Command, AWrongProgramBeforeAMeshIsTold) {
   std::string program = "set-hidden-line-removal on\nset-hidden-method bsp\nopen-segment 9\n";
   for (int k = 0; k < 30; ++k) {

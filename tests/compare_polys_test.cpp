@@ -1,5 +1,5 @@
-// COMPARE-POLYS (hidden/sort/sort_polygons.h) on cases solved by hand: which side of a plane, and
-// the halves of what it cuts.
+// COMPARE-POLYS (hidden/sort/sort_polygons.h) on cases solved by hand: the side of a plane, and the
+// halves of polygons that it cuts.
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ using Words = std::set<std::string>;
 
 class Completion : public Command {
  protected:
-  /// The words that are offered for the last of those typed, without what they are.
+  /// The words that are offered for the last typed one, without descriptions.
   Words offered(const std::string& typed) {
     EXPECT_EQ(run("--complete " + typed), 0) << typed << "\n" << err_;
     Words words;
@@ -22,7 +22,7 @@ class Completion : public Command {
     return words;
   }
 
-  /// What the shell finds by itself.
+  /// The files that the shell finds by itself.
   std::string found_by_shell(const std::string& typed) {
     EXPECT_EQ(run("--complete " + typed), 0) << typed << "\n" << err_;
     return out_.starts_with(':') ? out_.substr(0, out_.find('\n')) : "";
@@ -73,7 +73,7 @@ class Completion : public Command {
   };
 };
 
-/// The words that a message says it expected.
+/// The words that a message expects.
 Words Completion::words_expected(const std::string& message) const {
   static const Words kSentence{
       "above", "along", "at",   "axis",    "factor",     "first",    "most",  "a",    "after",
@@ -111,7 +111,7 @@ TEST_F(Completion, OffersTheSubcommandsAndOptionsOfHelp) {
   EXPECT_EQ(offered("nothing --"), Words{});
 }
 
-/// A word that is offered is taken, and one that a message expects is offered.
+/// Every offered word is accepted, and every expected one in a message is offered.
 TEST_F(Completion, OffersTheWordsThatTheCommandTakes) {
   write_inputs();
   ASSERT_EQ(run("--version"), 0);
@@ -194,7 +194,7 @@ TEST_F(Completion, LeavesFilesToTheShell) {
   EXPECT_EQ(found_by_shell("import ''").find(" draw"), inputs.npos);
 }
 
-/// A build without the import library offers what it reads.
+/// A build without the import library offers the extensions that it reads.
 TEST_F(Completion, OffersMeshesThatAreRead) {
   ASSERT_EQ(run("--version"), 0);
   const bool has_library = out_.find("(Assimp)  not found") == out_.npos;

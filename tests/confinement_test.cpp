@@ -1,4 +1,4 @@
-// What the import program has given up before it reads a mesh, tried in processes of their own.
+// The confinement of the import program before it reads a mesh, tried in processes of their own.
 
 #include "programs/import_program/confinement.h"
 
@@ -131,7 +131,7 @@ TEST_F(Confinement, LeavesNoCoreAndNoOtherDescriptors) {
   close(moved);
 }
 
-/// A process that nobody waits for ends: the one that would has ended already, or ends later.
+/// A process ends if no other waits for it: its parent has ended already, or ends later.
 TEST_F(Confinement, EndsWithTheProcessThatWaits) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);

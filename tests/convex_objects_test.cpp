@@ -1,5 +1,5 @@
 // Roberts's objects (hidden/lines/convex_objects.h): which polygons hide together, and that this
-// changes nothing of what is seen.
+// does not change what is visible.
 
 #include "hidden/lines/convex_objects.h"
 

@@ -1,5 +1,5 @@
-// What a user may expect of a crease angle: facets that meet at more keep their own normals, facets
-// that meet at less share the mean, at every vertex for each group that is connected by such sides;
+// The guarantees of a crease angle: facets that meet at more keep their own normals, facets that
+// meet at less share the mean, at every vertex for each group that is connected by such sides;
 // however the facets run, are rounded, or end on each other's sides.
 
 #include <fmt/format.h>
@@ -112,7 +112,7 @@ TEST(CreaseAngle, FacetsThatMeetAtTheAngleItselfAreSmooth) {
   expect_near(normals(hexagon, 59.999)[2][3], own_normal(hexagon[2]));
 }
 
-/// Then a flat polygon stays one polygon with one tone.
+/// Then a flat polygon stays whole, with one tone.
 TEST(CreaseAngle, AFacetsOwnNormalIsLeftToItToTheBit) {
   Faces faces = prism(4);
   const Faces ends{faces[4], faces[5]};

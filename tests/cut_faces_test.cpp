@@ -1,4 +1,4 @@
-// Cut faces: what cutting planes cut of a closed solid is closed again, hatched or not.
+// Cut faces: a closed solid cut by cutting planes is closed again, hatched or not.
 
 #include "displayfile/graphics_system.h"
 
@@ -168,7 +168,7 @@ TEST(CutFaces, ABoxCutInTwoHasARectangleInTheStylesInForce) {
   }
 }
 
-/// What is left of a solid is drawn as a solid of that form: the faces beside a cut face draw the
+/// A cut solid is drawn as a solid of the remaining form: the faces beside a cut face draw the
 /// sides that they share with it, which is a back face here.
 TEST(CutFaces, WhatIsLeftIsDrawnAsASolidOfThatForm) {
   const auto entered = [](bool is_cut, HiddenMethod method) {
@@ -316,7 +316,7 @@ TEST(CutFaces, HatchingIsNoPartOfAViewInWhichItsFaceIsTurnedAway) {
   }
 }
 
-/// The solid is what is left of its parts.
+/// The solid is the remainder of its parts.
 TEST(CutFaces, HatchingIsAPartOfTheSolidAndNotOfWhatWasTakenAway) {
   const auto lines_of = [](double length, std::optional<double> spacing) {
     const Entered entered([&](GraphicsSystem& g) {
@@ -419,7 +419,7 @@ TEST(CutFaces, RecordedAndReplayedTheyAreTheSame) {
   }
 }
 
-/// The angle too where the spacing is the usual one.
+/// The angle too where the spacing is the default.
 TEST(CutFaces, TheAngleIsRecordedWithTheUsualSpacing) {
   for (const auto& [faces, line] :
        {std::pair(CutFaces{Kind::hatched}, "set-cut-faces hatched\n"),

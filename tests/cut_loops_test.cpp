@@ -1,4 +1,4 @@
-// Long loops in parts: disjoint, together what there was, with the same vertices on sides that are
+// Long loops in parts: disjoint, their union unchanged, with the same vertices on sides that are
 // shared (interp/vector/cut_loops.h).
 
 #include "interp/vector/cut_loops.h"
@@ -59,7 +59,7 @@ void expect_parts(const LatticeLoops& loops, std::size_t most) {
   LatticeLoops with = loops;
   put_vertices(with, put);
   for (LatticeLoops& part : parts) put_vertices(part, put);
-  // What parts have in common is gone, and what there was is left.
+  // Common parts cancel, and the loops are unchanged otherwise.
   EXPECT_EQ(odd_sides(parts), odd_sides({with}));
 }
 
@@ -151,8 +151,8 @@ TEST(LatticeLoops, AnOutlineCoversTheSameWithoutSidesUponEachOtherOrStraightVert
   EXPECT_GT(upon_each_other, 100);
 }
 
-/// Loops that cross each other and themselves, and the least lattices: all the worse than what is
-/// to be expected.
+/// Loops that cross each other and themselves, and the smallest lattices: all worse than real
+/// input.
 TEST(CutLoops, PartsAreDisjointAndTogetherWhatThereWas) {
   std::mt19937 random(5);
   for (int run = 0; run < 300; ++run) {

@@ -1,5 +1,5 @@
 // Where corners meet a display file has one number: no two points of its pieces are as close as
-// rounding, but for vertices that were entered so, and slivers.
+// rounding, except vertices that were entered so, and slivers.
 
 #include "displayfile/segments/cuts_at_vertices.h"
 
@@ -42,7 +42,7 @@ Places places_of(const DrawnPieces& pieces) {
   return places;
 }
 
-/// Pairs of places as close as rounding, of which one at least is no vertex.
+/// Pairs of places as close as rounding, of which at least one is not a vertex.
 std::size_t cracks(const Places& places, const Places& vertices) {
   const auto is_vertex = [&](const auto& p) { return std::ranges::binary_search(vertices, p); };
   std::size_t found = 0;

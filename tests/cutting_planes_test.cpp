@@ -1,5 +1,4 @@
-// Cutting planes: what they leave is a scene like any other, and the same for every method and
-// truth.
+// Cutting planes: the remainder is a scene like any other, and the same for every method and truth.
 
 #include "clip/pipeline/cutting_planes.h"
 
@@ -103,7 +102,7 @@ TEST(CuttingPlanes, WhatLiesInAPlaneOrTouchesItStays) {
   EXPECT_FALSE(planes.cut_line(a, b));
 }
 
-/// A box and what is in it, cut to x <= 0.25.
+/// A box and its contents, cut to x <= 0.25.
 void enter_box(GraphicsSystem& g, bool by_hand) {
   g.set_parallel({0.3, 0.2, 1});
   g.rotate_y_3(90);  // planes are of the world: not turned

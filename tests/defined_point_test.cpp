@@ -1,5 +1,5 @@
-// The predicates of points that are defined by what cut them (tests/predicates_test.cpp says
-// how they are judged).
+// The predicates of points that are defined by the lines and planes that cut them (judged as in
+// tests/predicates_test.cpp).
 
 #include <gtest/gtest.h>
 
@@ -38,9 +38,9 @@ struct Scene {
     return static_cast<std::uint32_t>(plane_points.size() - 1);
   }
 
-  /// So many points defined by a few stored points, of which some lie in line in the projection,
+  /// `count` points defined by a few stored points, of which some lie in line in the projection,
   /// and a few planes, of which some go through stored points and two are (all but) one: as pieces
-  /// of polygons are, whose vertices share what defines them. Points of a line are cut where no
+  /// of polygons are, whose vertices share their definitions. Points of a line are cut where no
   /// double is.
   void define_by_few(Source& s, Input input, int count) {
     const Grid grid(s);
@@ -85,7 +85,7 @@ struct Scene {
     definitions.push_back(d);
   }
 
-  /// A point that is g on the grid, but for the nudges of what defines it.
+  /// A point that is g on the grid, except for the nudges of its definition.
   void define_at(Source& s, const Grid& grid, const Step& g) {
     const int size = step_size(s);
     const Step along = step(s, size);
@@ -214,7 +214,7 @@ struct SceneCase {
   }
 };
 
-/// A case whose points share what defines them.
+/// A case whose points share their definitions.
 template <class Case>
 struct Sharing : Case {
   bool make(Source& s, Input input) {
@@ -451,7 +451,7 @@ TEST(DefinedPoints, RoundedCoordinatesAreTheNearest) {
   }
 }
 
-/// Double-doubles say which double is nearest, but for few that are badly conditioned.
+/// Double-doubles determine the nearest double, except for a few that are badly conditioned.
 TEST(DefinedPoints, CloseNumbersRoundAsExactOnesDoAndNearlyAlways) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);

@@ -1,5 +1,5 @@
-// Depths that pictures and picks hand out are the truth's, whatever the method, where planes are so
-// steep that doubles tell nothing of them.
+// Depths returned by pictures and picks are the truth's, whatever the method, where planes are too
+// steep for doubles.
 
 #include <gtest/gtest.h>
 

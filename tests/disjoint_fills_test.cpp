@@ -35,7 +35,7 @@ Loop square(double x, double y, double side = 1.0) {
   return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
-/// Twice the area, of loops by the even-odd rule that do not overlap but for holes within them.
+/// Twice the area, of loops by the even-odd rule that do not overlap except for holes within them.
 double area(const LatticeLoops& loops) {
   double outer = 0.0;
   std::vector<double> all;
@@ -239,8 +239,8 @@ TEST(DisjointFills, PickIdentifiersKeepPiecesApart) {
   for (std::int32_t k = 0; k < 36; ++k) EXPECT_EQ(picks[static_cast<std::size_t>(k)], k);
 }
 
-/// Every vertex is moved by half a unit along an axis at most, so that what is moved of an area is
-/// no more than the precision times the length of its sides.
+/// Every vertex is moved by half a unit along an axis at most, so that the moved area is no more
+/// than the precision times the length of the sides.
 TEST(DisjointFills, RoundingMovesNoMoreThanThePrecisionAlongTheSides) {
   for (const double precision : {0.001, 0.01, 0.3}) {
     VectorOptions options;
@@ -324,7 +324,7 @@ TEST(DisjointFills, NoSinglePieceHasMoreVerticesThanAPathMay) {
     fills.add(plate(n), kRedPaint, 1, 0);
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        // Or holes are seen through, and one of them is half full.
+        // Or the background shows through holes, and one of them is half full.
         if (filled) fills.add(square(2.0 * x + 1.0, 2.0 * y + 1.0), kBluePaint, 1, 1);
       }
     }
@@ -334,7 +334,7 @@ TEST(DisjointFills, NoSinglePieceHasMoreVerticesThanAPathMay) {
     EXPECT_EQ(figure.regions.size(), filled ? 4u : 3u);
     EXPECT_EQ(figure.outline.size(), filled ? 1u : 2u);
     EXPECT_EQ(figure.outline_tents.empty(), filled);
-    // Which side of it a region is on: each is had by two, but for those on the outline.
+    // The sides on which regions are: each side has two regions, except those on the outline.
     std::map<LatticeSide, int> sides, of_outline;
     for (const FigureRegion& region : figure.regions) {
       for (const auto& [side, times] : sides_of(region.loops)) sides[side] += times;
@@ -377,7 +377,7 @@ TEST(DisjointFills, TentsStayWithinTheirRegionsLoops) {
   }
 }
 
-/// What a region runs along there and back is no side that it shares with another.
+/// A spike that a region runs along there and back is not a side that it shares with another.
 TEST(DisjointFills, TentsAreOverSidesOfTwoRegions) {
   DisjointFills fills{{}};
   fills.add(Loop{{0, 0}, {2, 0}, {3, 0}, {4, 0}, {2, 0.0001}, {0, 2}}, kRedPaint, 1, 0);
@@ -440,7 +440,8 @@ TEST(SvgFigure, IsOneGroupUnderOneMask) {
   EXPECT_EQ(times(svg, "<g"), times(svg, "</g>"));
 }
 
-/// A browser that draws what <use> names sees no class outside of that: traps would be filled.
+/// A browser that draws elements named by <use> sees no class outside of that: traps would be
+/// filled.
 TEST(SvgFigure, TrapsHaveNoFillWhereTheyAreDrawnAgain) {
   const std::string svg = svg_of_squares({});
   EXPECT_EQ(times(svg, "<g id=\"traps-1\" class=\"sides\">"), 1u) << svg;

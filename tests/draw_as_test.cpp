@@ -60,7 +60,7 @@ TEST_F(DrawAs, EveryRendererWritesToStreams) {
   EXPECT_TRUE(by_view.str() == test::content(file("view.png").string()));
 }
 
-/// A stream that takes so many bytes and no more.
+/// A stream that accepts a limited number of bytes.
 class ShortBuffer : public std::streambuf {
  public:
   explicit ShortBuffer(std::size_t room) { setp(bytes_.data(), bytes_.data() + room); }

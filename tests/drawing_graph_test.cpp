@@ -59,8 +59,8 @@ TEST(DrawingGraphTest, CyclesAreThoseThatReachEachOther) {
   }
 }
 
-/// A cycle's number is a function of what must be drawn after what, and not of the order in which
-/// that was found.
+/// A cycle's number is a function of the pairs of successors, and not of the order in which they
+/// were found.
 TEST(DrawingGraphTest, PutInOrderItIsAFunctionOfItsPairs) {
   Source s(2);
   for (int trial = 0; trial < 100; ++trial) {

@@ -1,5 +1,5 @@
-// Which method and which precision draw a picture: what the application set, unless the options
-// of the drawing say otherwise.
+// Which method and which precision draw a picture: the application's settings, unless the drawing's
+// options replace them.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(DrawingMethod, IsThatOfTheOptionsOrElseOfTheApplication) {
   EXPECT_THROW(picture_kind("a.gif"), Error);
 }
 
-/// The scope is that of sorts: pixels and vectors of what is picked show the same surfaces.
+/// The scope applies to sorts: pixels and vectors by the chosen method show the same surfaces.
 TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
   GraphicsSystem g;
   g.set_hidden_surfaces({.removal = true});
@@ -57,7 +57,7 @@ TEST(DrawingMethod, ThatIsPickedLooksAtAllSegmentsTogether) {
   EXPECT_NE(draw_as(g, "svg", {.surfaces = {.method = HiddenMethod::map}}), all);
 }
 
-/// Where nothing is set pictures are right; dumps are what was entered.
+/// By default pictures are exact; dumps are the scene as entered.
 TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
   const auto draw_two = [](GraphicsSystem& g, double nearer, double farther) {
     g.set_line_style({LineStyle::Kind::none});
@@ -93,7 +93,7 @@ TEST(DrawingMethod, IsPickedWhereNothingIsSet) {
   EXPECT_EQ(middle(method), blue);
 }
 
-/// What is sorted when a segment is closed stays so, whatever is set at the end.
+/// Segments sorted when they were closed stay so, whatever is set at the end.
 TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
   GraphicsSystem g;
   const auto reason = [&] { return drawing_choice(g, {}, PictureKind::raster).reason; };
@@ -116,7 +116,7 @@ TEST(DrawingMethod, SaysWhyNothingIsRemoved) {
   EXPECT_EQ(drawing_choice(g, none, PictureKind::raster).reason, "as set");
 }
 
-/// The program's precision is that of the sorts and of the z-buffer; the options' wins.
+/// The program's precision applies to the sorts and the z-buffer; the options' takes precedence.
 TEST(DrawingMethod, PrecisionInForce) {
   GraphicsSystem g;
   EXPECT_TRUE(resolve_surfaces(g, {}).precision.exact);
@@ -165,7 +165,7 @@ TEST(PicturePlan, HasTheSettingsThatOptionsLeaveOpen) {
   EXPECT_EQ(other.options.background->colour, Colour(1, 1, 1));
 }
 
-/// A segment stays as it was sorted when it was closed, but for what the options set.
+/// A segment stays as it was sorted when it was closed, except for what the options set.
 TEST(DrawingMethod, OfTheApplicationWithAnotherPrecisionSortsAgain) {
   GraphicsSystem g;
   g.set_hidden_surfaces({.removal = true, .method = HiddenMethod::bsp});
@@ -183,7 +183,7 @@ TEST(DrawingMethod, OfTheApplicationWithAnotherPrecisionSortsAgain) {
   EXPECT_TRUE(precision_by({}).exact);
 }
 
-/// The options first, then what the application set.
+/// The options first, then the application's settings.
 TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
   GraphicsSystem g;
   g.set_hidden_surfaces({.z_buffer = true, .scope = HiddenScope::segment});
@@ -199,7 +199,8 @@ TEST(SurfacePlan, IsTheOptionsAndWhereTheyLeaveItOpenTheApplications) {
   EXPECT_FALSE(resolve_surfaces(GraphicsSystem(), {}).intersections);
 }
 
-/// One type holds the options of both: what only the other takes is refused, and changes nothing.
+/// One type holds the options of both: options that only the other takes are refused, and change
+/// nothing.
 TEST(SurfacePlan, RefusesOptionsOfTheOther) {
   GraphicsSystem g;
   const HiddenSurfaceOptions applications[]{{.removal = true},
@@ -233,7 +234,7 @@ TEST(PicturePlan, OfAnotherViewHasAScope) {
   EXPECT_EQ(resolve_in_view(nullptr, {}).surfaces.scope, HiddenScope::all);
 }
 
-/// Pens draw lines, or hatch what is seen; pixels have shadows of their own.
+/// Pens draw lines, or hatch visible surfaces; pixels have shadows of their own.
 TEST(PicturePlan, OfPensAndOfShadows) {
   const Destination vectors("a.svg");
   DrawOptions options{.pens = Pens{}};

@@ -21,7 +21,7 @@ namespace {
 using test::dump_of;
 using test::error_of_program;
 
-// ---- What programs say --------------------------------------------------------------------
+// ---- The routines of programs --------------------------------------------------------------
 
 struct RoutineCase {
   std::string line;
@@ -256,7 +256,7 @@ TEST(DrawingProgram, SegmentThatTheApplicationOpenedMayStayOpen) {
   EXPECT_EQ(system.open_segment_name(), 1);
 }
 
-/// What a program saves it restores; what the application saved stays.
+/// A program's saved transformations are restored at its end; the application's stay.
 TEST(DrawingProgram, SavedTransformationsAreRestoredAtTheEnd) {
   GraphicsSystem system;
   EXPECT_NE(
@@ -273,13 +273,13 @@ TEST(DrawingProgram, SavedTransformationsAreRestoredAtTheEnd) {
             std::string::npos);
 }
 
-// ---- What is wrong with a program ---------------------------------------------------------
+// ---- Errors in programs -------------------------------------------------------------------
 
 struct Wrong {
   std::string program, message;
 };
 
-/// What the parser finds: place, what was found, what was expected.
+/// Errors of the parser: place, what was found, what was expected.
 TEST(DrawingProgram, ErrorsNamePlaceAndExpectation) {
   const Wrong cases[] = {
       {"# one\n\npolygon-abs-4 1 2 3\n",
@@ -378,7 +378,7 @@ TEST(DrawingProgram, BinaryInputIsRefusedBeforeAnyLineIsCarriedOut) {
       {"# \xC3"s, "1:3: not a drawing program: byte 0xc3"},               // cut short
       {"# \xE2\x86"s, "1:3: not a drawing program: byte 0xe2"},
       {"# \xF0\x9F\x93"s, "1:3: not a drawing program: byte 0xf0"},
-      {"# \xC0\xAF"s, "1:3: not a drawing program: byte 0xc0"},  // too long for what it says
+      {"# \xC0\xAF"s, "1:3: not a drawing program: byte 0xc0"},  // longer than its character needs
       {"# \xE0\x80\xAF"s, "1:3: not a drawing program: byte 0xe0"},
       {"# \xED\xA0\x80"s, "1:3: not a drawing program: byte 0xed"},  // a surrogate
       {"# \xF4\x90\x80\x80"s, "1:3: not a drawing program: byte 0xf4"},
@@ -406,8 +406,8 @@ TEST(DrawingProgram, BinaryInputIsFoundAtEveryPlace) {
   }
 }
 
-/// What the application's call refuses gets the place of its routine; nothing has changed,
-/// and the program that goes on without that line draws the same.
+/// An error of the application's call gets the place of its routine; nothing has changed, and the
+/// program without that line draws the same.
 TEST(DrawingProgram, RefusedCallsKeepTheState) {
   const std::string before =
       "set-window -2 2 -2 2\nopen-segment 1\npolygon-abs-3 0 0 0 1 0 0 0 1 0\nclose-segment\n"
@@ -576,7 +576,7 @@ TEST_F(DrawingProgramFile, EndlessBinaryFile) {
             "/dev/zero:1:1: not a drawing program: byte 0x00, expected UTF-8 text");
 }
 
-/// Cut at any byte, a program is carried out as far as it goes or gives an error at its end.
+/// Cut at any byte, a program is carried out as far as possible or gives an error at its end.
 TEST_F(DrawingProgramFile, CutShort) {
   const std::string program =
       "set-view-up 0 1 0\nopen-segment 1\npolygon-abs-3 0 0 0 1 0 0 0 1 0\nclose-segment\n";

@@ -16,7 +16,7 @@
 namespace displayfile {
 namespace {
 
-/// The strokes that a walk passes on: how many, and their length in device coordinates.
+/// The strokes that a walk passes on: their number, and their length in device coordinates.
 struct Lines {
   double length = 0.0;
   std::size_t strokes = 0;
@@ -34,8 +34,8 @@ struct Lines {
   void polygon(std::span<const Point3>, std::span<const std::int32_t>) {}
 };
 
-/// The same of a picture, whose walk leaves out what does not change it: every line once, none a
-/// crumb.
+/// The same for a picture, whose walk leaves out lines that do not change it: every line once, none
+/// a crumb.
 struct LinesOfPicture : Lines {
   bool is_crumb(const Point3&, const Point3&) const { return false; }
 };
@@ -130,7 +130,7 @@ TEST(DrawnLines, NothingIsSeenThroughASeam) {
   }
 }
 
-/// A side of the pocket and one below it, which are one line but for rounding: dashes, and gaps.
+/// A side of the pocket and one below it, which are one line up to rounding: dashes, and gaps.
 TEST(DrawnLines, HiddenOnesOnEachOtherAreDashedOnce) {
   GraphicsSystem g;
   replay(
@@ -158,7 +158,7 @@ TEST(DrawnLines, HiddenOnesOnEachOtherAreDashedOnce) {
   EXPECT_EQ(dark_pixels(draw(g, options), 120, 121, 105, 175), 42u);
 }
 
-/// A line that is shorter than it is wide, and one that something leaves so little of.
+/// A line that is shorter than it is wide, and one of which only such a piece is left.
 TEST(DrawnLines, CrumbsAreLeftOut) {
   const auto dark = [](const char* lines, bool crumbs) {
     GraphicsSystem g;

@@ -1,4 +1,4 @@
-// What is drawn, as arrays.
+// The drawn pieces, as arrays.
 
 #include "interp/device/output_device.h"
 
@@ -38,7 +38,7 @@ void set_device_view(GraphicsSystem& system) {
   system.set_view_depth(-1, 0);
 }
 
-/// Two squares that pass through each other: of each one half is seen.
+/// Two squares that pass through each other: one half of each is visible.
 GraphicsSystem crossing_squares(LineStyle::Kind lines = LineStyle::Kind::none) {
   GraphicsSystem system;
   set_device_view(system);
@@ -90,7 +90,7 @@ TEST(DrawnPieces, OfTheMapTileWhatIsSeen) {
   }
 }
 
-/// A square, and behind it one that is not seen; entered in either order.
+/// A square and a hidden one behind it, entered in either order.
 GraphicsSystem square_before_another(bool nearer_first) {
   GraphicsSystem system;
   set_device_view(system);
@@ -174,7 +174,7 @@ GraphicsSystem drawn_anew(const DrawnPieces& pieces) {
   return system;
 }
 
-/// What has one colour in each piece, and no texts.
+/// True if each piece has one colour and there are no texts.
 bool is_of_pieces(const GraphicsSystem& system) {
   bool plain =
       system.looks().attributes.shading == Shading::flat && !system.looks().attributes.shadows;
@@ -184,7 +184,7 @@ bool is_of_pieces(const GraphicsSystem& system) {
   return plain;
 }
 
-/// Drawn one after another they make the picture that the sort makes.
+/// Drawn one after another, they give the picture of the sort.
 TEST(DrawnPieces, DrawnAnewMakeThePicture) {
   int compared = 0;
   test::for_each_in_gallery([&](const std::string& name, const test::Retained& retained) {

@@ -1,5 +1,5 @@
-// What keeps something of a retained scene, or of a display file, from picture to picture, while
-// the application edits it: each picture is what one that is made for it draws, or the same Error.
+// Objects that keep data of a retained scene, or of a display file, from picture to picture, while
+// the application edits it: each picture equals that of a new object, or throws the same Error.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::string bytes_of(const Picture& picture) {
   return bytes;
 }
 
-/// The picture, or why there is none.
+/// The picture, or the reason why there is none.
 template <class Draw>
 std::string outcome(const Draw& draw) {
   std::string bytes;
@@ -141,7 +141,7 @@ class KeptObjects {
     expect_as_anew(system, scene);
   }
 
-  /// Draws the scene as it is now, twice: what the first picture kept is of use for the second.
+  /// Draws the scene as it is now, twice: the second picture uses the data kept by the first.
   void expect_as_anew(const GraphicsSystem& system, const RetainedScene& scene) {
     const View view = look_at(system, scene);
     for (const auto& [name, make] : makers()) {
@@ -154,7 +154,7 @@ class KeptObjects {
       last_[name] = anew;
     }
   }
-  /// How many pictures differed from the one before, up to now.
+  /// The number of pictures so far that differed from the one before.
   int changed() const { return changed_; }
 
  private:
@@ -186,7 +186,7 @@ struct Edit {
   std::function<void(GraphicsSystem&)> carry_out;
 };
 
-/// In an order in which each finds what it edits.
+/// In an order in which each finds the objects that it edits.
 std::vector<Edit> edits() {
   return {
       {"another segment", [](GraphicsSystem& g) { enter_triangle(g, 6, 0.3); }},
@@ -263,7 +263,7 @@ TEST(EditedScene, ASceneOfTheSystemsOwnIsFollowedToo) {
   carry_out_all(system, *system.retained());
 }
 
-/// The picture is that of the system which none of this happened to.
+/// The picture is that of a system without these edits.
 TEST(EditedScene, WhatIsTakenBackIsNotDrawn) {
   GraphicsSystem system;
   system.retain();
@@ -322,7 +322,7 @@ TEST(EditedScene, AMovedSystemIsFollowed) {
             bytes_of(draw(WorldViews(scene, file).view(view), options)));
 }
 
-/// What has a copy goes on with it, and a renderer takes up the next scene.
+/// Holders of a copy continue with it, and a renderer prepares for the next scene.
 TEST(EditedScene, OfASceneThatIsGone) {
   Renderer renderer;
   std::optional<RetainedViews> views;
@@ -371,7 +371,7 @@ TEST(EditedScene, CountsOfWhatIsKeptGoOn) {
   EXPECT_GE(renderer.made().caster_lists, before.caster_lists);
 }
 
-/// Its program is that of the system as it was.
+/// Its program is that of the unchanged system.
 TEST(EditedScene, AnotherEyeRefusesASystemThatChanged) {
   const std::vector<Edit> changes{
       {"a segment", [](GraphicsSystem& g) { enter_triangle(g, 5, 0.2); }},

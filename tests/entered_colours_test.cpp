@@ -1,4 +1,4 @@
-// What becomes of a mesh's colours in a display file.
+// A mesh's colours in a display file.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ TEST_F(EnteredColours, GiveWayToTheProgramsFillStyleAndToTheOption) {
             "0.5 0 0.5;0.5 0 0.5;0.5 0 0.5;|0.5 0 0.5;|0.5 0 0.5;|0 0 1;|");
 }
 
-/// What a bare mesh sets for itself is not what a program set.
+/// The defaults that a bare mesh sets do not count as a program's settings.
 TEST_F(EnteredColours, OfASecondMeshHoldToo) {
   GraphicsSystem system;
   import_mesh(path_, system);

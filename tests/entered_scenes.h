@@ -12,7 +12,7 @@
 #include "programs/scenes/generated_scenes.h"
 #include "programs/scenes/hard_cases.h"
 
-// What applications enter, small enough for a truth by brute force.
+// Scenes as applications enter them, small enough for a truth by brute force.
 
 namespace displayfile::test {
 

@@ -1,5 +1,5 @@
-// The truth from what was entered: against the definition in rationals, and against pictures whose
-// answer is known.
+// The truth from the scene as entered: against the definition in rationals, and against pictures
+// whose answer is known.
 
 #include "interp/truth/entered_truth.h"
 
@@ -57,7 +57,7 @@ void enter_on_grid(Source& s, GraphicsSystem& g, Polygon (*polygon)(Source&)) {
   test::view_from_anywhere(s, g);
   g.set_front_plane_clipping(s.below(3) == 0);
   g.set_back_plane_clipping(s.below(3) == 0);
-  // Which way a concave polygon is turned the rationals do not tell.
+  // The orientation of a concave polygon is not found by the rationals.
   g.set_back_face_removal(polygon == test::triangle && s.below(3) == 0);
   g.open_segment(1);
   for (int n = s.between(2, 6); n > 0; --n) {
@@ -111,7 +111,7 @@ void expect_second_on_first(Enter&& enter, bool transformed) {
     enter(s, g);
     g.close_segment();
     ASSERT_NO_FATAL_FAILURE(expect_brute_force(retained, 9, 7, {}));
-    // Alone, polygon 1 covers what it covers on the other.
+    // Alone, polygon 1 covers the same pixels as on the other.
     const EnteredTruth found = truth_of(retained, 32, 32);
     ASSERT_EQ(found.touching, 1u);
     RetainedScene alone;
@@ -146,7 +146,7 @@ TEST(EnteredTruth, AWindowInDecimalsInAPitchedRoofIsWhole) {
   expect_second_on_first(test::enter_window_in_roof, true);
 }
 
-/// What lies farther than the reach is as far as it was entered, in front or behind.
+/// Points farther than the reach stay where they were entered, in front or behind.
 TEST(EnteredTruth, WhatLiesBeyondReachIsApart) {
   // The largest coordinate is 2, so the reach is 2^-48.
   for (const auto& [lift, seen] : {std::pair{0x1p-48, 1},
@@ -217,8 +217,8 @@ TEST(EnteredTruth, PolygonsLieInThePlaneOfTheLargest) {
   EXPECT_EQ(planes.touching(), 2u);
 }
 
-/// Without touching and without modelling transformations it is the truth from world coordinates,
-/// whose triangles have the same planes.
+/// Without touching and modelling transformations it equals the truth from world coordinates, whose
+/// triangles have the same planes.
 TEST(EnteredTruth, WithoutTouchingIsThatFromWorldCoordinates) {
   for (std::uint64_t seed = 0; seed < 40 / test::kSlower; ++seed) {
     Source s(seed);
@@ -235,8 +235,8 @@ TEST(EnteredTruth, WithoutTouchingIsThatFromWorldCoordinates) {
   }
 }
 
-/// A scene that is retained keeps what was entered: points, matrices, also of shared vertices,
-/// after a segment is deleted, and of surfaces.
+/// A retained scene keeps its input: points, matrices, also of shared vertices, after a segment is
+/// deleted, and of surfaces.
 TEST(EnteredTruth, RetainedScenesKeepPointsAndMatricesAsEntered) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -308,7 +308,7 @@ TEST(EnteredTruth, SupportVerticesAreThoseOfTheDefinition) {
   // The farthest along an axis, the first of equals; then the largest component of the product.
   EXPECT_EQ(support({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), (Support{{0, 1, 2}}));
   EXPECT_EQ(support({{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, {0, 2, 0}}), (Support{{0, 2, 3}}));
-  // Tiny as it is, it has a plane; the measures underflow without the power of two.
+  // Small as it is, it has a plane; the measures would underflow without the power of two.
   EXPECT_EQ(support({{0, 0, 0}, {1e-200, 0, 0}, {3e-200, 1e-200, 0}, {0, 2e-200, 0}}),
             (Support{{0, 2, 3}}));
   EXPECT_EQ(support({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), Support());

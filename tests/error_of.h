@@ -8,7 +8,7 @@
 
 namespace displayfile::test {
 
-/// What a call that throws Error says; nothing if it does not.
+/// The message of the Error that a call throws; nothing if it throws none.
 template <class Call>
 std::string error_of(Call&& call) {
   try {

@@ -9,7 +9,7 @@
 #include "tests/slower.h"
 #include "tests/sort_truth.h"
 
-// What must hold of the object-space sorts.
+// The invariants of the object-space sorts.
 
 namespace displayfile::test {
 

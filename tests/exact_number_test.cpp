@@ -2,7 +2,7 @@
 // and sums that cancel, of the largest and the smallest doubles, zero among them; and quotients
 // against the definition of rounding, ties, subnormal doubles and overflow among them; in every
 // rounding mode. Compiled with each of the files that handle the digits (tests/CMakeLists.txt).
-// DISPLAYFILE_PREDICATE_TRIALS sets how many expressions and how many quotients.
+// DISPLAYFILE_PREDICATE_TRIALS sets the numbers of expressions and of quotients.
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace {
 
 const int kTrials = test::from_environment("DISPLAYFILE_PREDICATE_TRIALS", 20000);
 
-/// m 2^e: what an exact number is, by its definition.
+/// m 2^e: the value of an exact number, by its definition.
 struct Reference {
   mpz_class m;
   std::int64_t e = 0;
@@ -59,7 +59,7 @@ int compare(Reference a, Reference b) {
   return cmp(a.m, b.m);
 }
 
-/// An exact number, and what it is.
+/// An exact number and its reference value.
 struct Pair {
   ExactNumber number;
   Reference is;
@@ -129,7 +129,7 @@ Pair scaled(double value, std::int64_t exponent) {
   return product * pair(std::ldexp(1.0, static_cast<int>(exponent)));
 }
 
-/// All digits, the leading ones taken away again and again.
+/// True if all digits are right, with the leading ones subtracted again and again.
 bool digits_are_right(Pair p) {
   for (;;) {
     if (!leading_is_right(p.number, p.is)) return false;
@@ -155,7 +155,7 @@ TEST(ExactNumber, IsWhatGmpSaysOfRandomExpressions) {
         case 1: result = a - b; break;
         case 2: result = a * b; break;
         case 3: result = a * b - b * c; break;
-        case 4: result = (a + b) - a; break;                       // what is left is b
+        case 4: result = (a + b) - a; break;                       // the remainder is b
         default: result = (a * b + pair(random.value())) - b * a;  // nearly all cancels
       }
       ASSERT_TRUE(leading_is_right(result.number, result.is)) << "trial " << trial;

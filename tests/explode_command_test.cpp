@@ -224,7 +224,7 @@ TEST_F(ExplodeCommand, WhatIsMovedOutOfAViewIsNamed) {
   EXPECT_EQ(err_, "");
 }
 
-/// Annotation moves with its segment; what has no part to move with is named.
+/// Annotation moves with its segment; annotation without a part to move with is reported by name.
 TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
   const std::string balloon = "balloon-3 30 5 0 7 \"\" 0 0\n";
   write("with.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 20, 0, 10) +
@@ -246,7 +246,7 @@ TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
       err_,
       "apart.draw: --explode x: annotation of segment 9 stays where it is: expected it in the "
       "segment of its part, or the part's name as the segment's title\n");
-  // By its title it belongs to a part, which is a segment of one input, or one of several.
+  // Its title assigns it to a part: a segment of one input, or one of several inputs.
   write("titled.draw",
         "open-segment 9\n" + balloon + "close-segment\nset-segment-title 9 \"mid\"\n");
   write("names.draw", read(folder_ / "three.draw") + "set-segment-title 2 \"mid\"\n");
@@ -263,7 +263,7 @@ TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
   EXPECT_NEAR(balloon_of("low.draw mid.draw"), before + 7.5, 1e-3);
 }
 
-/// Flat parts in one plane each have no length along the axis: their size stands for it.
+/// Flat parts, each in one plane, have no length along the axis: their size replaces it.
 TEST_F(ExplodeCommand, FlatPartsAreMovedTooByTheirSize) {
   write("flat.draw", "set-window 0 100 0 100\nset-line-style none\nset-parallel 0 1 -1\n" +
                          segment(1, 10, 13, 10, 14) + segment(2, 10, 13, 10, 14));

@@ -30,7 +30,7 @@ double volume(const std::vector<Facet>& facets) {
   return six / 6.0;
 }
 
-/// Whether each side is used as often in one direction as in the other.
+/// True if each side is used as often in one direction as in the other.
 bool is_closed(const std::vector<Facet>& facets) {
   std::map<std::pair<Corner, Corner>, int> sides;
   for (const Facet& facet : facets) {
@@ -285,7 +285,7 @@ TEST_F(ExportCommand, BadValuesLeaveNothing) {
   write("mtl.mtl", "newmtl a\n");
   write("m.obj", "mtllib mtl.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect_error("export m.obj -o m.obj", "m.obj");
-  // A folder in the place of the materials: the other file is not written either.
+  // A folder where the materials should be written: the other file is not written either.
   fs::create_directory(folder_ / "b.mtl");
   expect_error("export box.draw -o b.obj", "b.mtl");
 }

@@ -1,5 +1,5 @@
-// Small triangles against the few pixel centres around them: what is said to cover none covers none
-// by the exact scan conversion, and little is left open.
+// Small triangles against the few pixel centres around them: a triangle reported to cover none
+// covers none by the exact scan conversion, and few are undecided.
 
 #include "hidden/exact/few_centres.h"
 

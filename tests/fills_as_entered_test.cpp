@@ -1,5 +1,5 @@
 // Pixel centres that viewing's rounding would decide: on sides, on vertices, and where planes meet,
-// by every method. Judged by the truth from what was entered.
+// by every method. Judged by the truth from the scene as entered.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ Picture truth_of(const Retained& retained, int size) {
       .picture;
 }
 
-/// What is picked at the centre of each pixel.
+/// The picked identifiers at the centre of each pixel.
 std::vector<std::int32_t> picked_ids(const GraphicsSystem& g, int size) {
   Picker picker(std::make_shared<const ViewedScene>(g.display_file()), {size, size}, 1);
   std::vector<std::int32_t> ids;
@@ -155,7 +155,7 @@ TEST(FillsAsEntered, NoPixelIsWrongUnderImageTransformations) {
   }
 }
 
-/// Views of a scene that is kept, each with what the ones before left in memory.
+/// Views of a retained scene, each with the data that earlier views left in memory.
 TEST(FillsAsEntered, NoPixelIsWrongInKeptViews) {
   for (int seed = 0; seed < scenes() / 3; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -1,4 +1,4 @@
-// Cameras that follow what a system holds, whenever they are set.
+// Cameras that follow the contents of a system, whenever they are set.
 
 #include "displayfile/mesh/followed_view.h"
 
@@ -49,7 +49,7 @@ TEST_F(FollowedViews, SegmentsAreViewedAsIfEnteredInTheFittedView) {
   for (int k = 0; k < 3; ++k) {
     followed_.place(system_);
     enter_box(system_, k + 1, boxes[static_cast<std::size_t>(k)]);
-    const std::string drawn = dumped();  // between: with what there is
+    const std::string drawn = dumped();  // between: with the contents so far
     EXPECT_EQ(drawn, entered_in(*followed_.view(), {boxes.begin(), boxes.begin() + k + 1}));
   }
   const std::string before = dumped();

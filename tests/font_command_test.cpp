@@ -52,7 +52,7 @@ TEST_F(FontCommand, HersheyLettersAreStrokesOfPens) {
   const std::string two = drawn("centre.draw --font hershey" + kPlot);
   EXPECT_NE(two.find("d=\"M13.143 39l0 36\""), std::string::npos) << two;
   EXPECT_NE(two.find("d=\"M26.857 75l0-36\""), std::string::npos) << two;
-  // The pen is that of the line style.
+  // The pen is the line style's.
   write("red.draw", "set-line-style solid 1 0 0 3\n" + text_of("I", "left"));
   EXPECT_NE(drawn("red.draw --font hershey" + kPlot).find("#ff0000 3 mm"), std::string::npos);
   EXPECT_NE(drawn("i.draw --font hershey:gothiceng" + kPlot), read(folder_ / "b.svg"));

@@ -4,7 +4,7 @@
 
 namespace displayfile::test {
 
-/// A number by which a test is made longer by hand, and what it usually is.
+/// A number from the environment by which a test is made longer by hand, and its default.
 inline int from_environment(const char* name, int usual) {
   const char* const set = std::getenv(name);
   return set == nullptr ? usual : std::atoi(set);

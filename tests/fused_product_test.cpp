@@ -33,7 +33,7 @@ TEST(FusedProducts, OfAnyNumbersAreRoundedOnce) {
   }
 }
 
-/// The numbers overlap, or one is all that is left of the others.
+/// The numbers overlap, or nearly cancel.
 TEST(FusedProducts, OfNumbersOfOneSizeAreRoundedOnce) {
   std::mt19937_64 random(2);
   for (const int least : {-1080, -1022, -540, -60, 400, 480}) {

@@ -225,7 +225,7 @@ TEST_F(GltfTest, DataThatAreNotThereAreRefused) {
   }
 }
 
-/// What is of another type than it should be is not taken for missing.
+/// Members of the wrong type are not treated as missing.
 TEST_F(GltfTest, MembersOfOtherTypesAreRefused) {
   const auto refused = [&](const std::function<void(Json&)>& change, const std::string& words) {
     Gltf gltf;

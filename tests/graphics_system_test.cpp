@@ -93,7 +93,7 @@ TEST(GraphicsSystem, ZIsStoredOnlyWhereItIsNeeded) {
   EXPECT_EQ(listing(g, 1).substr(0, flat.size()), flat);
 }
 
-/// With the points as they were entered, by which it is found what touches.
+/// With the points as entered, which are used to find touching polygons.
 TEST(GraphicsSystem, AtMost200BytesATriangle) {
   GraphicsSystem g;
   g.set_light({1, 2, 3});
@@ -120,7 +120,7 @@ TEST(GraphicsSystem, IdentifiersThatAreOrdinalsTakeNoBytes) {
   EXPECT_EQ(bytes(300) - bytes(100), 200u * (viewed + entered));
 }
 
-/// What a walk tells of pick identifiers.
+/// The pick identifiers that a walk visits.
 struct Picks {
   std::vector<std::int32_t> of_polygons;
   std::size_t told = 0;
@@ -350,7 +350,7 @@ TEST(GraphicsSystem, KnowsWhetherAllIsInView) {
     EXPECT_TRUE(is_all_in_view([&](GraphicsSystem& g) { routines[k](g, 0.5); })) << k;
     EXPECT_FALSE(is_all_in_view([&](GraphicsSystem& g) { routines[k](g, 1.25); })) << k;
   }
-  // What takes more than a look at each point may lie outside.
+  // Contents whose test needs more than a look at each point may lie outside.
   EXPECT_FALSE(is_all_in_view([](GraphicsSystem& g) { g.annotate(Title{"a"}); }));
   GraphicsSystem selected;
   selected.set_hidden_surfaces({.lines = line_selection("outline")});

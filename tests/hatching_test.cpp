@@ -1,4 +1,4 @@
-// Hatching: inside of the fills, as dense as they are dark, in lines that go on from piece to
+// Hatching: inside the fills, as dense as they are dark, in lines that continue from piece to
 // piece.
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::vector<Stroke> hatched(const Polygon& polygon, double darkness, double spac
   return lines.strokes(0.0);
 }
 
-/// For one fill, the length of lines times their distance is the fill's area, as far as it is dark.
+/// For one fill, the length of lines times their distance is the fill's area times its darkness.
 TEST(Hatching, IsAsDenseAsTheFillIsDark) {
   const Polygon star{{100, 10},  {120, 80}, {190, 100}, {120, 120},
                      {100, 190}, {80, 120}, {10, 100},  {80, 80}};
@@ -143,7 +143,7 @@ TEST(Hatching, GoesOnFromPieceToPiece) {
   }
 }
 
-/// A darker fill has all lines of a lighter one: they go on across both.
+/// A darker fill has all lines of a lighter one: they continue across both.
 TEST(Hatching, OfADarkerFillHasTheLinesOfALighter) {
   HatchLines lines(1.0, 0.0, kSheet);
   add(lines, box(10, 10, 60, 170), 0.3);
@@ -205,7 +205,7 @@ TEST(Hatching, FollowsADarknessThatFallsBesideWhatCoversIt) {
   add(covered, box(32, 0, 64, 128), 0.0);
   const std::vector<Stroke> strokes = lines.strokes(0.0);
   EXPECT_NEAR(length(strokes) * 0.5, 128 * 128 / 2.0, 128.0);
-  std::vector<Stroke> expected;  // what is left of them
+  std::vector<Stroke> expected;  // the remaining parts of them
   for (const Stroke& s : strokes) {
     EXPECT_EQ(s.from.x, 0);
     expected.push_back({s.from, {std::min(s.to.x, 32'000), s.to.y}});
@@ -255,7 +255,8 @@ TEST(Hatching, ShortLinesAreLeftOut) {
   EXPECT_LT(some.size(), all.size());
 }
 
-/// Lines go on over gaps of two thousandths of a millimetre, which no pen leaves, and not of three.
+/// Lines continue over gaps of two thousandths of a millimetre, which no pen leaves, and not of
+/// three.
 TEST(Hatching, ClosesGapsThatNoPenLeaves) {
   for (const auto& [gap, strokes] : {std::pair(0.0015, 20u), std::pair(0.003, 40u)}) {
     HatchLines lines(1.0, 0.0, kSheet);
@@ -265,8 +266,8 @@ TEST(Hatching, ClosesGapsThatNoPenLeaves) {
   }
 }
 
-/// A round surface in shade is of one tone from some facet on: its lines run on, and are not those
-/// of a large tone, which has a spacing of its own.
+/// A curved surface in shade has one tone from some facet on: its lines continue, and are not those
+/// of a large tone, which has its own spacing.
 TEST(HatchedFills, AToneIntoWhichAnotherRunsIsOnItsGrid) {
   const Polygon left = box(0, 0, 60, 100), right = box(60, 0, 120, 100);
   const auto strokes = [&](double where_they_meet, double apart) {
@@ -301,9 +302,9 @@ TEST(HatchedFills, RoundedTonesAreOne) {
   EXPECT_EQ(strokes(0.0), strokes(1e-6));
 }
 
-/// A flat face has even lines whatever stands beside it: facets in the shade of something round
-/// that are as dark, and facets that run from its tone into another; and so has one of the same
-/// tone elsewhere.
+/// A flat face has even lines whatever stands beside it: equally dark facets of a curved surface in
+/// shade, and facets that run from its tone into another; and so has one of the same tone
+/// elsewhere.
 TEST(HatchedFills, AFlatFaceIsEvenBesideWhatIsRound) {
   constexpr double kTone = 0.7, kLight = 0.2;
   Polygon plate{{0, 0}, {100, 0}};

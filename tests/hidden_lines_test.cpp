@@ -67,7 +67,7 @@ std::vector<std::pair<double, double>> seen(const ItemList& list, std::uint32_t 
 using Parts = std::vector<std::pair<double, double>>;
 const Parts kAll{{0.0, 1.0}}, kNothing{};
 
-/// What is seen of the line among these.
+/// The visible parts of the line among these.
 Parts line_among(const std::vector<Loop>& loops, const Point3& a, const Point3& b) {
   ItemList list;
   for (const Loop& loop : loops) list.solid(loop);
@@ -98,7 +98,7 @@ TEST(HiddenLines, BehindASharedEdgeItIsHiddenBehindAnOutlineSeen) {
   EXPECT_EQ(line_among({left, right}, a, b), kNothing);
   EXPECT_EQ(line_among({left}, a, b), kAll);
   EXPECT_EQ(line_among({right}, a, b), kAll);
-  // Not at one depth, and not of one length.
+  // Not with different depths, and not with different lengths.
   EXPECT_EQ(line_among({left, square(0.5, 0.0, 1.0, 0.5, 0.9)}, a, b), (Parts{{0.5, 1.0}}));
 }
 
@@ -240,7 +240,7 @@ TEST(HiddenLines, SheetsNearlyCoplanarAreToldApart) {
   const Point3 a(0.3, 0.4, z), b(0.7, 0.6, z);
   EXPECT_EQ(line_among({square(0.25, 0.25, 0.75, 0.75, up)}, a, b), kNothing);
   EXPECT_EQ(line_among({square(0.25, 0.25, 0.75, 0.75, down)}, a, b), kAll);
-  // With ROUNDOFF they are one.
+  // With ROUNDOFF the depths are equal.
   ItemList list;
   list.solid(square(0.25, 0.25, 0.75, 0.75, z + 1e-12));
   list.line(a, b);
@@ -285,7 +285,7 @@ TEST(DrawnLines, SidesAreListedOnceAndByTheFirstThatIsDrawn) {
   list.add(ItemList::Kind::solid, {c, b, e}, {1, 1, 1});
   list.line(b, c);
   list.line(a, Point3(0, 0, 1));  // a point in the projection
-  // Item 0 does not draw b c, item 1 does not draw c d: these are the next one's.
+  // Item 0 does not draw b c, item 1 does not draw c d: the next item draws these.
   const std::vector<LineName> expected{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 0}, {3, 1}};
   EXPECT_EQ(drawn_lines(list.view()), expected);
 }
@@ -398,8 +398,8 @@ TEST(HiddenLines, TheMethodsAgreeOnCrowds) {
   }
 }
 
-/// What is seen of these lines, of all and of a few asked for alone, where it differs; empty if
-/// nothing does.
+/// The visible parts of these lines where they differ between finding all lines and only a few;
+/// empty if none do.
 std::string difference_of_few(const ItemList& list, const std::vector<LineName>& few,
                               const std::vector<IntersectionLine>& intersections) {
   std::string differ;
@@ -456,7 +456,7 @@ TEST(HiddenLines, OfAFewLinesAsMuchIsSeenAsOfTheseAmongAll) {
   }
 }
 
-/// What is seen of all lines, in units of the picture.
+/// The visible length of all lines, in units of the picture.
 double seen_length(const ItemList& list, HiddenMethod method, const SurfacePlan& options) {
   double length = 0.0;
   for (const auto& [item, corner, from, to] : pieces(list, method, options)) {
@@ -522,7 +522,7 @@ TEST(HiddenLines, AnyNumberOfThreadsFindsTheSame) {
   }
 }
 
-/// Franklin leaves out the cells where none goes.
+/// Franklin leaves out the cells that none of the lines crosses.
 TEST(HiddenLines, OfFewLinesTheSameIsSeenAsAmongAll) {
   const ItemList list = crowd();
   const std::vector<LineName> all = all_lines(list);

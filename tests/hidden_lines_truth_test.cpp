@@ -1,5 +1,5 @@
-// Every method that finds lines against their truth (tests/line_truth.h), of what applications
-// enter.
+// Every method that finds lines against their truth (tests/line_truth.h), on scenes as applications
+// enter them.
 
 #include <gtest/gtest.h>
 

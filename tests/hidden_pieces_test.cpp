@@ -1,5 +1,5 @@
-// Lines where they are hidden (hidden/lines/hidden_pieces.h): with what is seen they are the whole;
-// what is covered is left out, worked by hand and against all pairs.
+// Lines where they are hidden (hidden/lines/hidden_pieces.h): with the visible pieces they make up
+// the whole line; covered pieces are left out, on cases solved by hand and against all pairs.
 
 #include "hidden/lines/hidden_pieces.h"
 
@@ -56,7 +56,7 @@ std::string described(std::vector<VisiblePiece> pieces) {
   return out.str();
 }
 
-// ---- What is hidden -----------------------------------------------------------------------------
+// ---- Hidden pieces ------------------------------------------------------------------------------
 
 /// Bit for bit: each line begins at 0, each piece where the one before ends, and the last at 1.
 TEST(HiddenPieces, TileEveryLineWithWhatIsSeen) {
@@ -81,7 +81,7 @@ TEST(HiddenPieces, TileEveryLineWithWhatIsSeen) {
   });
 }
 
-// ---- What is covered, by hand -------------------------------------------------------------------
+// ---- Covered pieces, by hand --------------------------------------------------------------------
 
 Loop box(double x0, double y0, double x1, double y1, double z) {
   return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
@@ -171,11 +171,10 @@ TEST(UncoveredPieces, WhicheverWayLinesRun) {
   }
 }
 
-// ---- What is covered but for rounding
-// ------------------------------------------------------------
+// ---- Pieces covered up to rounding --------------------------------------------------------------
 
-/// Lines on one line, each end off it by no more than so much; hidden by a square but for some that
-/// are seen.
+/// Lines on one line, each end off it by no more than a given distance; hidden by a square, except
+/// for some visible ones.
 struct NearLines {
   ItemList list;
   std::vector<Point2> ways;  // of each item, its ends as places along the line
@@ -230,7 +229,7 @@ double length_of_union(std::vector<NearLines::Stretch> all) {
   return length;
 }
 
-/// Whatever covers whatever, no dash is over another, nor over what is seen, and none is missing.
+/// Whatever covers whatever, no dash is over another, nor over visible pieces, and none is missing.
 TEST(UncoveredPieces, OfLinesThatAreOneButForRoundingOneIsDrawn) {
   constexpr double kCrumbs = 1e-7;
   std::size_t covered = 0;
@@ -354,7 +353,7 @@ TEST(LeadingLines, WithinReachAreThoseOfTheDefinition) {
   EXPECT_GT(followers, 1000U / kSlower);
 }
 
-// ---- What is covered, against all pairs ---------------------------------------------------------
+// ---- Covered pieces, against all pairs ----------------------------------------------------------
 
 /// Twice the area, over the length of the first two, of a line and a point.
 double off_line(const Point3& from, const Point3& to, const Point3& p) {
@@ -362,7 +361,7 @@ double off_line(const Point3& from, const Point3& to, const Point3& p) {
   return std::abs(area) / std::hypot(to.x - from.x, to.y - from.y);
 }
 
-/// The same by comparing each hidden piece with each other piece, of lines that are one but for
+/// The same by comparing each hidden piece with each other piece, of lines that are one up to
 /// rounding or plainly apart.
 std::vector<HiddenPiece> left_by_all_pairs(const ItemList& list, const Found& all) {
   std::vector<HiddenPiece> left;
@@ -402,7 +401,7 @@ std::vector<HiddenPiece> left_by_all_pairs(const ItemList& list, const Found& al
   return left;
 }
 
-/// Rounded to what is far below what can be seen, crumbs left out, and what touches joined.
+/// Rounded to far below what is visible, with crumbs left out and touching pieces joined.
 std::string rounded(std::vector<HiddenPiece> pieces) {
   std::ranges::sort(pieces, in_order);
   std::vector<HiddenPiece> joined;

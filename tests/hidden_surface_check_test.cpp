@@ -1,4 +1,4 @@
-// HIDDEN-SURFACE-CHECK as applications meet it: what close_segment leaves, and what is drawn.
+// HIDDEN-SURFACE-CHECK as applications use it: the result of close_segment, and the drawing.
 
 #include "displayfile/segments/hidden_surface_check.h"
 
@@ -68,7 +68,7 @@ std::vector<std::int32_t> drawn_ids(const GraphicsSystem& g, DrawOptions options
   return draw(g, options).ids;
 }
 
-/// What a walk meets: instructions as one word each, and the polygons themselves.
+/// The contents of a walk: instructions as one word each, and the polygons themselves.
 struct Walked {
   struct Polygon {
     std::vector<Point3> vertices;
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(, HiddenSurfaceCheck,
                            return parameter.param == HiddenMethod::bsp ? "Bsp" : "DepthSort";
                          });
 
-// ---- The order, and what is in it --------------------------------------------------------
+// ---- The order, and its contents -----------------------------------------------------------
 
 TEST_P(HiddenSurfaceCheck, BackToFrontWithStylesOnlyWhereTheyChange) {
   GraphicsSystem g = sorting_system(GetParam());
@@ -317,7 +317,7 @@ TEST_P(HiddenSurfaceCheck, TruthAndZBufferReadWhatWasEntered) {
   EXPECT_EQ(drawn_ids(sorted), true_ids(sorted));
 }
 
-/// Hidden-line removal turned off later leaves what was sorted as it is.
+/// Hidden-line removal turned off later leaves sorted segments unchanged.
 TEST_P(HiddenSurfaceCheck, ClosedSegmentsKeepTheirOrder) {
   GraphicsSystem g = sorting_system(GetParam());
   g.open_segment(1);
@@ -328,7 +328,7 @@ TEST_P(HiddenSurfaceCheck, ClosedSegmentsKeepTheirOrder) {
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
 
-// ---- What is drawn -----------------------------------------------------------------------
+// ---- The drawing -------------------------------------------------------------------------
 
 /// The sort at closing was of points that an image transformation then moved.
 TEST_P(HiddenSurfaceCheck, ImageTransformation) {
@@ -371,7 +371,7 @@ TEST_P(HiddenSurfaceCheck, ScopeOfAllSegments) {
             drawn_ids(g));
   g.set_hidden_surfaces({.scope = HiddenScope::segment});
   EXPECT_NE(drawn_ids(g, {.surfaces = {.method = GetParam()}}),
-            true_ids(g));  // as the application wants it
+            true_ids(g));  // as the application set it
   g.set_hidden_surfaces({.scope = HiddenScope::all});
   EXPECT_EQ(drawn_ids(g), true_ids(g));
 }
@@ -445,7 +445,7 @@ TEST_P(HiddenSurfaceCheck, SegmentsBeginAndEndWhereTheyChange) {
             "end\n");
 }
 
-/// Where polygons are coplanar the one entered later is seen, the later segment's before all
+/// Where polygons are coplanar the one entered later is visible, the later segment's before all
 /// others.
 TEST_P(HiddenSurfaceCheck, CoplanarPolygonsOfSeveralSegments) {
   GraphicsSystem g = sorting_system(GetParam());
@@ -506,7 +506,7 @@ TEST_P(HiddenSurfaceCheck, OnlyWhatChangedIsSortedAgain) {
   EXPECT_EQ(kept.update(g, GetParam(), rounded).sorted()->plan.precision.exact, false);
 }
 
-/// Sorted together, only the segments that overlap what changed are sorted again.
+/// Sorted together, only the segments that overlap changed ones are sorted again.
 TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
   GraphicsSystem g = sorting_system(HiddenMethod::automatic);
   for (int name = 1; name <= 4; ++name) {  // in a row, apart from each other
@@ -545,8 +545,8 @@ TEST_P(HiddenSurfaceCheck, OnlyGroupsThatChangedAreSortedAgain) {
   expect_work(4, 1);
 }
 
-/// What is entered while the segment is open belongs to the segment alone, not to copies made
-/// for drawing.
+/// Contents entered while the segment is open belong to the segment alone, not to copies made for
+/// drawing.
 TEST_P(HiddenSurfaceCheck, AnOpenSegmentIsDrawnAsItIs) {
   GraphicsSystem g = sorting_system(GetParam());
   g.open_segment(1);

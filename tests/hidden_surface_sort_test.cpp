@@ -1,5 +1,5 @@
 // The object-space sorts (hidden/sort/hidden_surface_sort.h), judged by rationals at sample points,
-// and how many cuts they make on cases solved by hand.
+// and their numbers of cuts on cases solved by hand.
 
 #include "hidden/sort/hidden_surface_sort.h"
 
@@ -56,7 +56,7 @@ TEST_P(EveryWay, CutsThatNeedNoRoundingKeepTheAreaExactly) {
   }
 }
 
-TEST_P(EveryWay, TheMethodIsPutToTheTest) {  // the scenes above do ask for cuts
+TEST_P(EveryWay, TheMethodIsPutToTheTest) {  // the scenes above do need cuts
   std::uint64_t cuts = 0;
   for (int k = 0; k < 20; ++k) {
     Source s(static_cast<std::uint64_t>(k));
@@ -65,7 +65,7 @@ TEST_P(EveryWay, TheMethodIsPutToTheTest) {  // the scenes above do ask for cuts
   EXPECT_GT(cuts, 20u);
 }
 
-/// The plain form makes the tree that the fast one makes where nothing is chosen.
+/// The plain form makes the same tree as the fast one without a choice of root.
 TEST(PlainBsp, SortsAsTheFastOneDoesWithTheTextbooksRoot) {
   for_each_scene_of_families(
       200 / kSlower, [](const ItemList& list, const std::string& family, int seed) {
@@ -85,7 +85,7 @@ TEST(PlainBsp, SortsAsTheFastOneDoesWithTheTextbooksRoot) {
       });
 }
 
-// ---- How many cuts ------------------------------------------------------------------------------
+// ---- Numbers of cuts ----------------------------------------------------------------------------
 
 const Way& depth_sort() { return ways().back(); }
 
@@ -227,7 +227,7 @@ TEST_P(EveryWay, RoundoffLosesNothing) {
         const SortedPieces pieces = sorted(list, GetParam(), precision);
         const SortJudge judge(list, pieces);
         ASSERT_EQ(judge.items(), "") << family.name << ", seed " << k << "\n" << list.text();
-        // With ROUNDOFF 0 a polygon that is in a plane but for rounding is cut anywhere.
+        // With ROUNDOFF 0 a polygon that is in a plane up to rounding is cut anywhere.
         if (!family.flat || roundoff == 0.0) continue;
         ASSERT_EQ(judge.areas(1e-9 + 20.0 * roundoff), "")
             << family.name << ", seed " << k << ", ROUNDOFF " << roundoff << "\n"

@@ -67,7 +67,7 @@ std::vector<std::filesystem::path> gallery() {
   return programs;
 }
 
-/// What a call returns, or the message of its error.
+/// The result of a call, or the message of its error.
 template <class Call>
 std::string result_of(const Call& call) {
   try {
@@ -86,7 +86,7 @@ DrawOptions options_with(HiddenMethod method, int samples = 1) {
   return options;
 }
 
-/// What a program makes: its display file, and pictures of it in pixels, vectors and lines.
+/// The results of a program: its display file, and pictures of it in pixels, vectors and lines.
 std::vector<std::string> all_of(const std::string& program) {
   GraphicsSystem system;
   replay(program, "program", system);
@@ -151,7 +151,7 @@ TEST(HostRounding, ChangesNoRoutine) {
       test::RandomApplication application(std::mt19937_64(static_cast<std::uint64_t>(seed)),
                                           system);
       for (int i = 0; i < kCalls; ++i) {
-        // The application's own numbers are the same ones.
+        // The application's own numbers are unchanged.
         const HostRounds host(mode);
         application.call();
       }

@@ -26,7 +26,7 @@ inline DrawOptions options_for_ids(int size, HiddenMethod method) {
   return options;
 }
 
-/// The system must retain what is drawn.
+/// The system must retain the scene.
 inline std::vector<std::int32_t> ids_by(const GraphicsSystem& g, HiddenMethod method, int size) {
   const DrawOptions options = options_for_ids(size, method);
   if (method == HiddenMethod::world_ray_cast) {

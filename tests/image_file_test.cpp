@@ -1,4 +1,4 @@
-// PNG, PPM and NumPy files: what is written reads back the same, and a bad file is an Error that
+// PNG, PPM and NumPy files: a written file reads back the same, and a bad file is an Error that
 // names it, never a crash or a huge allocation. The comparison of pictures and arrays.
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ Picture noise(int width, int height) {
   return picture;
 }
 
-/// The pixels as libpng is given them.
+/// The pixels as passed to libpng.
 std::uint32_t pixel(unsigned r, unsigned g, unsigned b) {
   return 0xff000000u | b << 16 | g << 8 | r;
 }
@@ -132,7 +132,7 @@ TEST_F(ImageFile, PngOfEveryKindIsRead) {
     write_by_libpng(path, {16, PNG_COLOR_TYPE_RGB, interlace}, 1,
                     {{"\x01\x80\x02\x80\x03\x80", 6}});
     EXPECT_EQ(read_png(path).pixels, (std::vector{pixel(1, 2, 3)}));
-    // What is half transparent lies over white.
+    // Half-transparent pixels are composited over white.
     write_by_libpng(path, {8, PNG_COLOR_TYPE_RGB_ALPHA, interlace}, 2,
                     {{"\x0a\x14\x1e\xff\x00\x00\xff\x80", 8}});
     EXPECT_EQ(read_png(path).pixels, (std::vector{pixel(10, 20, 30), pixel(127, 127, 255)}));
@@ -330,7 +330,7 @@ TEST_F(ImageFile, BadNpyIsAnError) {
                        "value 4294967296"));
 }
 
-// ---- Writing what cannot be written ----------------------------------------------------
+// ---- Failing writes --------------------------------------------------------------------
 
 TEST_F(ImageFile, NothingIsLeftWhenWritingFails) {
   Picture picture = noise(4, 4);

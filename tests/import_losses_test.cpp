@@ -1,5 +1,5 @@
-// What the import library passes over without a word in glTF files that it reads is refused or told
-// by name: extensions, skins, morph targets. Names in glTF are decoded.
+// Parts of glTF files that the import library passes over silently are refused or reported by name:
+// extensions, skins, morph targets. Names in glTF are decoded.
 
 #include "displayfile/mesh/import_losses.h"
 
@@ -52,7 +52,7 @@ std::size_t faces_in(const Colour& colour, const Mesh& mesh) {
 
 class GltfLosses : public ImportLosses {
  protected:
-  /// The file as JSON with a buffer beside it, and as a binary one. What the library reads has a
+  /// The file as JSON with a buffer beside it, and as a binary one. The library's input has a
   /// primitive that may be compressed.
   std::vector<std::string> both(Gltf gltf) const {
     gltf.file["meshes"].push_back(Json::parse(R"({"primitives":[{"attributes":{"POSITION":0},
@@ -100,7 +100,7 @@ TEST_F(GltfLosses, ExtensionsThatAreUsedAndNotRequiredAreNoReason) {
   expect_losses(gltf, {});
 }
 
-/// As KHR_mesh_quantization allows them, in a file that does not say that it requires it.
+/// As KHR_mesh_quantization allows them, in a file that does not require that extension.
 TEST_F(GltfLosses, PositionsAndNormalsOfIntegersAreRefused) {
   for (const char* attribute : {"POSITION", "NORMAL"}) {
     for (const int type : {5120, 5121, 5122, 5123}) {
@@ -131,7 +131,7 @@ TEST_F(GltfLosses, ASkinThatMovesWhatItIsOnIsTold) {
   const Sentences one{"left out: the skin of 1 object"};
   expect_losses(skinned({{"name", "j"}, {"translation", {0, 0, 2}}}), one);
   expect_losses(skinned({{"name", "j"}, {"scale", {1, 1.5, 1}}}), one);
-  // A skin has nothing of its own node's place.
+  // A skin ignores the transformation of its own node.
   expect_losses(skinned({{"name", "j"}}, {{"mesh", 0}, {"skin", 0}, {"translation", {3, 0, 0}}}),
                 one);
   Gltf two = skinned({{"name", "j"}, {"translation", {0, 0, 2}}});

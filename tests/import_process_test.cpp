@@ -1,5 +1,5 @@
-// Meshes of other formats are read in a process of their own: what becomes of it is one message,
-// and what it gives is what the library gives in this process.
+// Meshes of other formats are read in a process of their own: any end of it gives one message, and
+// its result is the library's result in this process.
 
 #include "displayfile/mesh/import_process.h"
 
@@ -112,7 +112,7 @@ TEST(AllowedFormats, AreThoseWhoseReadersStoodTheMutations) {
   }
 }
 
-// ---- What is read ----------------------------------------------------------------------
+// ---- Meshes that are read --------------------------------------------------------------
 
 TEST_F(ImportProcess, GivesWhatTheLibraryGivesInThisProcess) {
   file("a.bin", test::gltf_buffer());
@@ -250,8 +250,8 @@ TEST_F(ImportProcess, ACrashOfTheLibraryIsAMessage) {
 TEST_F(ImportProcess, AHangOfTheLibraryIsAMessage) {
   const std::string path = file("a.smd", test::smd_that_hangs());
   expect_in("reached the limit of 0.5 seconds: --import-seconds", refusal(path, {.seconds = 0.5}));
-  // It neither ends nor keeps its descriptors open, or says things without an end. Had reading
-  // waited for it, or for what it has started, the file `ended` would be there.
+  // It neither ends nor keeps its descriptors open, or prints without end. If reading waited for
+  // it, or for a process that it has started, the file `ended` would be there.
   const std::filesystem::path ended = folder_ / "ended";
   const auto runs = [&](const std::string& script) {
     put_in_its_place(fmt::format(fmt::runtime(script), fmt::format(": > '{}'", ended.string())));
@@ -272,7 +272,7 @@ TEST_F(ImportProcess, AHangOfTheLibraryIsAMessage) {
   std::cerr.rdbuf(before);
 }
 
-/// Whoever has less time than the library, or is told to stop, does not wait for it.
+/// A caller that has less time than the library, or is stopped, does not wait for it.
 TEST_F(ImportProcess, TheBudgetInForceIsAskedWhileTheLibraryReads) {
   const std::string path = file("a.ac", "AC3Db\n");
   const std::filesystem::path ended = folder_ / "ended";  // there if reading waited for it

@@ -1,4 +1,4 @@
-// What the import library tells of colours, and detail far from the origin, which must not be lost.
+// Colours from the import library, and detail far from the origin, which must not be lost.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ std::string gltf(const std::string& materials, const std::vector<std::string>& p
                      all, materials);
 }
 
-/// A primitive without a material is white, as the format says.
+/// A primitive without a material is white, as the format specifies.
 TEST_F(MeshColours, GltfBaseColours) {
   if (!import_library_version()) GTEST_SKIP() << "no import library";
   std::string buffer;
@@ -87,7 +87,7 @@ TEST_F(MeshColours, OtherFormatsBringTheirMaterials) {
 
 const std::filesystem::path kModels = "/usr/share/assimp/models";
 
-/// How many faces have which colour, in the shortest form of three decimals.
+/// The number of faces of each colour, in the shortest form of three decimals.
 std::map<std::string, int> counted(const Mesh& mesh) {
   std::map<std::string, int> counts;
   for (const auto& c : colours_of(mesh)) {
@@ -164,7 +164,7 @@ std::string terrain(double east, double north) {
 }
 
 /// A survey's coordinates are no worse than those of the same mesh at the origin: the view is
-/// fitted to both, and all that differs is what viewing rounds.
+/// fitted to both, and only viewing's rounding differs.
 TEST_F(MeshColours, ASurveyIsDrawnAsTheSameMeshAtTheOrigin) {
   const auto ids = [&](const std::string& text) {
     GraphicsSystem system;

@@ -162,8 +162,8 @@ TEST(InView, DrawsFineMeshesOfEveryLook) {
   }
 }
 
-/// What segments are drawn with may change between views.
-/// A polygon that covers no centre hides lines and texts all the same.
+/// The attributes of segments may change between views. A polygon that covers no centre still hides
+/// lines and texts.
 TEST(InView, WhatCoversNoCentreHidesLinesAndTexts) {
   for (const bool with_text : {false, true}) {
     Retained retained;
@@ -244,8 +244,8 @@ TEST(InView, ThreadsDoNotChangeTheScene) {
   }
 }
 
-/// From the third view on the same memory serves, but where centres lie on sides, as they do in
-/// views along the axes.
+/// From the third view on the same memory is used, except where centres lie on sides, as in views
+/// along the axes.
 TEST(InView, AsksForNoMemoryFromTheThirdViewOn) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -268,7 +268,7 @@ TEST(InView, AsksForNoMemoryFromTheThirdViewOn) {
   }
 }
 
-/// In the view of the application what draw draws of the system.
+/// In the application's view the picture equals that of drawing the system.
 TEST(InView, DrawsByEveryMethodWithTheSystemsSettings) {
   Retained retained;
   GraphicsSystem& g = retained.system;

@@ -1,6 +1,6 @@
 // The command interrupted at random moments: by signals, by a full disk, by a folder that goes away
-// while it writes. Whatever happens, an output is what it was or new and whole, and nothing else
-// stays. DISPLAYFILE_INTERRUPTED_RUNS=1000 makes it so many runs.
+// while it writes. Whatever happens, an output is unchanged or new and whole, and nothing else
+// stays. DISPLAYFILE_INTERRUPTED_RUNS=1000 sets the number of runs.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -61,7 +61,7 @@ class SmallDisk {
 
   bool is_there() const { return is_there_; }
   const fs::path& folder() const { return folder_; }
-  /// Leaves so many bytes free, by a file that is taken away again.
+  /// Leaves `bytes` free, by a file that is removed later.
   void leave_free(std::uintmax_t bytes) const {
     fs::remove(filler());
     const std::uintmax_t free = fs::space(folder_).available;
@@ -78,7 +78,7 @@ class SmallDisk {
 
 class InterruptedRuns : public Command {
  protected:
-  /// A command line with OUT for the outputs' folder, and what it makes when nothing happens.
+  /// A command line with OUT for the outputs' folder, and its outputs when it is not interrupted.
   struct Work {
     std::vector<std::string> arguments;
     Files made = {};
@@ -133,7 +133,7 @@ class InterruptedRuns : public Command {
     return found;
   }
 
-  /// Starts the work in the test's folder, with what it says thrown away.
+  /// Starts the work in the test's folder and discards its output.
   pid_t start(const Work& work, rlim_t largest_file = RLIM_INFINITY) const {
     std::vector<std::string> words{DISPLAYFILE_COMMAND};
     for (std::string word : work.arguments) {
@@ -160,7 +160,7 @@ class InterruptedRuns : public Command {
     ::_exit(127);
   }
 
-  /// Old outputs in their places: of those of the work that `keep` says.
+  /// Puts old files in the places of the work's outputs, of those for which `keep` is true.
   Files put_old_files(const Work& work, std::mt19937_64& random) const {
     fs::remove_all(out());
     fs::create_directories(out());
@@ -179,7 +179,7 @@ class InterruptedRuns : public Command {
     return old;
   }
 
-  /// What is wrong with the folder after a run: nothing, or words.
+  /// Describes the error in the folder after a run; empty if there is none.
   static std::string wrong(const Files& found, const Files& old, const Work& work, bool killed) {
     int nameless = 0;
     for (const auto& [name, text] : found) {
@@ -196,7 +196,7 @@ class InterruptedRuns : public Command {
     for (const auto& [name, text] : old) {
       if (!found.contains(name)) return name + ": gone";
     }
-    for (const auto& [name, text] : found) {  // a folder is made for what is in it
+    for (const auto& [name, text] : found) {  // a folder is made for its contents
       const auto is_in_it = [inside = name + "/"](const auto& other) {
         return other.first.starts_with(inside);
       };
@@ -206,7 +206,7 @@ class InterruptedRuns : public Command {
     return "";
   }
 
-  /// Once by itself: what it makes, and how long that takes.
+  /// Runs once without interruption: finds its outputs, and how long it takes.
   void measure(Work& work) const {
     fs::remove_all(out());
     fs::create_directories(out());

@@ -54,7 +54,7 @@ ItemList solids(const std::vector<Loop>& loops) {
   return list;
 }
 
-/// Level, and one that rises through it along y = 1/2, where it has that depth.
+/// A level rectangle, and one that rises through it along y = 1/2, where it has that depth.
 const Loop kLevel{{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}};
 Loop rising(double x0, double x1) {
   return {{x0, 0.25, 0.25}, {x1, 0.25, 0.25}, {x1, 0.75, 0.75}, {x0, 0.75, 0.75}};
@@ -155,7 +155,7 @@ Point3 shown(double x, double y, double z) {
 using Place = std::tuple<double, double, double>;
 Place place(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// How many loops the lines make, end to end; -1 if they do not close.
+/// The number of loops that the lines make, end to end; -1 if they do not close.
 int loops(const std::vector<Ends>& lines) {
   std::map<Place, std::vector<Place>> next;
   for (const auto& [from, to] : lines) {
@@ -251,7 +251,7 @@ TEST(IntersectionLines, FacesOfOneSolidHaveNone) {
   }
 }
 
-// ---- What is seen of them -----------------------------------------------------------------------
+// ---- Their visible parts ------------------------------------------------------------------------
 
 using Parts = std::vector<std::pair<double, double>>;
 

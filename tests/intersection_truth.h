@@ -10,11 +10,11 @@
 #include "hidden/lines/visible_lines.h"
 #include "interp/truth/true_lines.h"
 
-// Intersection lines, and what methods find to be seen of them, held against their truth.
+// Intersection lines, and their visible parts by each method, compared with their truth.
 
 namespace displayfile::test {
 
-/// Lines with what is seen of them, as the truth says it.
+/// Lines with their visible parts, as claims for the truth.
 inline std::vector<TrueIntersection> claimed(const std::vector<IntersectionLine>& lines,
                                              const SeenLines& seen) {
   std::vector<TrueIntersection> all;
@@ -38,8 +38,9 @@ inline std::string text(const std::vector<TrueIntersection>& lines) {
   return out.str();
 }
 
-/// What is wrong in the intersection lines, and in what each method finds of them beside all other
-/// lines, in words; empty if nothing is: all are the truth's to the last bit.
+/// Describes the errors in the intersection lines, and in the visible parts of them that each
+/// method finds beside all other lines; empty if there are none: all are the truth's to the last
+/// bit.
 inline std::string wrong_intersections(const DisplayFile& file, int more_threads = 3) {
   const LineItems items(file);
   const ViewedScene scene(file);

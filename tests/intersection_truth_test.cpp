@@ -1,5 +1,5 @@
-// Intersection lines against their truth (tests/intersection_truth.h): of what applications enter,
-// and of small scenes in which everything touches everything.
+// Intersection lines against their truth (tests/intersection_truth.h): of scenes as applications
+// enter them, and of small scenes in which everything touches everything.
 
 #include "tests/intersection_truth.h"
 
@@ -27,7 +27,7 @@ TEST(IntersectionTruth, OfHardCases) {
       [](const DisplayFile& file) { return test::wrong_intersections(file); });
 }
 
-/// DISPLAYFILE_INTERSECTION_SCENES sets how many of each kind.
+/// DISPLAYFILE_INTERSECTION_SCENES sets the number of each kind.
 std::uint32_t scenes_of_each(std::uint32_t usual) {
   return static_cast<std::uint32_t>(
              test::from_environment("DISPLAYFILE_INTERSECTION_SCENES", static_cast<int>(usual))) /

@@ -1,7 +1,8 @@
-// Two opinions on what is seen at each pixel: our scan conversion and z-buffer, and OpenGL's
-// (OSMesa, llvmpipe). They may differ only where OpenGL's own precision leaves the answer open:
-// it rounds vertices to 1/256 pixel and depths to 24 bits. Which answers are open is worked out
-// here from the polygons themselves, in long double, without a line of either rasteriser.
+// Two independent results for the visible polygon at each pixel: our scan conversion and z-buffer,
+// and OpenGL's (OSMesa, llvmpipe). They may differ only where OpenGL's own precision leaves the
+// answer open: it rounds vertices to 1/256 pixel and depths to 24 bits. Which answers are open is
+// worked out here from the polygons themselves, in long double, without a line of either
+// rasteriser.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -41,13 +42,13 @@ constexpr Real kEdgeDistance = 1.0L / 256;  // pixels
 
 // llvmpipe's depth at a pixel's centre differs from the plane's by no more than the sum of three
 // terms, all in units of 2^-24, the unit of its depth format and of single precision:
-//   - the mapped range of z, for what is stored and the depths of the vertices;
+//   - the mapped range of z, for the rounding of stored depths and of the vertices' depths;
 //   - the rise of the plane over the picture's width and height together, for it works with x
 //     and y in single precision;
 //   - the triangle's own range of z times its longest side over its height, for the plane of
 //     a thin triangle comes from differences of products that nearly cancel.
-// The factors are measured: OpenGlsDepthErrorIsWithinTheStatedBound asserts that the bound holds
-// at every pixel, and that it is reached within a factor of 2.
+// The factors are measured: OpenGlsDepthErrorIsWithinTheStatedBound asserts that the bound holds at
+// every pixel, and that it is reached within a factor of 2.
 constexpr Real kUnitsForRange = 3, kUnitsForRise = 4, kUnitsForThinness = 3;
 const Real kUnit = std::exp2(Real(-24));
 
@@ -194,7 +195,7 @@ struct Count {
   std::string first_unexplained;
 };
 
-/// What may be seen at one pixel, given OpenGL's precision.
+/// The polygons that may be visible at one pixel, given OpenGL's precision.
 class OpenPixel {
  public:
   OpenPixel(const Collector& scene, Real i, Real j) : scene_(scene), i_(i), j_(j) {
@@ -213,8 +214,8 @@ class OpenPixel {
 
   enum class Answer { no, perhaps, surely };
 
-  /// Whether a polygon of that identifier covers the pixel and none that surely does is nearer
-  /// by more than the error of both depths; surely, if no edge of it is near. Background, if
+  /// Returns whether a polygon of that identifier covers the pixel and none that surely does is
+  /// nearer by more than the error of both depths; surely, if no edge of it is near. Background, if
   /// no polygon surely covers the pixel.
   Answer shows(std::int32_t id) const {
     if (id < 0) return surely_.empty() ? Answer::perhaps : Answer::no;
@@ -289,7 +290,7 @@ Count compare(const DisplayFile& file, const DisplayFile& drawn_by_opengl, int w
 }
 
 /// near_depth is the share of the covered pixels that may differ for nearness in depth, besides
-/// those where OpenGL sees what rounding makes of polygons in one plane.
+/// those where OpenGL's rounding decides between polygons in one plane.
 void expect_agreement(const std::string& name, const DisplayFile& file, double near_depth = 0.01) {
   SCOPED_TRACE(name);
   for (const auto& [width, height] : {std::pair{512, 512}, {333, 251}}) {

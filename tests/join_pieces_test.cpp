@@ -86,9 +86,9 @@ std::span<const Point3> points_of(const DrawnPieces& pieces, std::size_t k) {
 // ---- The judge ---------------------------------------------------------------------------
 // It shares no code with the sorts or with joining: depths are those of planes through corners.
 
-/// Nearer than this to a side of a polygon nothing is asked; nor to a side of a piece.
+/// Nearer than this to a side of a polygon, or of a piece, nothing is checked.
 constexpr double kNearSide = 1e-6, kNearCut = 1e-9;
-/// How far a place at a cut is moved at most, and how often.
+/// The largest move of a place at a cut, and the number of moves.
 constexpr double kMove = 1e-7;
 constexpr int kMoves = 10;
 /// Depths that differ by less are in either order.
@@ -146,7 +146,7 @@ struct Judged {
   Box box;
   Loop different;  ///< without those that repeat the one before
   std::vector<Triple> planes;
-  double off = 0.0;      ///< how far in depth a corner may be from the only plane
+  double off = 0.0;      ///< the largest distance in depth of a corner from the only plane
   bool is_clear = true;  ///< false: any depth, and any place in its box, may be its own
 };
 
@@ -174,8 +174,8 @@ Triple widest(const Loop& loop) {
   return t;
 }
 
-/// A polygon that is not flat is drawn as triangles: which, the judge does not know. Of four
-/// corners it takes all planes through three; of more it wants all corners in one plane, nearly.
+/// A polygon that is not flat is drawn as triangles, which the judge does not know. For four
+/// corners it takes all planes through three; for more it requires all corners nearly in one plane.
 Judged judged(const Loop& corners) {
   Judged j{corners, Box(corners), {}, {}};
   for (const Point3& p : corners) {
@@ -216,7 +216,7 @@ Depths depths_at(const Judged& polygon, const Point2& p) {
   return depths;
 }
 
-/// What is right at a place: the polygons that cover it, with their depths.
+/// The expected result at a place: the polygons that cover it, with their depths.
 struct Covering {
   std::int32_t item;
   Depths depths;
@@ -239,7 +239,7 @@ std::optional<Coverings> coverings_at(const std::vector<Judged>& polygons, const
   return found;
 }
 
-/// Whether one of two or more is the nearest for certain.
+/// True if one of two or more is certainly the nearest.
 bool has_nearest(const Coverings& all) {
   if (all.size() < 2) return false;
   const auto nearest =
@@ -272,7 +272,7 @@ std::optional<std::vector<std::size_t>> drawn_at(const Sorted& sorted, const Poi
   return found;
 }
 
-/// What is wrong in the order of what is drawn at a place, or nothing.
+/// Describes an error in the drawing order at a place; empty if there is none.
 std::string wrong_in(const Coverings& right, const DrawnPieces& pieces,
                      const std::vector<std::size_t>& drawn) {
   std::vector<std::int32_t> items, expected;
@@ -294,7 +294,8 @@ std::string wrong_in(const Coverings& right, const DrawnPieces& pieces,
   return "";
 }
 
-/// A place on a line: what is drawn before it and after it. Or nothing, if that is right.
+/// Describes an error in the pieces drawn before and after a place on a line; empty if there is
+/// none.
 std::string wrong_on_line(const Coverings& right, const DrawnPieces& pieces, std::int32_t line,
                           const Point3& at) {
   std::optional<std::size_t> place;
@@ -319,10 +320,10 @@ std::string wrong_on_line(const Coverings& right, const DrawnPieces& pieces, std
 struct Counts {
   std::int64_t asked = 0;    ///< places
   std::int64_t unclear = 0;  ///< of them near a side, or where a polygon's depth is not known
-  std::int64_t alone = 0, as_near = 0;  ///< of one polygon or none; of none that is nearest
+  std::int64_t alone = 0, as_near = 0;  ///< of one polygon or none; without a nearest one
   std::int64_t decided = 0;             ///< all others
-  std::int64_t moved = 0;               ///< at a cut in one of four orders, and so moved
-  std::int64_t at_cuts = 0;             ///< orders that have a cut there all the same
+  std::int64_t moved = 0;               ///< at a cut in one of four orders, and therefore moved
+  std::int64_t at_cuts = 0;             ///< orders that still have a cut there
   std::int64_t on_lines = 0, wrong = 0;
   std::int64_t sorted_pieces = 0, joined_pieces = 0;
 };
@@ -426,7 +427,7 @@ void ask_on_lines(Source& s, const PaintedScene& scene, const std::vector<Judged
   }
 }
 
-/// What is wrong in a scene at random places of it, or nothing.
+/// Describes an error at random places of a scene; empty if there is none.
 std::string wrong_in_scene(Source& s, const PaintedScene& scene, int places, Counts& counts) {
   std::vector<Judged> polygons;
   for (const Loop& loop : scene.polygons) polygons.push_back(judged(loop));
@@ -440,8 +441,8 @@ std::string wrong_in_scene(Source& s, const PaintedScene& scene, int places, Cou
   return wrong;
 }
 
-/// The number of places is set in the environment: those where one of several polygons is nearest
-/// for certain. At each, four orders are looked at.
+/// The number of places, those where one of several polygons is certainly nearest, is set in the
+/// environment. At each, four orders are checked.
 TEST(JoinPieces, WhatIsPaintedLastIsNearest) {
   const int places = from_environment("DISPLAYFILE_PLACES_IN_ORDER", 60'000 / kSlower);
   const int of_scene = from_environment("DISPLAYFILE_PLACES_OF_A_SCENE", 400);

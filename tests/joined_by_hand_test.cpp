@@ -20,7 +20,7 @@ struct Piece {
   Loop corners;
 };
 
-/// The picks of the pieces in their order after they were joined, and how many corners each has.
+/// The picks of the joined pieces in their order, and the number of corners of each.
 std::vector<std::pair<std::int32_t, std::size_t>> joined(const std::vector<Loop>& polygons,
                                                          const std::vector<Piece>& in_order) {
   std::vector<std::uint32_t> sides;
@@ -54,7 +54,7 @@ using Joined = std::vector<std::pair<std::int32_t, std::size_t>>;
 TEST(JoinPieces, PiecesThatNothingCoversAreOnePolygonAgain) {
   const Loop whole = box(0.2, 0.8);
   EXPECT_EQ(joined({whole}, {{0, box(0.2, 0.5)}, {0, box(0.5, 0.8)}}), (Joined{{0, 4}}));
-  // What is drawn between covers neither piece.
+  // The piece drawn between covers neither.
   EXPECT_EQ(
       joined({whole, box(0.8, 0.9)}, {{0, box(0.2, 0.5)}, {1, box(0.8, 0.9)}, {0, box(0.5, 0.8)}}),
       (Joined{{1, 4}, {0, 4}}));

@@ -1,6 +1,6 @@
-// What is kept between the views of a retained scene: shadows while only the eye moves, visible
+// The data kept between the views of a retained scene: shadows while only the eye moves, visible
 // surfaces while only the light does. Every picture is that of entering the view anew, bit for bit,
-// whatever was drawn before it; and what is kept is not made again, which is counted.
+// whatever was drawn before it; and counts show that kept data are not made again.
 
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ void expect_right(const Retained& retained) {
 TEST(KeptViews, AreThoseEnteredAnewOfTheGallery) {
   int drawn = 0;
   const auto light = [](GraphicsSystem& system) {
-    system.set_light({0.4, 0.9, 0.6}, 0.3);  // unless the program says another
+    system.set_light({0.4, 0.9, 0.6}, 0.3);  // unless the program sets another
     system.set_shadows(true);
   };
   test::for_each_in_gallery(light, [&](const std::string&, const Retained& retained) {
@@ -185,11 +185,11 @@ TEST(KeptViews, FollowTwoLightsClippingAndEyesThatComeClose) {
   far.set_depth(-3.0, 3.0);
   far.set_perspective({0.0, 0.0, 1e7});
   for (int k = 0; k < 3; ++k) expect_right(renderer, {far});
-  far.set_parallel({1e5, 0.0, 1.0});  // so oblique that the world cannot tell
+  far.set_parallel({1e5, 0.0, 1.0});  // so oblique that world coordinates cannot decide
   for (int k = 0; k < 3; ++k) expect_right(renderer, {far});
 }
 
-/// What segments are drawn with may change between views.
+/// The attributes of segments may change between views.
 TEST(KeptViews, FollowVisibilityAndImages) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -229,7 +229,7 @@ TEST(KeptViews, SamplesAreThoseEnteredAnew) {
   }
 }
 
-// ---- What is kept is not made again ------------------------------------------------------------
+// ---- Kept data are not made again --------------------------------------------------------------
 
 TEST(KeptViews, AMovingLightFindsNoSurfaces) {
   Retained retained;
@@ -278,7 +278,7 @@ TEST(KeptViews, WithoutShadowsNothingIsKeptForThem) {
   for (int k = 0; k < 3; ++k) draw(renderer, {retained.system.view()});
   EXPECT_EQ(renderer.made().caster_trees, 0u);
   EXPECT_EQ(renderer.bytes_of_casters(), 0u);
-  EXPECT_EQ(renderer.made().surfaces, 3u);  // no light, whose moves would leave them
+  EXPECT_EQ(renderer.made().surfaces, 3u);  // no light, whose moves would keep them
 }
 
 }  // namespace

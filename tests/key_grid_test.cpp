@@ -1,4 +1,4 @@
-// The grid of keys finds what a search by all pairs finds.
+// The grid of keys finds the same as a search by all pairs.
 
 #include "hidden/touching/key_grid.h"
 

@@ -19,8 +19,8 @@ namespace displayfile::test {
 inline constexpr HiddenMethod kMethodsOfLines[] = {HiddenMethod::franklin, HiddenMethod::roberts,
                                                    HiddenMethod::appel};
 
-/// The length of the visible lines, in units of the picture; of those of one colour alone, if it is
-/// given, and not those of polygon 0 unless they are.
+/// The length of the visible lines, in units of the picture; only those of one colour if it is
+/// given, otherwise without those of polygon 0.
 inline double length_of(const GraphicsSystem& g, HiddenMethod method,
                         const std::optional<Colour>& colour = std::nullopt) {
   SortedDisplayFile sorted;

@@ -62,7 +62,7 @@ TEST_F(Limits, MemoryIsKnownBeforeOrRunsOut) {
   expect_error("truth t.draw --size 20000x20000 --ids i.npy --limit-memory 2G",
                "out of memory: the truth of 20000 x 20000 pixels needs at least 6800000000 bytes, "
                "and the limit is 2147483648");
-  // What a library takes, or tables that nobody counts, meets the system's limit.
+  // Memory of libraries, or of tables that are not counted, meets the system's limit.
   expect_error("draw t.draw -o old.svg --hidden bsp --limit-memory 34M --limit-pieces 4000000000",
                "bytes are not enough: expected a higher limit of memory, or ");
   EXPECT_NE(err_.find("hidden-surface method map"), err_.npos) << err_;
@@ -87,7 +87,7 @@ TEST_F(Limits, MemoryOfSamples) {
   EXPECT_EQ(run(draws("plain-z-buffer", 1, "1G")), 0) << err_;
 }
 
-/// What is collected in memory before it is written is whole, or nothing is written.
+/// A picture collected in memory before it is written is whole, or nothing is written.
 TEST_F(Limits, NoMemoryCutsAPictureShort) {
   std::string texts = "open-segment 1\nmove-abs-3 0 0 0\n";
   for (int k = 0; k < 60; ++k) texts += "text \"" + std::string(65000, '&') + "\"\n";
@@ -138,8 +138,8 @@ TEST_F(Limits, WordsThatAreNone) {
                "--limit-pieces: 1e3: expected a whole number, 1 to 4000000000");
 }
 
-/// Names that come from a pipe are waited for no longer, whatever the one who started it has done
-/// with the timer's signal.
+/// The wait for names from a pipe ends at the limit, whatever the parent process has done with the
+/// timer's signal.
 TEST_F(Limits, OfListsOfInputs) {
   const std::string pipe = file("pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

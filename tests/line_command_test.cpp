@@ -1,4 +1,4 @@
-// Line drawings by the command: hidden lines dashed, and what is joined into chains.
+// Line drawings by the command: hidden lines dashed, and lines joined into chains.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ TEST_F(LineCommand, HiddenLinesOfABareMeshAreDashedAndComeFirst) {
   EXPECT_EQ(count("line "), 9u);
   for (const char* method : {"franklin", "roberts"}) {
     ASSERT_EQ(run(std::string("dump box.obj --hidden-lines dashed --hidden ") + method), 0) << err_;
-    EXPECT_GE(count("line "), 12u);  // and what rounding shows of those that are hidden
+    EXPECT_GE(count("line "), 12u);  // and parts of hidden ones that rounding shows
     EXPECT_EQ(count("line-style dashed 0 0 0 0.5 6 4"), 1u) << out_;
     const std::size_t dashed = out_.find("line-style dashed"),
                       solid = out_.find("line-style solid");
@@ -52,8 +52,8 @@ TEST_F(LineCommand, HiddenLinesOfABareMeshAreDashedAndComeFirst) {
             std::string::npos);
 }
 
-/// Behind a plate, of which it is seen what sticks out; a shorter line on the plate covers the rest
-/// but for two ends.
+/// Behind a plate, beyond which its ends are visible; a shorter line on the plate covers the rest
+/// except for two ends.
 TEST_F(LineCommand, HiddenLinesThatAreCoveredAreLeftOut) {
   write("plate.draw",
         "open-segment 1\n"
@@ -160,7 +160,7 @@ TEST_F(LineCommand, UnknownHiddenLinesAreRefused) {
 }
 
 /// Its first view is the scene as it was drawn; so the lines over its fills are those of the scene
-/// drawn alone, whoever finds the surfaces and whoever asks for hidden lines.
+/// drawn alone, with any method of surfaces and with hidden lines requested by option or program.
 TEST_F(LineCommand, ATurntableHasTheLinesOfASceneDrawnAlone) {
   const std::string plates =
       "set-lines all intersection\nset-back-face-removal off\nopen-segment 1\n"
@@ -209,7 +209,7 @@ TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
                        "', which draws in order of entry: expected a method that hides, such as "
                        "map or franklin, or hidden lines none");
       EXPECT_FALSE(std::filesystem::exists(folder_ / file));
-      // Where no line is hidden, there is none to be dashed.
+      // Where no line is hidden, none can be dashed.
       EXPECT_EQ(run("draw before.draw --hidden-lines dashed -o " + file + with), 0) << err_;
       EXPECT_EQ(err_, "");
       std::filesystem::remove(folder_ / file);
@@ -235,7 +235,7 @@ TEST_F(LineCommand, HiddenLinesOfADrawingInOrderOfEntryAreRefused) {
   }
 }
 
-/// They are drawn by who finds lines, or by an order of fills that has them: not by depths.
+/// They are drawn by methods that find lines, or by an order of fills that has them: not by depths.
 TEST_F(LineCommand, HiddenLinesThatNothingDrawsAreRefused) {
   const std::string plates =
       "set-back-face-removal off\nopen-segment 1\n"

@@ -1,5 +1,5 @@
-// What a user sees of the methods that find lines: they are drawn, dumped, kept with a segment and
-// replayed as an order of polygons is; fills hide, but are not drawn.
+// The visible behaviour of the methods that find lines: they are drawn, dumped, kept with a segment
+// and replayed as an order of polygons is; fills hide, but are not drawn.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ Counts counts(const std::string& dump) {
   return found;
 }
 
-/// How many lines stand under each pick identifier.
+/// The number of lines under each pick identifier.
 std::map<int, int> lines_of_picks(const std::string& dump) {
   std::map<int, int> lines;
   std::istringstream words(dump);
@@ -104,20 +104,20 @@ TEST(LineDrawing, ShowsTheNineEdgesOfACubeThatAreSeen) {
   const Counts found = counts(text);
   EXPECT_EQ(found.polygons, 0);
   EXPECT_EQ(found.lines, 9);
-  // The lines stand under the polygons that they belong to: the first of those that share them.
+  // The lines are under their polygons: the first of those that share them.
   const auto lines = lines_of_picks(text);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines.at(0), 4);
   EXPECT_EQ(lines.at(2), 3);
   EXPECT_EQ(lines.at(4), 2);
   // Four corners have three lines, so that there are two strokes, and one around the outline; they
-  // go on where the pick identifier changes.
+  // continue where the pick identifier changes.
   EXPECT_GT(found.picks, 3);
   EXPECT_EQ(found.moves, 3) << text;
 }
 
 /// A side that two polygons share is drawn if one of them is outlined, whichever was entered first;
-/// of a polygon of line style none nothing is drawn.
+/// nothing is drawn of a polygon with line style none.
 TEST(LineDrawing, ShowsTheSidesOfWhatHasALineStyle) {
   for (const bool outlined_first : {true, false}) {
     GraphicsSystem g;
@@ -167,7 +167,7 @@ TEST(LineDrawing, FollowsEditsOfSegments) {
   EXPECT_EQ(dump(kept.update(g, HiddenMethod::franklin, options)), before);
 }
 
-/// What stops the work leaves what was sorted before, and an open segment open.
+/// An interrupted sort leaves segments sorted before unchanged, and an open segment open.
 TEST(LineDrawing, IsStoppedWithNothingChanged) {
   GraphicsSystem g;
   enter_cubes(g);
@@ -281,7 +281,8 @@ TEST(LineDrawing, HiddenLinesAreDashedBeforeTheVisibleOnes) {
   EXPECT_EQ(counts(all).polygons, 0);
 }
 
-/// As of a precision: what close-segment found stays until it is asked for otherwise.
+/// As with the precision: hidden lines found by close-segment stay until other options are
+/// requested.
 TEST(LineDrawing, HiddenLinesAreFoundAnewWhereTheyAreAskedForOtherwise) {
   GraphicsSystem g;
   enter_cube_with_back(g);
@@ -397,7 +398,7 @@ TEST(LineDrawing, IntersectionsAreDrawnOverFillsThatWereSortedInEitherScope) {
   }
 }
 
-/// What is set later is of segments that are closed later, in pixels as in the instructions.
+/// Later settings apply to segments closed later, in pixels as in the instructions.
 TEST(LineDrawing, PixelsHaveTheHiddenLinesAndIntersectionsThatAnOrderHas) {
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     const auto pictures = [&](HiddenLines hidden, const char* lines) {

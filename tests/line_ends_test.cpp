@@ -78,8 +78,8 @@ TEST(LineCuts, OfAHiddenPartAreWhereItIsSeen) {
   EXPECT_EQ(cuts_of_lines(pieces), (Cuts{{0.2, 0.5, 0, 1}, {0.5, 0.8, 1, 0}}));
 }
 
-/// A part of a line in the middle, and one that a vertex of the wall ends at: that vertex is none
-/// of the line's.
+/// A part of a line in the middle, and one that ends at a vertex of the wall: that vertex is not
+/// one of the line's.
 TEST(LineCuts, AtBothEndsAndAtVerticesOfWhatHides) {
   const GraphicsSystem g = replayed(R"(
     set-window 0 1 0 1
@@ -201,7 +201,8 @@ TEST(SvgDevice, CutEndsHaveNoCaps) {
             "<path class=\"l1\" d=\"M20 50l60 0\"/>\n");
 }
 
-/// The other end's cap is a disc, after all lines of the style; those that go on have one end each.
+/// The other end's cap is a disc, after all lines of the style; lines that continue have one end
+/// each.
 TEST(SvgDevice, TheOtherEndOfACutLineHasADisc) {
   const LineStyle style = line(kRed, 4.0);
   EXPECT_EQ(svg_of({{kLeft, kMiddle, style, kDrawn, {false, true}},
@@ -214,7 +215,7 @@ TEST(SvgDevice, TheOtherEndOfACutLineHasADisc) {
             "<path class=\"l2\" d=\"M20 50l0 0M50 50l0 0\"/>\n");
 }
 
-/// A disc would reach over what hides the line.
+/// A disc would reach over the polygon that hides the line.
 TEST(SvgDevice, ALineShorterThanHalfItsWidthHasNoDisc) {
   EXPECT_EQ(svg_of({{kLeft, kMiddle, line(kRed, 61.0), kDrawn, {false, true}}}),
             ".l1{stroke:#ff0000;stroke-width:61}\n"
@@ -259,7 +260,7 @@ TEST_P(LineEnds, ALineEndsWhereSomethingHidesTheRest) {
   EXPECT_EQ(at(p, 0.5, 0.895), kWhitePixel);
 }
 
-/// By franklin what hides is white, and all that is drawn is the line.
+/// By franklin the polygons that hide are white, and only the line is drawn.
 TEST_P(LineEnds, ByAMethodOfLinesToo) {
   const Picture p = draw(replayed(kBehindAWall), HiddenMethod::franklin);
   for (const double x : {0.43, 0.5, 0.57}) {

@@ -1,5 +1,4 @@
-// Styles of lines by kind, and of hidden lines: the routine, the recorder, and what every output
-// makes of them.
+// Styles of lines by kind, and of hidden lines: the routine, the recorder, and every output.
 
 #include <gtest/gtest.h>
 
@@ -267,7 +266,7 @@ TEST(LineKindStyles, SvgHasThemAndAClassOfHiddenLines) {
   // Over fills, too.
   const std::string filled = draw_as(replayed(box(styles, "bsp")), "svg");
   EXPECT_EQ(widths_in(filled), widths_in(svg)) << filled;
-  // By default as without a style, but for the class.
+  // By default as without a style, except for the class.
   const auto usual = widths_in(draw_as(replayed(box("")), "svg"));
   EXPECT_EQ(usual.at("crease hidden"), "1 dashed");
   EXPECT_EQ(widths_in(draw_as(replayed(box("", "franklin", "all")), "svg")).at("hidden"),

@@ -19,7 +19,7 @@ using test::enter;
 
 class LineKindsFiles : public test::TemporaryFolder {
  protected:
-  /// What is in the file that a box with those lines is drawn into.
+  /// The content of the file into which a box with those lines is drawn.
   std::string box_in(const std::string& name, const std::string& words, HiddenMethod method) {
     const GraphicsSystem g =
         drawn_with(words, [](GraphicsSystem& system) { enter(system, box()); });

@@ -190,7 +190,7 @@ TEST(LineKinds, EdgeOnCountsAsTurnedAway) {
   EXPECT_EQ(world_sides("outline", cube, Eye::toward({1, 1, 1})).size(), 6u);
 }
 
-// ---- What is drawn -----------------------------------------------------------------------
+// ---- Drawn lines -------------------------------------------------------------------------
 
 TEST(LineKinds, BackFacesAndClippingChangeNoKind) {
   const auto outline = [](bool back_faces_removed, double front) {
@@ -258,7 +258,7 @@ TEST(LineKinds, AllAloneChangesNothing) {
   EXPECT_EQ(count(drawn_sides(all.display_file()), kDrawn), drawn_sides(all.display_file()).size());
 }
 
-/// What is selected when a segment is closed is the segment's.
+/// A segment keeps the selection in force when it is closed.
 TEST(LineKinds, EachSegmentHasItsOwn) {
   GraphicsSystem g;
   g.set_hidden_surfaces({.lines = line_selection("crease")});
@@ -277,7 +277,8 @@ TEST(LineKinds, EachSegmentHasItsOwn) {
   EXPECT_EQ(count(sides_in_view(*g.retained(), Eye::at({3, 2, 5})), kCrease), 12u);
 }
 
-/// A segment whose closing is refused is as it was, and what is entered then looks as it should.
+/// A segment whose closing is refused is unchanged, and primitives entered then look as they
+/// should.
 TEST(LineKinds, ARefusedClosingSelectsNothing) {
   GraphicsSystem system, other;
   for (GraphicsSystem* g : {&system, &other}) {

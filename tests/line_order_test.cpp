@@ -99,7 +99,7 @@ struct Axis {
   Point3 from, to;
 };
 
-/// Where two lines cross in the picture, and by how much the second is nearer.
+/// The crossing of two lines in the picture, and the depth by which the second is nearer.
 bool crossing_of(const Axis& a, const Axis& b, Point2& at, double& nearer) {
   const Point3 u = a.to - a.from, v = b.to - b.from, w = b.from - a.from;
   const double turn = u.x * v.y - u.y * v.x;

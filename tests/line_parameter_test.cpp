@@ -21,8 +21,8 @@ namespace {
 
 using namespace test;
 
-/// Twice how far the double is from the exact value, cut off at 0 and 1, is no more than the space
-/// to its neighbour there; and if it is that, its last digit is even.
+/// Twice the distance of the double from the exact value, cut off at 0 and 1, is no more than the
+/// space to its neighbour there; and if it is that, its last digit is even.
 bool is_nearest(double value, Q exact_value) {
   if (exact_value <= 0) return value == 0.0;
   if (exact_value >= 1) return value == 1.0;
@@ -126,7 +126,7 @@ TEST(LineParameters, MeetingsOfTwoPlanesAboveALine) {
   }
 }
 
-/// The line of two triangles' planes between two sides of the first, and what it is in rationals.
+/// The line of two triangles' planes between two sides of the first, and its rationals.
 struct LineOfPlanes {
   LineOfPlanes(const Trial& trial, Source& s) {
     for (Point3& p : points) p = trial.point(s);

@@ -11,13 +11,13 @@
 #include "interp/truth/judged_lines.h"
 #include "tests/sort_scenes.h"
 
-// What methods find of lines, held against their truth, which shares nothing with them.
+// The results of line methods compared with their truth, which shares no code with them.
 
 namespace displayfile::test {
 
-/// What is wrong in what each method finds of all lines, drawn or not, in words; empty if nothing
-/// is: the pieces are the truth's to the last bit, since both round the end of a piece once. On so
-/// many threads too.
+/// Describes the errors of each method's pieces of all lines, drawn or not; empty if there are
+/// none: the pieces are the truth's to the last bit, since both round the end of a piece once. Also
+/// on `more_threads` threads.
 inline std::string wrong_lines(const DisplayFile& file, int more_threads = 3) {
   const LineItems items(file);
   const ViewedScene scene(file);

@@ -1,6 +1,6 @@
 // Lines in pixels (interp/scan/lines.md): over the surfaces of every method they are the visible
 // pieces that the truth of lines has (interp/truth/true_lines.h), painted here by a painter that
-// shares nothing with the one that is judged.
+// shares no code with the one under test.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ class SlowPainter {
         painted_(static_cast<std::size_t>(size.width * size.height), false) {}
   const std::vector<bool>& painted() const { return painted_; }
 
-  /// All pixels are asked whether the line is there.
+  /// Tests every pixel for the line.
   void draw(const LinePiece& piece) {
     const Point2 size(size_.width, size_.height);
     const WholeLineInPixels line{Point2(items_.from(piece.line)) * size,
@@ -104,7 +104,7 @@ class SlowPainter {
   std::vector<bool> painted_;
 };
 
-/// Those that heed what hides what; world-ray-cast, which needs a retained scene, apart.
+/// The methods that find surfaces; world-ray-cast, which needs a retained scene, is tested apart.
 std::vector<HiddenMethod> surface_methods() {
   std::vector<HiddenMethod> all{HiddenMethod::automatic, HiddenMethod::bsp,
                                 HiddenMethod::depth_sort, HiddenMethod::plain_z_buffer,
@@ -128,7 +128,8 @@ Picture drawn(const DisplayFile& file, HiddenMethod method, const Size& size, in
   return draw_with_software(sorted, request);
 }
 
-/// What differs from the method's fills with these pieces over them, in words; empty if nothing.
+/// Describes the differences from the method's fills with these pieces over them; empty if there
+/// are none.
 std::string wrong_pixels(const DisplayFile& fills, const LineStyle& style, const Size& size,
                          const Pieces& pieces, const Precision& precision = {}) {
   const DisplayFile lines = outlined(fills, style);
@@ -140,7 +141,7 @@ std::string wrong_pixels(const DisplayFile& fills, const LineStyle& style, const
   for (const HiddenMethod method : surface_methods()) {
     Picture right;
     for (const int threads : {1, 2}) {
-      // What roundoff has of fills may depend on where bands begin.
+      // With a roundoff, fills may depend on where bands begin.
       if (threads == 1 || !precision.exact) right = drawn(bare, method, size, threads, precision);
       for (std::size_t i = 0; i < right.pixels.size(); ++i) {
         if (painter.painted()[i]) right.pixels[i] = pixel_of(style.colour);
@@ -213,7 +214,7 @@ TEST(LinesInPixels, HaveTheRoundoffThatSurfacesHave) {
   EXPECT_EQ(wrong_pixels(fills, {LineStyle::Kind::solid, kLine}, {61, 47}, pieces, roundoff), "");
 }
 
-/// A line is one and the same whoever hides parts of it: dashes lie where they lie on the whole.
+/// A line is the same whichever polygons hide parts of it: dashes lie where they lie on the whole.
 TEST(LinesInPixels, DashesRunOnWhereALineIsHidden) {
   const auto make = [](bool with_fill, LineStyle::Kind kind) {
     DisplayFile file;
@@ -330,8 +331,8 @@ TEST(LinesInPixels, AreTheSameInStrips) {
   }
 }
 
-/// Whatever finds the surfaces, the lines over them are the same, in whole pictures of what
-/// applications draw.
+/// With any method of surfaces, the lines over them are the same, in whole pictures as applications
+/// draw them.
 TEST(LinesInPixels, AreTheSameByEveryExactMethodOverTheGallery) {
   test::for_each_in_gallery([](const std::string& program, const test::Retained& retained) {
     DrawOptions options{.samples = 1};

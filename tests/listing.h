@@ -8,7 +8,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/segments/display_file.h"
 
-// Instructions as short text, to hold against what the application called.
+// Instructions as short text, to compare with the application's calls.
 
 namespace displayfile::test {
 

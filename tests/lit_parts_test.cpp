@@ -30,7 +30,7 @@ using Polygons = std::vector<std::vector<Point3>>;
 
 constexpr int kSize = 128;
 
-/// A view of what lies around the origin, some 2 wide.
+/// A view of the surroundings of the origin, about 2 wide.
 enum class Eye { level, oblique, close, above };
 constexpr Eye kEyes[] = {Eye::level, Eye::oblique, Eye::close, Eye::above};
 
@@ -88,7 +88,7 @@ Picture by_rays(const GraphicsSystem& g) {
   return draw(g, options);
 }
 
-/// A centre that is on the edge of a shadow, but for rounding, may be told either way.
+/// A centre on the edge of a shadow, up to rounding, may be decided either way.
 void expect_the_same_shadows(const GraphicsSystem& g, const std::string& what) {
   const Picture map = by_map(g), rays = by_rays(g);
   EXPECT_EQ(map.ids, rays.ids) << what;
@@ -273,7 +273,7 @@ TEST(LitParts, OfOneThatCrossesItself) {
   expect_the_same_shadows(g, "one that crosses itself");
 }
 
-/// What is lit keeps its shades, and what is in shadow has none.
+/// Lit parts keep their shades, and parts in shadow have none.
 TEST(LitParts, AreShadedSmoothly) {
   for (const Shading shading : {Shading::gouraud, Shading::phong}) {
     for (const Eye eye : kEyes) {
@@ -314,7 +314,7 @@ TEST(LitParts, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.find("shadow"), std::string::npos);
 }
 
-/// An order that was found without shadows will not do, and one that has them will again.
+/// An order found without shadows cannot be reused; one that has them can be reused.
 TEST(LitParts, AreFoundAgainWhereSomethingChanged) {
   GraphicsSystem g = drawn({tiled_floor(1, -0.5), box({-0.3, -0.2, -0.3}, {0.2, 0.1, 0.2})},
                            {0.2, 1, 0.1}, Eye::above);

@@ -1,4 +1,4 @@
-// Many polygons entered at once are what one call each makes of them.
+// Many polygons entered at once give the same as one call each.
 
 #include "displayfile/graphics_system.h"
 
@@ -104,7 +104,7 @@ TEST(ManyPolygons, AreEnteredAsOneByOne) {
   }
 }
 
-/// With pick identifiers and normals of their own they are what single calls make of them.
+/// With pick identifiers and normals of their own they equal those entered by single calls.
 TEST(ManyPolygons, HavePicksAndNormalsOfTheirOwn) {
   for (std::uint32_t seed = 0; seed < 32; ++seed) {
     const SharedPolygons polygons(seed);
@@ -151,7 +151,7 @@ TEST(ManyPolygons, HavePicksAndNormalsOfTheirOwn) {
   }
 }
 
-/// What a view of a scene that is retained alone, or beside a display file, is written as.
+/// The text of a view of a scene that is retained alone, or beside a display file.
 std::string retained_view(std::uint32_t seed, bool alone, bool triangles) {
   SharedPolygons polygons(seed);
   if (triangles) {

@@ -22,7 +22,7 @@ namespace {
 
 using namespace test;
 
-/// Looks at no more than about so many edges.
+/// Checks at most about `most_edges` edges.
 void expect_true_map(const DisplayFile& file, std::size_t most_edges, const std::string& name) {
   const ViewedScene scene(file);
   const Primitives items = scene.primitives();

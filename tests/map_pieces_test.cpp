@@ -23,7 +23,7 @@ using namespace test;
 
 double cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
 
-/// Twice what is seen of each item, from the edges beside it.
+/// Twice the visible area of each item, from the edges beside it.
 std::vector<double> areas_in_map(const Primitives& items, const VisibleMap& map) {
   std::vector<double> areas(items.items.size(), 0.0);
   for (const auto& [from, to, left, right] : map.edges) {
@@ -50,7 +50,7 @@ std::vector<double> areas_of_pieces(const Primitives& items, const SortedPieces&
   return areas;
 }
 
-/// The items whose pieces have another area than what the map shows of them, in words.
+/// Describes the items whose pieces have another area than in the map.
 std::string wrong_areas(const Primitives& items, const VisibleMap& map) {
   const std::vector<double> pieces = areas_of_pieces(items, pieces_of_map(items, map));
   const std::vector<double> seen = areas_in_map(items, map);
@@ -63,7 +63,7 @@ std::string wrong_areas(const Primitives& items, const VisibleMap& map) {
   return wrong.str();
 }
 
-/// In words, the points at which what is painted is not the item that is seen there, once.
+/// Describes the points that are not painted exactly once by the item visible there.
 std::string painted_wrongly(const ItemList& list, const std::vector<Point2>& points) {
   const Primitives items = list.view();
   const std::vector<DrawnPiece> pieces =

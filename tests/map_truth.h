@@ -18,8 +18,8 @@
 #include "tests/brute_force_truth.h"
 #include "tests/rational_points.h"
 
-// The definition of what is seen, in rationals, and a map held against it. It shares no line with
-// the map but the support vertices and the description of its vertices.
+// The definition of visibility, in rationals, and the comparison of a map with it. It shares no
+// code with the map except the support vertices and the description of its vertices.
 
 namespace displayfile::test {
 
@@ -58,7 +58,7 @@ class MapTruth {
     }
   }
 
-  /// What is seen right beside a point, on the way to (dx, dy) from it.
+  /// The item visible right beside a point, in the direction (dx, dy).
   std::uint32_t seen_beside(const Q& x, const Q& y, const Q& dx, const Q& dy) const {
     std::uint32_t seen = kNothing;
     Q nearest, slope_of_nearest;
@@ -79,7 +79,7 @@ class MapTruth {
     return seen;
   }
 
-  /// The vertex as it is described; z is not meant.
+  /// The vertex as it is described, without z.
   QPoint point(const MapPlace& place) const {
     const auto& of = place.of;
     switch (place.kind) {
@@ -135,9 +135,9 @@ class MapTruth {
   std::vector<Polygon> polygons_;
 };
 
-/// What is wrong in a map of the items, in words; empty if nothing is. Points at random are asked
-/// about too, as many as those given. Of a large scene every so many edges and sides are looked at
-/// for what is seen beside them; that outlines close, and edges meet at vertices, of all.
+/// Describes the errors in a map of the items; empty if there are none. As many random points as
+/// given ones are tested too. In a large scene, only one in `every` edges and sides is tested for
+/// the visible items beside it; all outlines must close, and all edges must meet at vertices.
 inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
                                 std::span<const Point2> asked, std::size_t every = 1) {
   const MapTruth truth(items);
@@ -152,7 +152,7 @@ inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
       }
     }
   }
-  // Beside each edge is seen what it says.
+  // The visible items beside each edge are those that it names.
   const auto name = [](std::uint32_t item) {
     return item == VisibleMap::kNothing ? std::string("nothing") : std::to_string(item);
   };
@@ -218,7 +218,7 @@ inline std::string wrong_in_map(const Primitives& items, const VisibleMap& map,
       }
     }
   }
-  // What is seen at places anywhere, found by counting edges, and along the polygons' sides.
+  // The visible items at places anywhere, found by counting edges, and along the polygons' sides.
   const auto in_map = [&](const Q& x, const Q& y, const Q& dx, const Q& dy) {
     std::map<std::uint32_t, int> crossed;
     for (const auto& [from, to, left, right] : map.edges) {

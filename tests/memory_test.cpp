@@ -28,7 +28,7 @@ using test::error_of;
 
 constexpr std::size_t kMegabyte = 1000000;
 
-/// No more memory than there is in use, and so much more.
+/// Limits memory to the bytes in use plus `more`.
 void limit_memory(std::size_t more) {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -37,8 +37,8 @@ void limit_memory(std::size_t more) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
-/// What work() returns, in a process that has so much memory more than this one. For the limit,
-/// which is another at every start, it has an L.
+/// The result of work(), in a process that has `more` bytes of memory more than this one. It has an
+/// L in place of the limit, which differs at every start.
 std::string within(std::size_t more, const std::function<std::string()>& work) {
   int ends[2];
   if (pipe(ends) != 0) return "no pipe";
@@ -105,7 +105,7 @@ TEST(OutOfMemory, OfAPictureIsSaidBeforeAnyWork) {
             "and the limit is L");
 }
 
-/// Whether they are many enough to come in large pages or not.
+/// In numbers that are large enough for large pages, or not.
 TEST(LargePages, HoldAsManyValuesAsAskedFor) {
   for (const std::size_t count : {0u, 5u, 3'000'001u, 9'000'001u}) {
     const std::vector<double> values = in_large_pages(count, 0.5);
@@ -129,7 +129,7 @@ TEST(OutOfMemory, RowsOfAPictureNeedTheirOwnMemory) {
             "the limit is L");
 }
 
-/// The memory of the picture before is used again: it is not asked for a second time.
+/// The memory of the previous picture is reused, not allocated a second time.
 TEST(OutOfMemory, ARendererNeedsOnePictureOnly) {
   const GraphicsSystem g = triangle();
   EXPECT_EQ(within(150 * kMegabyte,
@@ -188,8 +188,8 @@ TEST(OutOfMemory, OfASortLeavesTheSegmentOpen) {
   }
 }
 
-/// A stream that drops what there is no memory for hands out what it has: a picture or a dump that
-/// is cut short.
+/// A stream that drops text when memory runs out would return the rest: a picture or a dump that is
+/// cut short.
 TEST(OutOfMemory, NothingThatIsCollectedInMemoryIsCutShort) {
   GraphicsSystem g;
   g.open_segment(1);

@@ -11,7 +11,7 @@
 #include "tests/error_of.h"
 #include "tests/mesh_files.h"
 
-// The colours of a mesh's faces, and what is said of them.
+// The colours of a mesh's faces, and the reports on them.
 
 namespace displayfile::test {
 
@@ -43,7 +43,7 @@ class MeshColours : public MeshFiles {
 
 inline constexpr const char* kFourFaces[] = {"f 1 3 2\n", "f 1 2 4\n", "f 1 4 3\n", "f 2 3 4\n"};
 
-/// What reading says beside faces: one line each.
+/// The reports of reading beside faces: one line each.
 inline std::string said_of(const Mesh& mesh) {
   std::string text = fmt::format("{} textured, {} transparent\n", mesh.skipped.textured_faces,
                                  mesh.skipped.transparent_faces);

@@ -64,7 +64,7 @@ TEST_F(MeshColours, ObjLibrariesElsewhereAreNotRead) {
   expect("link.mtl", std::nullopt);
 }
 
-/// The libraries that an OBJ file's name and its faces' materials say, where they are not there.
+/// The libraries named by an OBJ file and its faces' materials, where they are missing.
 TEST_F(MeshColours, ObjSaysOnceWhatIsMissing) {
   const std::string faces = std::string(kFourCorners) + "usemtl a\n" + kFourFaces[0] +
                             "usemtl b\n" + kFourFaces[1] + "usemtl a\n" + kFourFaces[2];
@@ -125,7 +125,7 @@ TEST_F(MeshColours, BadMaterialLibrariesAreRefused) {
   refused("newmtl a\nK" + std::string(1, '\0') + "d 1 0 0\n", "bad.mtl:2:2: binary data");
 }
 
-/// Colours beyond the range are brought into it; statements of no material say nothing.
+/// Colours beyond the range are clamped; statements outside a material are ignored.
 TEST_F(MeshColours, OddMaterialLibrariesAreRead) {
   const auto read = [&](const std::string& text) {
     return read_material_library({"a.mtl", text, false});

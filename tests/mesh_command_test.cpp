@@ -1,4 +1,4 @@
-// Meshes on the command line: their colours, what is said of them, and names in either case.
+// Meshes on the command line: their colours, the reports on them, and names in either case.
 
 #include <regex>
 #include <sstream>
@@ -149,7 +149,7 @@ TEST_F(MeshCommand, BadColoursAreRefused) {
   EXPECT_EQ(run("draw m.obj -o x.png --colour"), 2);
 }
 
-/// One line for each file that there is something to say of, and the mesh is drawn.
+/// One line for each file with something to report, and the mesh is drawn.
 TEST_F(MeshCommand, WhatIsNotDrawnIsSaidOnce) {
   write("t.mtl", "newmtl red\nKd 1 0 0\nmap_Kd a.png\nd 0.5\n");
   write("t.obj", std::string("mtllib t.mtl\n") + kCorners + kFaces + "l 1 2 3\n");
@@ -205,7 +205,7 @@ TEST_F(MeshCommand, TextInUtf16IsNamedAsSuch) {
   }
 }
 
-/// A limit is one, whatever the file.
+/// A limit is reported as a limit, whatever the file.
 TEST_F(MeshCommand, ALimitIsNotTakenForUtf16) {
   write("m.dae", in_utf16("<COLLADA/>", false));
   EXPECT_EQ(run("draw m.dae -o m.png --import-seconds 0.000001"), 2);
@@ -215,8 +215,8 @@ TEST_F(MeshCommand, ALimitIsNotTakenForUtf16) {
   expect_error("draw m.dae -o m.png", "cannot be started");
 }
 
-/// The reason is that of the reader that the extension names, or none: what another format's reader
-/// says is of no use.
+/// The reason is from the reader of the extension's format, or there is none: the message of
+/// another format's reader is of no use.
 TEST_F(MeshCommand, RefusedFilesGetTheRightReadersReason) {
   write("m.ac", "nothing\n");
   if (run("draw m.ac -o m.png"); err_.find(kHasNoImportLibrary) != std::string::npos) {
@@ -323,7 +323,7 @@ TEST_F(MeshCommand, LimitsOfTheImportLibraryAreOptions) {
   }
 }
 
-/// What the library has is lent by the command, which has so much less meanwhile.
+/// The command lends the library its memory, and has that much less meanwhile.
 TEST_F(MeshCommand, TheLimitOfMemoryIsTheLibrarysToo) {
   write("hungers.ac", displayfile::test::ac3d_that_hungers());
   write("good.ac", displayfile::test::ac3d("0 0 0\n1 0 0\n1 1 0\n"));

@@ -1,6 +1,6 @@
-// What programs write that formats do not quite allow, or not in so many words: line ends of one
+// Files by programs that deviate from their formats, or from the letter of them: line ends of one
 // CR, bytes behind a binary STL, names in quotation marks, colours that no keyword announces,
-// indices of what is not there. And formats that are not read are named.
+// indices of missing elements. And formats that are not read are named.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::string colours_of(const Mesh& mesh) {
   return text;
 }
 
-// ---- What OBJ has that is not read ------------------------------------------------------
+// ---- Statements of OBJ that are not read ------------------------------------------------
 
 TEST_F(MeshDialects, StatementsOfObjThatAreNotReadAreNamed) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
@@ -121,7 +121,7 @@ TEST_F(MeshDialects, MostLineEndsAreTheLineEnds) {
   EXPECT_EQ(read("b.obj", with_line_ends("# a comment\n" + rest, "\r") + "\n").vertices.size(), 3u);
 }
 
-/// What follows the header may hold more bytes of LF than the header has CR, and begin with one.
+/// The data after the header may hold more bytes of LF than the header has CR, and begin with one.
 TEST_F(MeshDialects, ABinaryPlyHeaderMayEndItsLinesInCr) {
   for (const char* end : {"\n", "\r\n", "\r"}) {
     const std::string header =
@@ -481,11 +481,11 @@ TEST_F(MeshDialects, FormatsThatAreNotReadAreNamed) {
     const std::string name = fmt::format("a.{}", extension);
     expect_error([&] { read(name, "something\n"); }, name + ": " + format + advice);
   }
-  // What tells that it is a mesh of another format is read.
+  // A file that is recognisably a mesh of another format is read.
   EXPECT_EQ(read("a.dwg", "OFF\n3 1 0\n" + std::string(kTriangle) + "3 0 1 2\n").faces(), 1u);
 }
 
-/// A building in the same notation is one that the import library may take.
+/// A building in the same notation is left to the import library.
 TEST_F(MeshDialects, IfcIsNotTakenForStep) {
   const std::string ifc =
       "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\n"

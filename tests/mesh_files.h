@@ -26,7 +26,7 @@ class MeshFiles : public TemporaryFolder {
   }
 };
 
-/// The suite of what is read, of what formats may hold, and of what is refused.
+/// The suite of meshes that are read, of the variety of formats, and of refused files.
 class MeshTest : public MeshFiles {};
 
 /// As they stand in a file of this machine.

@@ -1,4 +1,4 @@
-// What files of each format may hold, to the last bit of their numbers.
+// The possible contents of files of each format, to the last bit of their numbers.
 
 #include "displayfile/mesh/mesh.h"
 
@@ -85,7 +85,7 @@ TEST_F(MeshTest, CoordinatesAreReadInDoublePrecision) {
   }
 }
 
-/// What reaches the display file: the drawing program of an imported mesh has the file's numbers.
+/// Numbers in the display file: the drawing program of an imported mesh has the file's.
 TEST_F(MeshTest, AnImportedSurveyKeepsItsMillimetres) {
   GraphicsSystem system;
   std::ostringstream program;
@@ -106,7 +106,7 @@ TEST_F(MeshTest, NumbersAreRoundedCorrectly) {
   EXPECT_EQ(mesh.vertices[2], Point3(9007199254740992.0, 0.1 + 0.2, 5e-300));
 }
 
-// ---- What each format may hold ---------------------------------------------------------
+// ---- Contents of each format -----------------------------------------------------------
 
 /// The faces' vertices, in words.
 std::string faces_of(const Mesh& mesh) {
@@ -141,7 +141,8 @@ TEST_F(MeshTest, ObjCornersMayNameTexturesAndNormals) {
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(mesh.normal(k), expected[k]) << k;
 }
 
-/// A group begins an object each time that its name changes; an object that is named again goes on.
+/// A group begins an object each time that its name changes; an object that is named again
+/// continues.
 TEST_F(MeshTest, ObjObjectsAndGroups) {
   const auto faces = [&](const std::string& text) {
     return faces_of(read_mesh(file("a.obj", kFourCorners + text)));
@@ -288,7 +289,7 @@ std::string binary_stl(std::uint32_t announced, int facets) {
   return binary;
 }
 
-/// What stands behind all that a file announces is not lost without a word.
+/// Contents after all that a file announces are not dropped silently.
 TEST_F(MeshTest, FacesThatAreNotAnnouncedAreTold) {
   const auto expect = [&](const std::string& name, const std::string& text, std::size_t faces,
                           const std::vector<std::string>& warnings) {

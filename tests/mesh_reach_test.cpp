@@ -1,4 +1,4 @@
-// How exactly the numbers of a mesh file are written, and what touches for that reason
+// The precision of the numbers in a mesh file, and the reach of touching that follows from it
 // (displayfile/mesh/written_digits.h, entered_reach of displayfile/mesh/mesh.h).
 
 #include <fmt/format.h>
@@ -108,7 +108,7 @@ TEST_F(MeshReach, IsByTheDecimalsOfTexts) {
             0.5e-4);
 }
 
-/// What was set is kept; else each mesh brings its own, and the recorder writes it.
+/// An explicit setting is kept; otherwise each mesh has its own, and the recorder writes it.
 TEST_F(MeshReach, IsThatOfItsSegments) {
   const Mesh mesh = stl(1024.f);
   const std::string before = fmt::format("set-touching {}\n", entered_reach(mesh)),

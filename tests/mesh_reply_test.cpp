@@ -1,4 +1,4 @@
-// What comes from the import program is a mesh, or it is refused: nothing of it is believed.
+// A reply of the import program is a valid mesh, or it is refused: nothing in it is trusted.
 
 #include "displayfile/mesh/mesh_reply.h"
 
@@ -26,7 +26,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t kPlenty = std::size_t{1} << 24;
 
-/// Fewer bytes came than were asked for.
+/// Fewer bytes came than were requested.
 struct EndOfBytes {};
 
 Mesh two_faces() {
@@ -62,7 +62,7 @@ std::variant<Mesh, std::string> received(std::span<const std::byte> bytes,
   return receive_reply(source, most);
 }
 
-/// Said anew, from what mesh.h says of a mesh.
+/// Checks the invariants of a mesh as mesh.h states them, independently.
 void expect_sound(const Mesh& mesh) {
   ASSERT_FALSE(mesh.first_corner.empty());
   EXPECT_EQ(mesh.first_corner.front(), 0u);
@@ -162,8 +162,8 @@ TEST(MeshReply, WhatIsOutOfRangeIsRefused) {
   refused([](Mesh& m) { m.first_corner = {0}, m.corners = {}, m.objects = {}; });
 }
 
-/// Each word of the reply in turn is something else: nothing but a sound mesh comes of it, and no
-/// memory is taken for what does not come.
+/// Each word of the reply in turn is changed: the result is a sound mesh or an error, and no memory
+/// is allocated for data that do not come.
 TEST(MeshReply, NoWordIsBelieved) {
   const Bytes bytes = sent(two_faces());
   const std::uint64_t telling[] = {0,

@@ -1,5 +1,4 @@
-// What a user may expect of meshes: faces come through as they are in the file, and the fitted view
-// shows the whole mesh.
+// The guarantees for meshes: faces are as in the file, and the fitted view shows the whole mesh.
 
 #include "displayfile/mesh/mesh.h"
 
@@ -287,7 +286,7 @@ TEST_F(MeshTest, AViewThatWasSetHolds) {
   EXPECT_NE(dump(system.display_file()).find("fill solid 1 0 0"), std::string::npos);
 }
 
-/// Whoever turns the meshes turns them about what is up in the camera that was fitted.
+/// Callers that turn the meshes turn them about the up axis of the fitted camera.
 TEST_F(MeshTest, ImportTellsWhatIsUpInTheFittedCamera) {
   const std::vector<std::string> paths{file("a.obj", cube())};
   const auto fitted = [&](GraphicsSystem& system, const Camera& camera) {

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// The command alone, and `help`, print what --help prints.
+/// The command alone, and `help`, print the text of --help.
 TEST_F(Command, HelpInOtherWords) {
   ASSERT_EQ(run("--help"), 0);
   const std::string help = out_;

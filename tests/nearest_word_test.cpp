@@ -1,4 +1,4 @@
-// Words that are known, and what an unknown one may have meant.
+// Known words, and suggestions for unknown ones.
 
 #include "clip/base/nearest_word.h"
 

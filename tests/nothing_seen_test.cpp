@@ -85,7 +85,7 @@ TEST(NothingSeen, TellsWhatIsNotDrawn) {
             "the only polygon or line is turned away, as back faces are removed");
 }
 
-/// A triangle in the segment 1, and what is called before.
+/// A triangle in the segment 1, after the routines in `before`.
 std::string triangle(const std::string& vertices, const std::string& before = "") {
   return "set-line-style none\n" + before + "open-segment 1\npolygon-abs-3 " + vertices +
          "\nclose-segment\n";
@@ -105,7 +105,7 @@ TEST(NothingSeen, TellsWhatIsSeenEdgeOn) {
               "the only polygon or line in the view volume is seen edge-on, with no line style");
   }
   EXPECT_EQ(why(triangle("-0.9 0 0  0.9 0 0  0 1e-8 0")), "");  // thin, and in vectors an area
-  // The eye is in its plane but for rounding: vertices are seen on one line within that.
+  // The eye is in its plane up to rounding: vertices are seen on one line within that.
   const std::string eye = "set-perspective 0.3 0.7 3\nset-window -3 3 -3 3\n";
   const std::string plane = "0.3 0.7 0  0.4 0.9 0  0.6333333333333333 1.3666666666666667 1";
   EXPECT_EQ(why(triangle(plane, eye)), words);
@@ -163,7 +163,7 @@ TEST(NothingSeen, TellsLessWhereNothingIsRetained) {
             "a pixel");
 }
 
-/// Every way to draw tells it, once, and only where there is nothing to be seen.
+/// Every way to draw warns of it, once, and only where nothing is visible.
 class WarnedPictures {
  public:
   explicit WarnedPictures(std::string_view program) {
@@ -175,7 +175,7 @@ class WarnedPictures {
     };
   }
 
-  /// What each of them says, in pixels and in vectors.
+  /// The warning of each of them, in pixels and in vectors.
   void expect(const std::string& in_pixels, const std::string& in_vectors) {
     const DisplayFile& file = system_.display_file();
     Renderer renderer;
@@ -242,7 +242,7 @@ TEST(NothingSeen, IsToldByWhateverDraws) {
   const std::string right = only + "to the right of the window";
   WarnedPictures(triangle("5 0 0  6 0 0  5 1 0")).expect(right, right);
   WarnedPictures(triangle("0 0 0  0.5 0 0  0 0.5 0")).expect("", "");
-  // In the background's colour it is there all the same.
+  // A fill in the background's colour counts as visible.
   WarnedPictures("set-background 1 0 0\nset-fill-style solid 1 0 0\n" +
                  triangle("0 0 0  0.5 0 0  0 0.5 0"))
       .expect("", "");
@@ -264,7 +264,7 @@ TEST(NothingSeen, IsNotToldOfATextAlone) {
       .expect("", "");
 }
 
-/// What a sample's centre is covered by is seen.
+/// A polygon that covers a sample's centre is visible.
 TEST(NothingSeen, IsToldOfThePictureThatIsDrawn) {
   GraphicsSystem system;
   replay(triangle("0.03 0.03 0  0.06 0.03 0  0.03 0.06 0"), "program", system);

@@ -1,5 +1,5 @@
-// A system seen from another eye: everything is what a drawing program in that view gives, whether
-// it is drawn of what was retained or by a replay.
+// A system seen from another eye: everything equals the result of a drawing program in that view,
+// whether it is drawn from the retained scene or by a replay.
 
 #include "interp/draw/other_eye.h"
 
@@ -34,7 +34,7 @@ DrawOptions options_of(HiddenMethod method) {
 }
 
 /// Calls visit(name, system, program) for each drawing program of the gallery that draws in one
-/// view; `program` is what was recorded of it.
+/// view; `program` is its recording.
 template <class Visit>
 void for_each_in_one_view(Visit&& visit) {
   int visited = 0;
@@ -129,7 +129,7 @@ TEST(OtherEye, DrawsWhatTheProgramInThatViewDraws) {
       });
 }
 
-/// Hatching runs level as the view has it, so it is other lines in another view: those are drawn.
+/// Hatching runs level in the view, so another view has other lines: those are drawn.
 TEST(OtherEye, CutFacesAreHatchedAnewInEachView) {
   std::ostringstream recorded;
   Recorder recorder(recorded);

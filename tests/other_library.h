@@ -1,12 +1,13 @@
 #pragma once
 
-// A standard library that uses its freedom. The standard leaves open in what order std::sort puts
-// equals, std::nth_element what lies on either side, std::partition either part, and which of
-// equals is on top of a heap; each library does it in its own way, always the same. Here each is
-// done at random, by the seed in the environment variable OTHER_LIBRARY_SEED. Forced before all
-// else (-include), it shows results that depend on the library: tests/deep compares them.
+// A standard library that uses its freedom. The standard leaves open the order of equals after
+// std::sort, that of the elements on either side after std::nth_element, of either part after
+// std::partition, and which of equals is on top of a heap; each library does it in its own way,
+// always the same. Here each is done at random, by the seed in the environment variable
+// OTHER_LIBRARY_SEED. Forced before all else (-include), it shows results that depend on the
+// library: tests/deep compares them.
 
-#if __cplusplus > 201703L  // what CMake tries the compiler with is older
+#if __cplusplus > 201703L  // the test compiler of CMake's checks is older
 
 #include <algorithm>
 #include <cstddef>

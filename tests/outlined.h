@@ -9,7 +9,7 @@
 
 namespace displayfile::test {
 
-/// What was entered, every side and line in one style.
+/// The scene as entered, every side and line in one style.
 inline DisplayFile outlined(const DisplayFile& file, const LineStyle& style) {
   struct Copy {
     Segment& to;

@@ -1,4 +1,4 @@
-// The command's outputs: files of their own, whole or not there, and what is told of them.
+// The command's outputs: files of their own, whole or absent, and the messages about them.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -97,8 +97,7 @@ TEST_F(Command, OutputsAreFilesOfTheirOwn) {
   expect_error("draw - - -o x.png", "-: standard input is read twice: expected it once");
 }
 
-/// Nothing that is opened takes the place of a standard error that is closed: what is said there is
-/// in no file.
+/// No file that is opened replaces a closed standard error: messages are in no file.
 TEST_F(Command, ClosedStandardErrorIsInNoPicture) {
   std::string inputs;
   for (int k = 0; k < 16; ++k) {
@@ -146,7 +145,7 @@ TEST_F(Command, TruthWritesAllOrNothing) {
   EXPECT_NE(err_.find("missing length  0"), std::string::npos) << err_;
 }
 
-/// What is a file may not be another output, or an input; and what stands in it stays.
+/// A standard stream that is a file may not be another output, or an input; and its contents stay.
 TEST_F(Command, StandardStreamsThatAreFilesAreFilesOfTheirOwn) {
   write("t.draw", kTriangle);
   write("s.draw", kTriangle);
@@ -188,7 +187,7 @@ TEST_F(Command, EpsIsAFormatOfVectors) {
   EXPECT_NE(eps.find("%%BoundingBox: 0 0 64 48"), std::string::npos) << eps.substr(0, 400);
 }
 
-/// Whatever of it is drawn: a picture of lines alone, and one of nothing.
+/// Whatever is drawn: a picture of lines only, and an empty one.
 TEST_F(Command, AnEpsWithoutABackgroundHasTheSizeAskedFor) {
   write("line.draw", "open-segment 1\nmove-abs-2 0.3 0.3\nline-abs-2 0.6 0.6\nclose-segment\n");
   write("nothing.draw", "open-segment 1\nclose-segment\n");

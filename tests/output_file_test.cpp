@@ -96,7 +96,7 @@ TEST_F(OutputFileTest, TemporaryPathIsForWritersThatTakeAPath) {
   EXPECT_EQ(files(), 1);
 }
 
-/// What is to be killed leaves nothing, where the file system has files without names.
+/// A process that is killed leaves nothing, where the file system has files without names.
 TEST_F(OutputFileTest, HasNoNameUntilItIsWhole) {
   const int nameless = ::open(folder_.c_str(), O_RDWR | O_TMPFILE, 0600);
   if (nameless < 0) GTEST_SKIP() << "no files without names here";
@@ -132,8 +132,7 @@ TEST_F(OutputFileTest, FolderThatWentAwayIsAnErrorAtCommit) {
   }
 }
 
-/// A process may be told how long a file may be: what is longer is an error, and the old file
-/// stays.
+/// A process may have a limit of file size: a longer file is an error, and the old file stays.
 TEST_F(OutputFileTest, FileThatMayNotBeSoLongIsAnError) {
   write(target_, "old");
   rlimit before{};
@@ -180,7 +179,7 @@ TEST_F(OutputFileTest, SymbolicLinkIsFollowed) {
   EXPECT_EQ(content(target_), "text");
 }
 
-/// Whether what it leads to is there or not.
+/// Whether its target exists or not.
 TEST_F(OutputFileTest, SymbolicLinkToWhatIsNotThereIsFollowed) {
   const std::string link = (folder_ / "link.png").string();
   fs::create_directory(folder_ / "real");
@@ -254,7 +253,7 @@ TEST_F(OutputFileTest, FullDiskIsNoticed) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-/// What a process that is told to stop does; a file that is whole stays.
+/// The cleanup of a process that receives a signal to end; a file that is whole stays.
 TEST_F(OutputFileTest, IsGoneIfAllThatIsUnfinishedIsRemoved) {
   write(target_, "old");
   OutputFile file(target_), other((folder_ / "other.png").string());
@@ -270,7 +269,7 @@ TEST_F(OutputFileTest, IsGoneIfAllThatIsUnfinishedIsRemoved) {
   EXPECT_TRUE(fs::exists(folder_ / "whole.png"));
 }
 
-/// A folder entered before what is in it is gone too, whatever places in the table are free.
+/// A folder registered before its contents is removed too, whatever places in the table are free.
 TEST_F(OutputFileTest, UnfinishedFoldersAreGoneWithWhatIsInThem) {
   const fs::path outer = folder_ / "outer", inner = outer / "inner";
   UnfinishedPath free_later(file("other.png").string());
@@ -292,7 +291,7 @@ TEST_F(OutputFileTest, TargetThatBecameAFolderIsAnErrorAtCommit) {
   EXPECT_EQ(files(), 1);  // the temporary file is gone
 }
 
-/// By its name it would be replaced, and what else is written there lost.
+/// By its name it would be replaced, and other output to it lost.
 TEST_F(OutputFileTest, StandardOutputHasSeveralNames) {
   for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
     EXPECT_TRUE(is_standard_output(name)) << name;
@@ -300,7 +299,7 @@ TEST_F(OutputFileTest, StandardOutputHasSeveralNames) {
   EXPECT_FALSE(is_standard_output("stdout"));
 }
 
-/// A library that writes by itself may look back at what it wrote.
+/// A library that writes by itself may read back its output.
 TEST_F(OutputFileTest, APipeTakesWhatATemporaryFileHas) {
   const std::string pipe = file("pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -1,4 +1,4 @@
-// What depth sort finds its pairs by: extents, their index, and the test for overlap in the
+// The search for depth sort's pairs: extents, their index, and the test for overlap in the
 // projection. Judged by rationals and by comparing all pairs.
 
 #include "hidden/sort/overlap.h"
@@ -53,7 +53,7 @@ TEST(Extents, ARadiusIsTakenIn) {
   EXPECT_GE(e.x_max, 1.25f);
   EXPECT_LE(e.z_min, 2.75f);
   EXPECT_GE(e.z_max, 3.25f);
-  e.include(Point3{0.0}, std::numeric_limits<double>::infinity());  // nothing is known of it
+  e.include(Point3{0.0}, std::numeric_limits<double>::infinity());  // nothing is known about it
   EXPECT_LE(double{e.y_min}, -1e100);
   EXPECT_GE(double{e.y_max}, 1e100);
 }
@@ -317,8 +317,7 @@ std::vector<QPoint> clipped(const std::vector<QPoint>& a, const QPoint& p, const
   return kept;
 }
 
-/// Whether the insides of two convex polygons meet; with `touching`, whether the polygons meet at
-/// all.
+/// True if the insides of two convex polygons meet; with `touching`, if the polygons meet at all.
 bool meet_in_truth(const Loop& a, const Loop& b, int turning_of_b, bool touching) {
   std::vector<QPoint> part;
   for (const Point3& p : a) part.push_back(rational(p));
@@ -464,8 +463,8 @@ TEST(OverlapInProjection, SolvedCases) {
   EXPECT_FALSE(all.overlap(6, 1));
 }
 
-/// By definition, of points with small whole coordinates: a side with all of `a` on one side of its
-/// line, and all of `b` on the other.
+/// By definition, for points with small whole coordinates: a side with all of `a` on one side of
+/// its line, and all of `b` on the other.
 bool separated_by_definition(const Loop& a, const Loop& b) {
   for (std::size_t k = 0; k < a.size(); ++k) {
     const Point3 &from = a[k == 0 ? a.size() - 1 : k - 1], &to = a[k];

@@ -1,5 +1,5 @@
-// `displayfile page`: one file with all that it needs, whole or not at all, and what is refused.
-// What the pages do is tested in a browser (programs/page/tests).
+// `displayfile page`: one file with all that it needs, whole or not at all, and refused arguments.
+// The pages' behaviour is tested in a browser (programs/page/tests).
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST_F(PageCommand, HoldsTheSceneAndWhatDrawsIt) {
   EXPECT_EQ(data["scenes"][0]["name"], "triangle.draw");
   EXPECT_NE(text.find("<title>triangle.draw</title>"), std::string::npos);
   EXPECT_NE(text.find("var createDisplayfile;"), std::string::npos);
-  // What is embedded draws what the command draws.
+  // The embedded program draws the command's picture.
   write("embedded.draw", data["scenes"][0]["program"]);
   EXPECT_EQ(run("draw embedded.draw -o embedded.svg --size 30x20 --hidden bsp"), 0) << err_;
   EXPECT_EQ(run("draw triangle.draw -o triangle.svg --size 30x20 --hidden bsp"), 0) << err_;

@@ -14,7 +14,7 @@
 #include "tests/order_of_entry.h"
 #include "tests/truth_scenes.h"
 
-// Sorted display files painted, held against the truth of what was entered.
+// Sorted display files painted, compared with the truth of the scene as entered.
 
 namespace displayfile::test {
 
@@ -69,7 +69,7 @@ inline std::size_t heedless_errors(const DisplayFile& file, int width, int heigh
   return different(paint(file, width, height, false).ids, truth(file, width, height, false).ids);
 }
 
-/// What is wrong with the painting, for 1, 2 and 3 threads; empty if nothing.
+/// Describes the errors in the painting, for 1, 2 and 3 threads; empty if there are none.
 inline std::string wrong(const DisplayFile& file, int width, int height,
                          const std::vector<std::int32_t>& expected) {
   std::optional<std::size_t> undecided;

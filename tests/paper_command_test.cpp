@@ -19,7 +19,7 @@ using displayfile::Picture;
 
 constexpr double kTolerance = 0.01;  // mm
 
-/// What the lines of a picture on paper measure, in mm from the upper left corner of the sheet.
+/// The extents of the lines of a picture on paper, in mm from the upper left corner of the sheet.
 struct Measured {
   double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
   double line_width = 0.0;
@@ -300,7 +300,7 @@ TEST_F(PaperCommand, AFigureThatLeavesThePaperIsRefused) {
   EXPECT_EQ(err_, "");
 }
 
-/// The window -1 1 -1 1 is nobody's choice.
+/// The default window -1 1 -1 1 is not a setting.
 TEST_F(PaperCommand, AFigureBeyondAWindowThatIsNotSetGivesAWarning) {
   const std::string boxes = "open-segment 1\nbox-3 0 40 0 20 0 1\nclose-segment\n";
   write("boxes.draw", "set-parallel 0 0 1\n" + boxes);

@@ -1,5 +1,5 @@
-// Vertices within reach, and sides with the ends of others along them: solids whose faces are cut
-// anyhow are drawn, closed and cut as those that are not.
+// Vertices within reach, and sides with the ends of others along them: solids whose faces are
+// divided arbitrarily are drawn, closed and cut like undivided ones.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ using Polygon = std::vector<Point3>;
 // ---- Vertices and sides ------------------------------------------------------------------------
 
 TEST(VerticesWithinReach, EachIsTheFirstThatStandsForItself) {
-  // The third is within reach of the second, which stands for nothing; so the fourth of the third.
+  // The third is within reach of the second, which represents no others; likewise the fourth of the
+  // third.
   const std::vector<Point3> points{{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {2.7, 0, 0}, {0, 0, 1}};
   EXPECT_EQ(first_within(points, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 2, 0}));
   EXPECT_EQ(first_within(points, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
@@ -115,7 +116,7 @@ std::vector<Polygon> prism(bool with_whole_ends) {
 }
 
 /// Cuts convex polygons in two, from a point of one side to one of another. Some of the points are
-/// tied to their side by a triangle that has no area but for rounding.
+/// tied to their side by a triangle that has no area up to rounding.
 void cut_some(Source& s, int cuts, bool with_needles, std::vector<Polygon>& faces) {
   for (int n = 0; n < cuts; ++n) {
     const auto f = static_cast<std::size_t>(s.below(static_cast<int>(faces.size())));
@@ -147,7 +148,7 @@ void cut_some(Source& s, int cuts, bool with_needles, std::vector<Polygon>& face
   }
 }
 
-/// Turned and moved, so that ends lie along sides but for rounding.
+/// Turned and moved, so that ends lie along sides up to rounding.
 glm::dmat3 any_turn(Source& s) {
   const Point3 x = test::any_direction(s);
   const Point3 y = glm::normalize(glm::cross(x, test::any_direction(s)));
@@ -208,7 +209,8 @@ TEST(PartedSides, WithNeedlesAlongThemAreOfTheKindsOfTheCleanSolid) {
   expect_kinds_of_the_clean_solid(true);
 }
 
-/// Where back faces are removed, a side of one stays that alone is a line and no more.
+/// Where back faces are removed, a side of which only the other face stays is drawn as a line, and
+/// no more.
 TEST(PartedSides, AreDrawnWhereBackFacesAreRemoved) {
   const auto drawn_length = [](const std::vector<Polygon>& faces, const std::string& words) {
     GraphicsSystem g;
@@ -285,8 +287,8 @@ TEST(PartedSides, OfOnePolygonAloneAreItsBoundary) {
   EXPECT_NEAR(lengths(line, "boundary", Eye::at({1, 2, 3}))[test::kBoundary], 2.0, 1e-12);
 }
 
-/// Two rectangles that meet at a right angle, one of them further along: each of both sides is in
-/// part a boundary and in part a crease, and no other side has the parts.
+/// Two rectangles that meet at a right angle, one of them further along: each of the two sides is
+/// in part a boundary and in part a crease, and no other side is divided.
 TEST(PartedSides, ThatAreOfOneKindNowhereAreDrawnWhole) {
   const std::vector<Polygon> faces{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}},
                                    {{3, 0, 0}, {1, 0, 0}, {1, 0, 1}, {3, 0, 1}}};
@@ -300,7 +302,7 @@ TEST(PartedSides, ThatAreOfOneKindNowhereAreDrawnWhole) {
   EXPECT_NEAR(of_creases, 4.0, 1e-12);
 }
 
-/// A box whose top is three rectangles, as a file may have it.
+/// A box whose top is three rectangles, as in some files.
 TEST(PartedSides, OfABoxWithThreeRectanglesOnTopAreItsEdges) {
   std::vector<Polygon> faces{
       {{0, 0, 0}, {0, 2, 0}, {4, 2, 0}, {4, 0, 0}}, {{0, 0, 0}, {4, 0, 0}, {4, 0, 1}, {0, 0, 1}},

@@ -21,7 +21,8 @@ class PenCommand : public Command {
   }
 };
 
-/// Nine sides of a box are seen: five points where an odd number of them ends or more, one layer.
+/// Nine sides of a box are visible: five points where an odd number of them ends or more, one
+/// layer.
 TEST_F(PenCommand, DrawsTheLinesOfAMesh) {
   ASSERT_EQ(run("draw box.obj --pens -o a.svg"), 0) << err_;
   const std::string svg = read(folder_ / "a.svg");
@@ -39,7 +40,7 @@ TEST_F(PenCommand, DrawsTheLinesOfAMesh) {
   EXPECT_NE(read(folder_ / "t-000.svg").find("inkscape:label=\"1 "), std::string::npos);
 }
 
-/// What a program does not set is as without it, whichever stands first.
+/// Settings that a program does not make are as without it, whichever comes first.
 TEST_F(PenCommand, AMeshBesideAProgramIsDrawnAsByItself) {
   write("nothing.draw", "# nothing\n");
   write("segment.draw", "open-segment 7\nclose-segment\n");
@@ -147,7 +148,7 @@ TEST_F(PenCommand, HatchesFills) {
   EXPECT_NE(read(folder_ / "a.svg").find("#ff0000 0.5 mm"), std::string::npos);
 }
 
-/// How many strokes of the hatching: subpaths of its layer's paths.
+/// The number of strokes of the hatching: subpaths of its layer's paths.
 std::ptrdiff_t hatched_strokes(const std::string& svg) {
   const std::size_t layer = svg.find("#000000 0.3 mm");
   return layer == std::string::npos
@@ -155,7 +156,8 @@ std::ptrdiff_t hatched_strokes(const std::string& svg) {
              : std::count(svg.begin() + static_cast<std::ptrdiff_t>(layer), svg.end(), 'M');
 }
 
-/// Lines run on over the facets of what is round, as with Gouraud shading, and an edge stays one.
+/// Lines run on over the facets of curved surfaces, as with Gouraud shading, and an edge stays an
+/// edge.
 TEST_F(PenCommand, HatchesRoundPartsOnOneGrid) {
   const std::string view =
       "set-light -0.5 1 0.7 0.2\nset-perspective 3 6 4\nset-view-up 0 0 1\n"

@@ -81,7 +81,7 @@ TEST_F(PenFiles, SvgHasALayerForEachPen) {
   g.move_abs_2(0.25, 0.5);
   g.line_abs_2(0.75, 0.5);
   g.move_abs_2(0.5, 0.5);
-  g.line_abs_2(0.9, 0.5);  // lies on it, and goes on
+  g.line_abs_2(0.9, 0.5);  // lies on it, and continues
   g.close_segment();
   EXPECT_EQ(svg(g, for_pens(sheet(50, 60, 5))), R"(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1.1" width="50mm" height="60mm" viewBox="0 0 50 60">
@@ -124,7 +124,7 @@ TEST_F(PenFiles, DashesAreStrokes) {
       << text;
 }
 
-/// What lies outside of the picture is not on the paper.
+/// Parts outside the picture are not on the paper.
 TEST_F(PenFiles, ThePictureEndsAtItsFrame) {
   GraphicsSystem g = unit_square();
   g.open_segment(1);
@@ -178,7 +178,7 @@ TEST_F(PenFiles, HatchingIsALayer) {
   EXPECT_NEAR(length, 1000.0 * (100 * 100 + 50 * 100), 1e-3);
 }
 
-/// Without pens a picture on paper is what it is otherwise.
+/// Without pens a picture on paper is the same as without paper.
 TEST_F(PenFiles, AnyVectorsMayBeOnPaper) {
   GraphicsSystem g = unit_square();
   g.open_segment(1);

@@ -43,7 +43,7 @@ double distance(double x, double y, const Stroke& s) {
   return std::hypot(px - t * dx, py - t * dy);
 }
 
-/// The farthest that a point of a stroke is from what is drawn.
+/// The largest distance of a point of a stroke from the drawn strokes.
 double farthest(const std::vector<Stroke>& strokes, const std::vector<Stroke>& drawn) {
   double most = 0.0;
   for (const Stroke& s : strokes) {
@@ -71,7 +71,7 @@ class Dice {
   std::mt19937 random_;
 };
 
-/// On lines of which every point is whole units the drawn length is that of the union, exactly.
+/// The drawn length of lines whose points are all whole units is exactly that of their union.
 TEST(UniqueStrokes, OfWholeUnitsAreTheUnion) {
   constexpr int kLines = 9, kPlaces = 60, kStep = 50;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -108,8 +108,8 @@ TEST(UniqueStrokes, OfWholeUnitsAreTheUnion) {
   }
 }
 
-/// Pieces of lines in any direction, whose ends are rounded: what is left covers them within what
-/// lies on a stroke, and is no longer than their union but for that.
+/// Pieces of lines in any direction, whose ends are rounded: the remaining strokes cover them
+/// within the tolerance for lying on a stroke, and are no longer than their union except for that.
 TEST(UniqueStrokes, OfRoundedLinesAreTheUnionButForRounding) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Dice dice(seed);
@@ -163,7 +163,7 @@ TEST(UniqueStrokes, WhatMeetsOrCrossesStays) {
   }
   EXPECT_EQ(unique_strokes(strokes).size(), strokes.size());
   strokes = {{{0, 0}, {1000, 1000}}, {{0, 1000}, {1000, 0}}, {{0, 1002}, {1000, 2}}};
-  // 1.41 apart is on it, but for an end beyond its end; 2.1 apart is not.
+  // 1.41 apart is on it, except for an end beyond its end; 2.1 apart is not.
   EXPECT_LE(length_of_all(unique_strokes(strokes)), 2.0 * std::sqrt(2e6) + 2.0);
   strokes[2] = {{0, 1003}, {1000, 3}};
   EXPECT_EQ(unique_strokes(strokes).size(), 3u);
@@ -316,7 +316,7 @@ TEST(Dashes, ADotIsDrawn) {
   EXPECT_EQ(dashes({{{{7, 9}}, false}}, 300.0, 0.0), (std::vector<Stroke>{dot}));
 }
 
-/// What is left of a dash at a corner may be less than the coordinates there can tell.
+/// The rest of a dash at a corner may be shorter than the precision of the coordinates there.
 TEST(Dashes, EndOnPathsOfManyCorners) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::int32_t> coordinate(-1000000, 1000000);
@@ -387,7 +387,7 @@ std::vector<PenPath> strewn(unsigned seed, int n, bool with_loops) {
   return paths;
 }
 
-/// Each path once, in one of its directions; none changed. And no longer than to the nearest.
+/// Each path once, in one of its directions; none changed. And not longer than by nearest ends.
 TEST(PenOrder, IsAPermutationWithDirections) {
   for (const int n : {0, 1, 2, 3, 4, 5, 17, 400}) {
     for (unsigned seed = 1; seed <= (n < 10 ? 50u : 4u); ++seed) {

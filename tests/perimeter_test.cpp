@@ -41,8 +41,8 @@ std::vector<double> heights_of(int nx, int ny, const Height& height) {
   return heights;
 }
 
-/// Where the eye is, in degrees around z and above the grid, and how far from its middle; parallel
-/// if it is not near at all.
+/// The position of the eye, in degrees around z and above the grid, and its distance from the
+/// middle; parallel if that is 0.
 struct Camera {
   double azimuth, elevation, distance = 0.0;
 };
@@ -89,7 +89,7 @@ Pieces pieces_of(const FoundLines& found) {
   return pieces;
 }
 
-/// How much one list of intervals has that the other has not, and the reverse.
+/// The length in one list of intervals that is not in the other, and the reverse.
 double difference(const std::vector<std::pair<double, double>>& one,
                   const std::vector<std::pair<double, double>>& other) {
   std::vector<std::pair<double, int>> ends;
@@ -226,8 +226,8 @@ TEST(Perimeter, OfRandomGridsAndViews) {
   }
 }
 
-/// They are drawn by nobody but who names them, as lines of either triangle, along which they run
-/// in opposite directions.
+/// They are drawn only if they are named, as lines of either triangle, along which they run in
+/// opposite directions.
 TEST(Perimeter, DiagonalsThatAreAskedFor) {
   constexpr int kPoints = 12;
   const auto heights = heights_of(kPoints, kPoints, [](double x, double y) {
@@ -271,7 +271,7 @@ TEST(Perimeter, AgainstTheTruth) {
 }
 
 /// Cells that are seen edge-on, diagonals in line with the eye: sides lie on others in the picture,
-/// of which some are not drawn, and planes decide what they hide.
+/// of which some are not drawn, and planes decide which lines they hide.
 TEST(Perimeter, SidesThatLieOnOthers) {
   constexpr std::uint32_t kGrids = 400 / test::kSlower;
   std::size_t pieces = 0;
@@ -336,7 +336,7 @@ TEST(Perimeter, ThroughModellingAndImageTransformations) {
   EXPECT_LE(compared(g.display_file()).differs, kRounding);
 }
 
-/// Cells share sides where the grid says so: no table is made of them.
+/// Cells share sides as the grid defines: no table of them is made.
 TEST(Perimeter, ItsLinesAreThoseOfATableOfSides) {
   constexpr std::uint32_t kGrids = 100 / test::kSlower;
   for (std::uint32_t seed = 0; seed < kGrids; ++seed) {

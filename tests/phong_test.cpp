@@ -1,6 +1,6 @@
-// What a user may expect of Phong shading: at each pixel the light falls on the normal that runs
-// linearly over the picture of a triangle, whatever clips, sorts or moves it, and no pixel's
-// polygon is another. The judge is the definition, in long double.
+// The guarantees of Phong shading: each pixel is lit by the normal interpolated linearly over the
+// picture of a triangle, whatever clips, sorts or moves it, and no pixel's polygon changes. The
+// judge is the definition, in long double.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ using test::picture;
 using test::triangles;
 using Scene = test::ShadedScene;
 
-/// What the display file holds: the polygons as they are drawn, with normals, light and fill.
+/// The contents of the display file: the polygons as they are drawn, with normals, light and fill.
 struct Held {
   struct Polygon {
     std::vector<Point3> vertices, normals;
@@ -104,7 +104,7 @@ TEST(VertexNormals, AreThoseOfTheSideThatIsSeenOfLengthOne) {
   }
 }
 
-/// Where the window cuts a triangle, what is left has the normals that it had in the whole picture.
+/// Where the window cuts a triangle, the rest has the normals that it had in the whole picture.
 TEST(VertexNormals, ClippingLeavesThePictureAsItWas) {
   for (const bool perspective : {false, true}) {
     View view;
@@ -144,7 +144,7 @@ TEST(VertexNormals, OfATriangleThatReachesBehindTheEyeAreTheirMean) {
   EXPECT_NEAR(held.polygons[0].fill.colour.r, kFill.colour.r * intensity_of(mean), 1e-14);
 }
 
-/// They are directions in the world: what moves over the picture takes them along.
+/// They are directions in the world: image transformations do not change them.
 TEST(VertexNormals, StayWhatTheyAreWhereAnImageIsMoved) {
   GraphicsSystem g = drawn(kOneTriangle, Shading::phong);
   const Held before(g);
@@ -184,7 +184,7 @@ TEST(VertexNormals, InDumpsStandBeforeTheirPolygonAndAreCompared) {
             std::string::npos);
 }
 
-// ---- What does not change ----------------------------------------------------------------
+// ---- Unchanged pictures ------------------------------------------------------------------
 
 TEST(PhongShading, OfEqualNormalsIsTheFlatPicture) {
   Scene scene = ball(14, 9);
@@ -286,7 +286,7 @@ std::array<long double, 3> defined_colour(const Held::Polygon& polygon, long dou
           255 * intensity * polygon.fill.colour.b};
 }
 
-/// How many pixels are shaded; each is compared with the definition.
+/// Returns the number of shaded pixels; each is compared with the definition.
 int expect_defined(const Picture& seen, const Held& held) {
   int shaded = 0;
   for (int row = 0; row < seen.height; ++row) {
@@ -316,7 +316,7 @@ TEST(PhongShading, IsTheDefinitionAtEveryPixelFromEveryEye) {
       g.set_perspective(eye);
       g.set_view_depth(-2, 2);
       enter(triangles(seed, 40), Shading::phong, g);
-      // What is clipped away is not in the display file: identifiers are ordinals of what is left.
+      // Clipped polygons are not in the display file: identifiers are ordinals of the others.
       const Held held(g);
       DisplayFile file;
       Segment& segment = file.create(1);
@@ -371,7 +371,7 @@ TEST(PhongShading, IsTheSameByEveryMethodAndForAnyNumberOfThreads) {
   expect_one_picture_by_all_methods(Shading::phong);
 }
 
-/// A window that cuts leaves the pixels that are left as they were.
+/// A window that cuts leaves the remaining pixels unchanged.
 TEST(PhongShading, IsNotChangedByClipping) {
   for (const bool perspective : {false, true}) {
     const auto in_window = [&](double half, int size) {
@@ -403,7 +403,7 @@ TEST(PhongShading, IsNotChangedByClipping) {
   }
 }
 
-/// Vectors of any width give what the plain form gives, also where normals are hardly any.
+/// Vectors of any width give the results of the plain form, also where normals are nearly zero.
 TEST(PhongShading, InVectorsIsThePlainForm) {
   Dice dice(4);
   const PictureSize size{61, 47};

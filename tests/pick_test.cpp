@@ -1,4 +1,4 @@
-// Picking, and pictures drawn one after another, as an application meets them.
+// Picking, and pictures drawn one after another, as an application uses them.
 
 #include <gtest/gtest.h>
 
@@ -111,7 +111,7 @@ TEST(Picking, NamesSegmentIdentifierAndDepth) {
   EXPECT_TRUE(at(0, 0));
   EXPECT_TRUE(at(99.999, 0));
 
-  // What changes in the display file changes what is picked.
+  // A change of the display file changes the pick.
   g.set_visibility(7, false);
   EXPECT_FALSE(at(10, 10));
   g.set_image_translation(9, -0.25, 0);
@@ -186,7 +186,7 @@ TEST(PickingLines, WithinAReach) {
   g.line_abs_3(1, 0.9, 0);
   g.polygon_abs_3({{0, 0.7, 0}, {1, 0.7, 0}, {0, 0.8, 0}});
   g.close_segment();
-  EXPECT_FALSE(at(50, 10, 5));  // what is not drawn
+  EXPECT_FALSE(at(50, 10, 5));  // a polygon that is not drawn
   EXPECT_EQ(at(2, 25, 5)->kind, Pick::Kind::polygon);
 }
 
@@ -248,8 +248,8 @@ TEST(PickingLines, EndsOfHiddenOnesAreHidden) {
   }
 }
 
-/// The side of the polygon that is clicked at, not that of the one beyond it; of what is drawn as
-/// its sides alone, those sides.
+/// The side of the clicked polygon, not that of the one beyond it; for polygons drawn as sides
+/// only, those sides.
 TEST(PickingLines, SidesOfPolygons) {
   GraphicsSystem g = unit_square();
   g.open_segment(1);
@@ -268,7 +268,7 @@ TEST(PickingLines, SidesOfPolygons) {
   EXPECT_EQ(at(40, 50, 3)->kind, Pick::Kind::polygon);
   EXPECT_EQ(at(9, 50, 3)->id, 2);
   EXPECT_EQ(at(9, 50, 3)->kind, Pick::Kind::edge);
-  EXPECT_FALSE(at(15, 50, 3));  // inside of what is hollow
+  EXPECT_FALSE(at(15, 50, 3));  // inside a hollow polygon
 }
 
 /// The rule of lines in the most naive way: a point is hidden if a hair beside it, on both sides, a
@@ -395,7 +395,7 @@ TEST(PickingLines, FollowTheRuleOnRandomScenes) {
       }
       if (unclear) continue;
       const auto found = picker.nearest(double{kSize} * at, kReach, ViewedScene::kBackground);
-      // A line is at least a pixel wide, and so is what is found.
+      // A line is at least a pixel wide, and so is the area in which it is found.
       const bool is_there = found && found->distance < kReach;
       ASSERT_EQ(is_there, any) << at.x << ' ' << at.y;
       ++(any ? seen : hidden);
@@ -535,7 +535,7 @@ TEST(PickingAsDrawn, SegmentsSortedByThemselves) {
 
 // ---- Pictures one after another --------------------------------------------------------------
 
-/// Whatever changes from one picture to the next, each is the one that is drawn from nothing.
+/// Whatever changes from one picture to the next, each equals one drawn from nothing.
 using KeptRenderer = test::TemporaryFolder;
 TEST_F(KeptRenderer, DrawsWhatIsDrawnFromNothing) {
   GraphicsSystem g;

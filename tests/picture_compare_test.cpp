@@ -59,7 +59,7 @@ TEST(Measures, MarksAreRedAndTheRestIsLightGrey) {
   EXPECT_LT(tone, 255u);
   EXPECT_EQ(marks.pixels[1], 0xFF000000u | tone << 16 | tone << 8 | tone);
   const Picture same = marked(ids({0, 1}), ids({0, 1}));
-  EXPECT_NE(same.pixels[0], same.pixels[1]);  // neighbours are told apart
+  EXPECT_NE(same.pixels[0], same.pixels[1]);  // neighbours are distinguished
 
   EXPECT_EQ(marked(depths({1.0, -kInfinity}), depths({0.5, -kInfinity})).pixels,
             (std::vector<std::uint32_t>{kRed, kWhite}));

@@ -1,4 +1,4 @@
-// The plain forms, one file each that is read like the textbook, judge the fast ones: item buffers
+// The plain forms, one file each that reads like the textbook, judge the fast ones: item buffers
 // and visible lines are the same.
 
 #include <fmt/format.h>

@@ -90,7 +90,7 @@ TEST(TouchingPlanes, PointsLieInPlanesAsInRationals) {
     if (s.below(3) == 0) v.x = std::nextafter(v.x, s.below(2) == 0 ? 9.0 : -9.0);
     if (s.below(4) == 0) v = triangle[static_cast<std::size_t>(s.below(3))];
     if (of_point != of_plane) {
-      // The same place under the other matrix, but for rounding.
+      // The same place under the other matrix, up to rounding.
       const glm::dmat4 there = of_plane == nullptr ? glm::dmat4(1.0) : glm::dmat4(*of_plane);
       const glm::dmat4 here = of_point == nullptr ? glm::dmat4(1.0) : glm::dmat4(*of_point);
       v = Point3(glm::inverse(here) * (there * HomogeneousPoint(v, 1.0)));

@@ -59,8 +59,8 @@ inline Outline comb_outline(std::size_t corners, std::uint64_t seed, bool even) 
   return outline;
 }
 
-/// Around a random tree on a grid of so many cells a side, four corners a cell, many of which are
-/// in line: at right angles, many corners as high, and holes all but closed.
+/// An outline around a random tree on a grid of `cells` cells a side, four corners a cell, many of
+/// which are collinear: at right angles, many corners as high, and holes all but closed.
 inline Outline tree_outline(std::size_t cells, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const std::size_t n = cells;

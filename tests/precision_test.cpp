@@ -52,7 +52,7 @@ TEST(Precision, RoundoffIsALengthRelativeToTheScene) {
   EXPECT_EQ(Roundoff::relative(all, 0.001).side(points[3], 0), 1);
 }
 
-/// A convex piece of a polygon: its vertices, and what the side that starts at each lies on.
+/// A convex piece of a polygon: its vertices, and for each the line of the side that starts there.
 template <class Policy>
 struct Piece {
   std::vector<typename Policy::Vertex> vertices;
@@ -116,7 +116,7 @@ int misplaced(const Policy& policy, std::uint32_t planes) {
 TEST(Precision, PiecesOfPiecesStayOnTheirSideInExact) {
   Scene scene;
   Source s(5);
-  // Planes through one point of the triangle, and nearly parallel ones: what rounding loses.
+  // Planes through one point of the triangle, and nearly parallel ones: cases that rounding loses.
   const Point3 centre = {0.4375, 0.375, 0.265625};
   while (scene.planes.size() < 12) {
     const auto at = [&] {
@@ -184,7 +184,7 @@ TEST(Precision, BeforeViewingTheyAreLiftedAlongTheAxisThatThePlaneFaces) {
 
 TEST(Precision, ThePlaneOfASliverFacesAnAxisToo) {
   for (int i = 1; i <= 200; ++i) {
-    // In line but for rounding, so that the normal in doubles is nothing but its error.
+    // Collinear up to rounding, so that the normal in doubles is nothing but its error.
     const Point3 p(0.0), q(0.1 * i, 0.7 / i, 1.0 / 3), r = q * (1.0 / 7);
     const Plane plane(p, q, r);
     const QPlane exactly({p.x, p.y, p.z}, {q.x, q.y, q.z}, {r.x, r.y, r.z});

@@ -18,7 +18,7 @@
 
 namespace displayfile::test {
 
-/// How many of each kind, for each predicate.
+/// The number of each kind, for each predicate.
 inline const char* trials_as_set() { return std::getenv("DISPLAYFILE_PREDICATE_TRIALS"); }
 inline bool trials_are_set() { return trials_as_set() != nullptr; }
 inline long trials() { return trials_are_set() ? std::atol(trials_as_set()) : 30000; }
@@ -67,12 +67,12 @@ struct Style {
   }
 };
 
-/// Whole-numbered constructions, put exactly on to doubles and nudged by a few ulps. Each axis
-/// may have a unit of its own: what is in line or in a plane stays so.
+/// Whole-numbered constructions, put exactly on to doubles and nudged by a few ulps. Each axis may
+/// have a unit of its own: collinear or coplanar points stay so.
 struct Grid {
   std::array<int, 3> exponent;  ///< the units are these powers of two
   std::array<std::int64_t, 3> offset{};
-  int nudged_of_8;  ///< of how many coordinates in eight
+  int nudged_of_8;  ///< the number of coordinates in eight
 
   explicit Grid(Source& s) : nudged_of_8(s.below(4) == 0 ? 0 : s.between(1, 8)) {
     // Some for which the products are among the smallest doubles, of two factors or of three.

@@ -28,9 +28,9 @@ inline std::string text_of(const PixelCentre& c) {
   return out.str();
 }
 
-/// What the rationals said of one test's cases, kept for the next build to be held against the
-/// same: judging takes far longer than the predicates do. Off unless
-/// DISPLAYFILE_PREDICATE_VERDICTS names a folder; a test's first run writes, later ones read.
+/// The rational verdicts on one test's cases, kept for comparison with the next build: judging
+/// takes far longer than the predicates do. Off unless DISPLAYFILE_PREDICATE_VERDICTS names a
+/// folder; a test's first run writes, later ones read.
 class Verdicts {
  public:
   Verdicts() {
@@ -71,9 +71,9 @@ class Verdicts {
   std::ofstream fresh_;
 };
 
-/// A Case makes itself from a Source (false: no such case), says the truth by rationals and
-/// what the predicate says, and describes itself. `share` is of the trials, so that a test
-/// stays short; it is not taken where the number of trials was asked for.
+/// A Case makes itself from a Source (false: no such case), returns the truth by rationals and the
+/// predicate's result, and describes itself. `share` is the fraction of the trials, so that a test
+/// stays short; it is ignored where the number of trials is set.
 template <class Case>
 void agrees(Predicate predicate, double share = 1.0) {
   reset_predicate_counts();

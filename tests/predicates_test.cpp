@@ -1,8 +1,8 @@
-// The predicates of stored points and planes against their definitions in GMP rationals, on
-// random input and on exact zeros nudged by a few ulps, in every rounding mode.
-// DISPLAYFILE_PREDICATE_TRIALS sets how many of each kind, for each predicate;
-// DISPLAYFILE_PREDICATE_VERDICTS a folder where what the rationals say is kept for the next
-// build to be held against.
+// The predicates of stored points and planes against their definitions in GMP rationals, on random
+// input and on exact zeros nudged by a few ulps, in every rounding mode.
+// DISPLAYFILE_PREDICATE_TRIALS sets the number of each kind, for each predicate;
+// DISPLAYFILE_PREDICATE_VERDICTS a folder where the rational verdicts are kept for comparison with
+// the next build.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ struct OrientationCase {
       for (Point3& v : p) v = style.point(s);
       return true;
     }
-    if (s.below(4) == 0) {  // on the line but for rounding
+    if (s.below(4) == 0) {  // on the line up to rounding
       const Style style(s, false);
       p[0] = style.point(s);
       p[1] = style.point(s);
@@ -149,7 +149,7 @@ struct CrossingCase {
       };
       a = place(m);
       b = place(n);
-      if (s.below(4) == 0) {  // through the centre but for rounding
+      if (s.below(4) == 0) {  // through the centre up to rounding
         const Style style(s, false);
         const double t = 1.0 + s.unit();
         a = style.point(s);
@@ -178,7 +178,7 @@ struct CrossingCase {
 TEST(Predicates, CentreAgainstAnEdge) { agrees<CrossingCase>(Predicate::crossing, 2.0); }
 
 struct FirstColumnCase : CrossingCase {
-  // Zero where the column is the one of the definition; told apart by one either way.
+  // Zero where the column is the one of the definition; one off in either direction otherwise.
   std::int32_t expected = 0;
   bool make(Source& s, Input input) {
     if (!CrossingCase::make(s, input)) return false;
@@ -218,7 +218,7 @@ struct DepthAtPixelCase {
       for (Point3& v : p) v = style.point(s);
       return true;
     }
-    if (s.below(4) == 0) {  // through one point at the centre but for rounding, every digit in use
+    if (s.below(4) == 0) {  // through one point near the centre, with every digit in use
       centre = grid.any_centre(s);
       const double z = s.unit();
       for (std::size_t k = 0; k < 6; k += 3) {
@@ -280,8 +280,8 @@ struct DepthAtPixelCase {
 };
 TEST(Predicates, DepthOrderAtAPixel) { agrees<DepthAtPixelCase>(Predicate::depth_at_pixel); }
 
-/// By a comparison that is kept: as it is found, or made ready from the start. Of some planes two
-/// or three of the points that give them are the same.
+/// By a comparison that is kept: prepared when needed, or from the start. Of some planes two or
+/// three of the defining points are the same.
 struct ComparedDepthsCase : DepthAtPixelCase {
   bool ready_first = false;
   bool make(Source& s, Input input) {

@@ -56,7 +56,7 @@ inline std::vector<Quad> torus(int around, int across) {
   return quads;
 }
 
-/// A system whose only segment has what is entered, with those lines.
+/// A system whose only segment has the primitives of `enter_all`, with those lines.
 template <class Enter>
 GraphicsSystem drawn_with(const std::string& words, Enter&& enter_all) {
   GraphicsSystem g;

@@ -41,8 +41,8 @@ class RandomApplication {
  private:
   std::uint64_t below(std::uint64_t n) { return random_() % n; }
   bool chance(std::uint64_t percent) { return below(100) < percent; }
-  // The numbers are the same in every rounding mode. What is volatile is computed while the mode is
-  // set: no compiler moves it.
+  // The numbers are the same in every rounding mode. Volatile values are computed while the mode is
+  // set: no compiler moves them.
   double uniform(double low, double high) {
     const RoundToNearest nearest;
     const volatile double part = static_cast<double>(random_() >> 11) * 0x1p-53;

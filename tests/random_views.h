@@ -11,8 +11,8 @@
 #include "clip/view.h"
 #include "tests/predicate_inputs.h"
 
-// Views of a scene in a ball, from anywhere, for the tests of what is sorted once and seen from
-// many eyes.
+// Views of a scene in a ball, from anywhere, for the tests of scenes sorted once and seen from many
+// eyes.
 
 namespace displayfile::test {
 

@@ -16,7 +16,7 @@
 
 namespace displayfile::test {
 
-/// Whether there is such a program.
+/// True if there is such a program.
 inline bool have(const std::string& tool) {
   return std::system(("command -v " + tool + " > /dev/null 2>&1").c_str()) == 0;
 }

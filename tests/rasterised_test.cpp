@@ -59,9 +59,10 @@ int channel_difference(std::uint32_t a, std::uint32_t b) {
   return largest;
 }
 
-/// Compares where the z-buffer's picture has one colour two pixels around: neither antialiasing
-/// nor the lines that close seams reach there. Returns how many pixels were compared. What is
-/// thinner than a pixel may run there unseen by the z-buffer; a scene that has it allows some.
+/// Compares where the z-buffer's picture has one colour two pixels around: neither antialiasing nor
+/// the lines that close seams reach there. Returns the number of compared pixels. Polygons thinner
+/// than a pixel may lie there without being in the z-buffer's picture; a scene that has them allows
+/// some.
 int expect_the_z_buffers_colours(const GraphicsSystem& g, const Picture& picture, int allowed = 0) {
   RasterRequest request;
   request.width = picture.width;
@@ -237,7 +238,7 @@ TEST_P(Rasterised, TheShadowOfAPolygonSeenEdgeOn) {
       polygon-abs-3 -1 -1 -0.75  0 1 -0.75  -0.352 -0.584 0.91
       polygon-abs-3 -1 0 0.0  0 -0.5 -0.1  0.5 -0.5 -0.1  0 0.5 0.1  -1 0.5 0.1  -1 -0.5 -0.1
       close-segment)");
-  // What rounding leaves of its width is a needle, which poppler paints.
+  // The rounded width leaves a needle, which poppler paints.
   EXPECT_GT(expect_the_z_buffers_colours(g, draw(g, 60, 60, true), svg_format() ? 0 : 20), 2'000);
 }
 

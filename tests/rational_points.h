@@ -15,8 +15,8 @@ namespace displayfile::test {
 
 using Q = mpq_class;
 
-/// The double times 2^shift, exactly. Every predicate of points and planes alone stays what
-/// it is under such a scale, and whole numbers are quicker to judge.
+/// The double times 2^shift, exactly. Every predicate of points and planes alone is unchanged by
+/// such a scale, and whole numbers are quicker to judge.
 inline Q scaled(double value, int shift) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
@@ -88,7 +88,7 @@ inline std::optional<QPoint> meet(const QPlane& f, const QPlane& g, const QPlane
   return meet(on_line, on_line + QPoint{along[0], along[1], along[2]}, h);
 }
 
-/// By how much coordinates must be scaled up to be whole.
+/// The power of two by which coordinates must be scaled to be whole.
 class Shift {
  public:
   void include(const Point3& p) {

@@ -1,4 +1,4 @@
-// What must hold of ray casting beside having no wrong pixel (software_truth_test.cpp).
+// The invariants of ray casting besides having no wrong pixel (software_truth_test.cpp).
 
 #include "interp/visibility/ray_cast.h"
 
@@ -108,7 +108,7 @@ void expect_the_last_of_the_nearest(double roundoff) {
     const ViewedScene scene(file);
     const FillDepths depths(scene, size, roundoff);
     const auto seen = drawn(scene, size, roundoff, 1, size.height);
-    // Each fill alone tells which rays hit it.
+    // Each fill by itself shows which rays hit it.
     const auto pixels = static_cast<std::size_t>(size.width * size.height);
     std::vector<std::vector<bool>> hit(scene.end(), std::vector<bool>(pixels));
     for (Fill fill = 1; fill < scene.end(); ++fill) {
@@ -206,7 +206,7 @@ TEST(PixelTree, TheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(order[0], order[1]);
 }
 
-/// Boxes that no plane parts, and boxes each twice as far away as the one before: neither makes
+/// Boxes that no plane separates, and boxes each twice as far away as the one before: neither makes
 /// the tree slow to build or deep.
 TEST(PixelTree, BoxesInOnePlaceAndBoxesEverFartherApart) {
   for (const bool one_place : {true, false}) {

@@ -25,7 +25,7 @@
 namespace displayfile {
 namespace {
 
-/// What a drawing program sets beside the display file.
+/// The settings that a drawing program makes besides the display file.
 void expect_same_state(const GraphicsSystem& a, const GraphicsSystem& b) {
   EXPECT_EQ(a.hidden_surfaces().removal, b.hidden_surfaces().removal);
   EXPECT_EQ(a.looks().attributes.back_face_removal, b.looks().attributes.back_face_removal);
@@ -204,7 +204,7 @@ TEST(RecordReplay, SegmentsThatAreTakenBackAreNotRecorded) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
-/// Nor is anything left of what it set: the recording has none of it.
+/// Nor do its settings remain: the recording has none of them.
 TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
   std::ostringstream recording;
   Recorder recorder(recording);
@@ -277,7 +277,7 @@ TEST(RecordReplay, HolesOfSurfaces) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
-/// What any routines did is as if it had not been, an open segment as it was; and then it goes on.
+/// The effects of any routines are undone, an open segment is restored, and then work continues.
 TEST(RecordReplay, AllOrNothing) {
   std::ostringstream recording;
   Recorder recorder(recording);
@@ -312,8 +312,8 @@ TEST(RecordReplay, AllOrNothing) {
   EXPECT_EQ(dump(replayed.display_file()), dump(system.display_file()));
 }
 
-/// A stream on a disk that is full, which throws. What was recorded at once has been carried out,
-/// and what was held back has not.
+/// A stream on a disk that is full, which throws. Calls that were recorded at once have been
+/// carried out; those that were held back have not.
 TEST(RecordReplay, StreamsThatThrow) {
   struct Full : std::streambuf {
     int_type overflow(int_type) override { return traits_type::eof(); }

@@ -29,8 +29,8 @@ using test::MeshTest;
 
 // ---- Bad files -------------------------------------------------------------------------
 
-/// Importing the file is refused with a message that starts with its path and holds `expected`;
-/// the system is what it was.
+/// Importing the file is refused with a message that starts with its path and contains `expected`;
+/// the system is unchanged.
 void expect_refused(const std::string& path, const std::string& expected) {
   GraphicsSystem system;
   std::ostringstream record;
@@ -190,7 +190,7 @@ TEST_F(MeshTest, NothingIsEnteredWhenAnotherFileIsBad) {
   EXPECT_FALSE(system.explicit_settings().contains_view());
 }
 
-/// What is refused only as a segment is closed has set the view and the styles by then.
+/// An import refused only when a segment is closed has set the view and the styles by then.
 TEST_F(MeshTest, AStoppedImportChangesNothing) {
   const std::string path = file("cube.obj", cube());
   GraphicsSystem system, other;

@@ -1,5 +1,5 @@
-// Options that say how hidden surfaces are found: each way to draw a retained scene, or a display
-// file that is ready, obeys them or refuses them.
+// Options that set how hidden surfaces are found: each way to draw a retained scene, or a finished
+// display file, obeys them or refuses them.
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ class RefusedOptions : public testing::Test {
     options.surfaces.method = method;
     return options;
   }
-  /// What drawing into a file of that format says, or in memory if it is empty; nothing if it is
-  /// drawn.
+  /// The message of drawing into a file of that format, or in memory if it is empty; nothing if it
+  /// is drawn.
   template <class Drawn>
   static std::string refusal(const Drawn& drawn, DrawOptions options, const std::string& format) {
     if (format.empty()) return error_of([&] { draw(drawn, options); });
@@ -100,7 +100,7 @@ TEST_F(RefusedOptions, ADisplayFileThatIsReadyHasTheOrderThatItHas) {
   EXPECT_NE(refusal(dashed.view(retained_.system.view()), hidden, "svg"), "");
 }
 
-/// With one segment, all is what the segment is.
+/// With one segment, both scopes are the same.
 TEST_F(RefusedOptions, TheScopeOfOneVisibleSegmentIsEither) {
   retained_.system.set_visibility(2, false);
   for (const HiddenScope made : {HiddenScope::all, HiddenScope::segment}) {
@@ -114,7 +114,8 @@ TEST_F(RefusedOptions, TheScopeOfOneVisibleSegmentIsEither) {
   }
 }
 
-/// In order of entry, which is that of the heedless painter; and where nothing is, anything goes.
+/// In order of entry, as the heedless painter draws it; with an empty display file any method is
+/// accepted.
 TEST_F(RefusedOptions, ADisplayFileInOrderOfEntry) {
   for (const std::string format : kFormats) {
     EXPECT_EQ(refusal(file(), options(HiddenMethod::none), format), "");
@@ -160,12 +161,12 @@ TEST_F(RefusedOptions, RaysDrawWhatRaysFind) {
     each.surfaces.scope = HiddenScope::all;
     EXPECT_EQ(refusal(world, each, format), "");
   }
-  if (osmesa_available()) {  // which finds what is seen by depths of its own
+  if (osmesa_available()) {  // which finds visible surfaces by its own depths
     DrawOptions other = options(HiddenMethod::z_buffer);
     other.device = "osmesa";
     EXPECT_EQ(refusal(world, other, "ppm"), "");
   }
-  // A system, whose methods of image space have no use for a scope, draws by rays all the same.
+  // A system, whose image-space methods do not use a scope, is still drawn by rays.
   DrawOptions of_system = options(HiddenMethod::world_ray_cast);
   of_system.surfaces.scope = HiddenScope::segment;
   EXPECT_EQ(refusal(retained_.system, of_system, "ppm"), "");
@@ -249,7 +250,7 @@ TEST_F(RefusedOptions, WhatDrawingRefusesIsRefusedBefore) {
   EXPECT_GT(refused, 5);
 }
 
-/// What drawing warns of that has no effect, into a file of that format or in memory.
+/// The warnings of options without effect, into a file of that format or in memory.
 std::vector<std::string> without_effect(const GraphicsSystem& system, DrawOptions options,
                                         const std::string& format) {
   std::vector<std::string> texts;
@@ -307,7 +308,7 @@ TEST_F(RefusedOptions, WhatHasNoEffectIsRefusedOrWarnedOf) {
       EXPECT_EQ(warned(method, std::nullopt, HiddenScope::segment, format), by_segment);
     }
   }
-  system.set_visibility(2, false);  // with one segment, all is what the segment is
+  system.set_visibility(2, false);  // with one segment, both scopes are the same
   EXPECT_EQ(warned(HiddenMethod::z_buffer, std::nullopt, HiddenScope::segment, ""), Texts{});
 }
 

@@ -1,4 +1,4 @@
-// A mesh file that announces more than it holds is refused before memory is taken for that.
+// A mesh file that announces more than it contains is refused before memory is allocated for that.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using test::bytes;
 using test::error_of;
 using test::MeshTest;
 
-/// What it announces takes gigabytes.
+/// The announced size takes gigabytes.
 void expect_refused(const std::string& path, const std::string& expected) {
   std::string message;
   const std::int64_t most =

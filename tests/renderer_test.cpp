@@ -1,5 +1,5 @@
-// What a Renderer keeps between pictures changes none of them: whatever it drew before, each is
-// that of a new one, with the counts of what it made.
+// The data that a Renderer keeps between pictures change none of them: whatever it drew before,
+// each is that of a new one; with the counts of the data that it made.
 
 #include "interp/draw/renderer.h"
 
@@ -73,7 +73,7 @@ TEST(RendererKeeps, NothingOfOneSceneForAnother) {
   }
 }
 
-/// Which segments are visible is said by the display file that is given, not by the scene.
+/// The visibility of segments is that of the given display file, not of the scene.
 TEST(RendererKeeps, NothingOfOneDisplayFileForAnother) {
   Retained retained;
   enter_scene(retained.system, "soup", 3);
@@ -100,7 +100,7 @@ TEST(RendererKeeps, NothingOfOneDisplayFileForAnother) {
   }
 }
 
-/// Nor of one that is gone, where another has its place in memory.
+/// Nor data of a deleted scene, where another has its place in memory.
 TEST(RendererKeeps, NothingOfASceneThatIsGone) {
   Renderer renderer;
   for (const HiddenMethod method : kInView) {
@@ -119,7 +119,7 @@ TEST(RendererKeeps, NothingOfASceneThatIsGone) {
   }
 }
 
-/// A tree that is kept is of one plan.
+/// A kept tree is valid for one plan.
 TEST(RendererKeeps, TreesForOnePlanAlone) {
   Retained retained;
   enter_scene(retained.system, "soup", 3);
@@ -207,7 +207,7 @@ TEST(RendererKeeps, ATreeToPickByForOneSizeAndDisplayFile) {
     g.close_segment();
   }
   EXPECT_GT(seen, 100);
-  // What cannot be drawn has no picks.
+  // A picture that cannot be drawn has no picks.
   DrawOptions none{.width = 0, .height = 40};
   EXPECT_NE(error_of([&] { renderer.pick(g, 1, 1, none); }), "");
 }

@@ -6,7 +6,7 @@
 #include "displayfile/files.h"
 #include "tests/error_of.h"
 
-// What a drawing program makes. It is called scene.draw.
+// The result of a drawing program, which is called scene.draw.
 
 namespace displayfile::test {
 

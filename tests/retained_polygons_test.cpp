@@ -1,5 +1,5 @@
-// Polygons as they were entered are in the display file and in a retained scene: once, and the
-// same whatever becomes of either.
+// Polygons as they were entered are in the display file and in a retained scene: once, and the same
+// whatever happens to either.
 
 #include "displayfile/entered/retained_polygons.h"
 
@@ -122,8 +122,8 @@ TEST_P(RetainedPolygonsOf, StayAsSegmentsComeAndGo) {
   }
 }
 
-/// As the scene grows it has other arrays: no segment has the old ones any more, by which all would
-/// be kept more than once.
+/// As the scene grows it has other arrays: no segment refers to the old ones any more, which would
+/// keep all polygons more than once.
 TEST_P(RetainedPolygonsOf, AreInTheArraysThatTheSceneHasNow) {
   for (int name = 1; name <= 30; ++name) enter_triangles(system, name, name);
   system.delete_segment(5);
@@ -186,7 +186,7 @@ TEST_P(RetainedPolygonsOf, ThatShareVerticesAreKeptOnce) {
   expect_triangles(system.display_file(), 1, 2);
 }
 
-/// Where lines are selected a segment is viewed when it is closed, from what was retained.
+/// Where lines are selected, a segment is viewed when it is closed, from the retained scene.
 TEST(RetainedPolygons, AreThoseThatWereEnteredBesideLinesToo) {
   for (const bool with_line : {false, true}) {
     GraphicsSystem g;

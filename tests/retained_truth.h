@@ -15,7 +15,7 @@
 #include "interp/raster/software.h"
 #include "interp/truth/truth.h"
 
-// Views of a retained scene, held against the truth of each view.
+// Views of a retained scene, compared with the truth of each view.
 
 namespace displayfile::test {
 
@@ -70,11 +70,11 @@ inline std::string text_of(const Pixel& pixel) {
   return out.str();
 }
 
-/// A picture held against the truth of the same view, whole polygons in order of entry.
+/// A picture compared with the truth of the same view, whole polygons in order of entry.
 struct Judged {
   std::vector<Pixel> wrong;
   std::size_t pixels = 0;
-  std::size_t undecided = 0;  ///< not left to the order of the tree
+  std::size_t undecided = 0;  ///< not decided by the order of the tree
 };
 inline Judged judged(const DisplayFile& file, int size) {
   const Picture picture = drawn(file, size);

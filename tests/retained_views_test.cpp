@@ -1,4 +1,4 @@
-// One tree, many views: what RetainedViews draws, held against the truth of each view.
+// One tree, many views: the drawings of RetainedViews, compared with the truth of each view.
 
 #include "displayfile/views/retained_views.h"
 
@@ -94,14 +94,15 @@ View special_view(Source& s, const Scene& scene, const test::Ball3& ball) {
   return test::parallel_view(into, into, ball);
 }
 
-/// What was found of a family.
+/// The results for a family.
 struct Tally {
   std::size_t views = 0, pixels = 0, undecided = 0;
   std::size_t rounding = 0;  ///< pixels that the rounding of the transformation decides
 };
 
 /// On scenes made to break methods the picture may differ where the rounding of the transformation
-/// itself decides, and only there: it then shows what the world's polygons give unrounded.
+/// itself decides, and only there: it then equals the picture of the world's polygons without
+/// rounding.
 void judge_family(const HardCase& family, int eyes, int size, Tally& tally) {
   for (const double severity : family.severities) {
     const Scene scene = family.make(family.size, severity, 1);
@@ -209,9 +210,9 @@ TEST(Meshes, NoWrongPixelFromAnyEye) {
   }
 }
 
-// ---- What is retained --------------------------------------------------------------------
+// ---- The retained scene ------------------------------------------------------------------
 
-/// As entered, the display file of a view is what the application would have drawn in that view.
+/// As entered, the display file of a view equals the application's own drawing in that view.
 TEST(RetainedViews, TheSameInstructionsAsDrawnInThatView) {
   Retained retained;
   enter_two_segments(retained.system);

@@ -1,5 +1,5 @@
-// Triangles made ready for rows of pixels in vectors: what is said of each holds by the exact scan
-// conversion and by its plane, and few are left to be made ready one by one.
+// Triangles prepared for rows of pixels in vectors: the flags of each are correct by the exact scan
+// conversion and by its plane, and few are left to be prepared one by one.
 
 #include "interp/visibility/row_triangles.h"
 
@@ -72,7 +72,7 @@ class Checked {
   bool is(std::uint32_t bits) const { return (bits >> i_ & 1) != 0; }
 
   void check_span(const Triangle& t, int row, int first, int end) const {
-    if (is(made_.covers_none)) return;  // which is wrong, and said by check
+    if (is(made_.covers_none)) return;  // an error that check reports
     EXPECT_GE(first, made_.column[i_]);
     EXPECT_LE(end, made_.column_end[i_]);
     if (is(made_.has_sides)) {
@@ -120,7 +120,7 @@ class Checked {
   ScanConverter converter_;
 };
 
-/// How many of so many triangles, a block of up to eight after another, need more.
+/// The number of triangles, in blocks of up to eight, that need more work.
 int needing_more(const PictureSize& size, double extent, double grid, int blocks) {
   Triangles triangles(size, extent, grid, 7);
   int more = 0;
@@ -169,7 +169,7 @@ TEST(RowTriangles, WhatIsNoTriangleOrFarAwayNeedsMore) {
   constexpr PictureSize kSize{100, 100};
   const std::array<Triangle, 4> hard{
       Triangle{{{0.1, 0.1, 0}, {0.5, 0.5, 0}, {0.9, 0.9, 0}}},        // in line
-      Triangle{{{0.1, 0.1, 0}, {0.1, 0.1, 1}, {0.9, 0.7, 0}}},        // two corners in one
+      Triangle{{{0.1, 0.1, 0}, {0.1, 0.1, 1}, {0.9, 0.7, 0}}},        // two coincident corners
       Triangle{{{-5.0, 0.1, 0}, {0.1, 0.2, 1}, {0.9, 0.7, 0}}},       // left of the picture
       Triangle{{{0.1, 0.1, 0}, {0.1, 1e100, 1}, {0.9, -1e100, 0}}}};  // as far as can be
   TriangleBlock block{};

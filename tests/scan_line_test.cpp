@@ -1,6 +1,6 @@
-// The spanning scan line, step by step: which polygons are IN on which line, where one is seen
-// rather than another, and what is not done twice. That no pixel is wrong anywhere is
-// software_truth_test's and the hard cases'.
+// The spanning scan line, step by step: which polygons are IN on which line, which one is visible
+// where, and which work is not repeated. software_truth_test and the hard cases test that no pixel
+// is wrong.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ class Lines {
         });
     return text;
   }
-  /// The counts of what was asked last.
+  /// The counts of the last query.
   const ScanLine::Counts& counts() const { return counts_; }
 
   ScanLine::Counts draw_all() {
@@ -92,7 +92,7 @@ class Lines {
 };
 
 /// The problem book's section 10.5: edges become active and invert their polygon's flag; with one
-/// polygon IN it is seen, with two the nearer.
+/// polygon IN it is visible, with two the nearer.
 TEST(ScanLine, PolygonsAreInBetweenTheirEdges) {
   Lines lines(Polygons{rectangle(1, 1, 5, 6, 0.25), rectangle(3, 3, 7, 8, 0.5)});
   const std::vector<std::string> in{
@@ -141,21 +141,21 @@ TEST(ScanLine, PolygonsThatInterpenetrateSwitchAtTheCrossover) {
   EXPECT_EQ(lines.counts().sweep.painted, 2u) << "they never switch back";
 }
 
-/// They meet at z = 9/16, the centre of column 4: there the one entered later is seen.
+/// They meet at z = 9/16, the centre of column 4: there the one entered later is visible.
 TEST(ScanLine, AtACrossoverOnACentreTheLaterIsSeen) {
   const Vertices level = rectangle(0, 0, 8, 8, 0.5625), rising = rectangle(0, 0, 8, 8, 0.0, 1.0);
   EXPECT_EQ(Lines(Polygons{level, rising}).seen(3), "AAAABBBB");
   EXPECT_EQ(Lines(Polygons{rising, level}).seen(3), "BBBBBAAA");
 }
 
-/// A crossover behind a nearer polygon changes what is seen where that one ends.
+/// A crossover behind a nearer polygon changes the visible polygon where that one ends.
 TEST(ScanLine, CrossoversAreFoundBehindWhatIsSeen) {
   Lines lines(Polygons{rectangle(0, 0, 8, 8, 0.5), rectangle(0, 0, 8, 8, 0.0, 1.0),
                        rectangle(2, 0, 6, 8, 2.0), rectangle(5, 0, 7, 8, 1.5)});
   EXPECT_EQ(lines.seen(3), "AACCCCDB");
 }
 
-/// An earlier, hidden polygon's end must not let what it hid be forgotten.
+/// At an earlier, hidden polygon's end, the polygons that it hid must be kept.
 TEST(ScanLine, WhatAHiddenPolygonHidComesOutAfterIt) {
   // B hides C; then A hides B and ends last; C passes A after B's end.
   Lines lines(Polygons{rectangle(1, 0, 8, 8, 0.75, 0.75), rectangle(0, 0, 4, 8, 0.7),
@@ -211,7 +211,7 @@ TEST(ScanLine, EveryPixelIsToldOnceInWhateverBandsItIsDrawn) {
 }
 
 /// The textbook: while nothing changes, the depth order of the line above holds. Of a stack of
-/// sheets only the one seen is looked at again.
+/// sheets only the visible one is tested again.
 TEST(ScanLine, HiddenPolygonsRestWhileNothingChanges) {
   constexpr int kSheets = 20, kRows = 100;
   Polygons sheets;
@@ -226,8 +226,8 @@ TEST(ScanLine, HiddenPolygonsRestWhileNothingChanges) {
   EXPECT_EQ(counts.sweep.painted, std::uint64_t{kRows});
 }
 
-/// Coplanar polygons rest too, of which the last is seen, and so do sheets that only exact
-/// arithmetic tells apart.
+/// Coplanar polygons rest too, of which the last is visible, and so do sheets that only exact
+/// arithmetic distinguishes.
 TEST(ScanLine, CoplanarPolygonsRestToo) {
   Polygons sheets;
   for (int k = 0; k < 20; ++k) {

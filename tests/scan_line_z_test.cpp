@@ -1,6 +1,5 @@
-// The scan-line z-buffer, besides its pictures (software_truth_test.cpp): any rows alone, the
-// memory that it takes, and how often it asks exact arithmetic. Pictures that are written as their
-// rows come.
+// The scan-line z-buffer, besides its pictures (software_truth_test.cpp): any rows alone, its
+// memory, and how often it needs exact arithmetic. Pictures that are written as their rows come.
 
 #include "interp/visibility/scan_line_z.h"
 
@@ -61,7 +60,7 @@ TEST(ScanLineZ, AnyRowsAloneAreThoseOfThePicture) {
 }
 
 /// Nothing is exact then, but the same doubles are compared in the same order: also by the
-/// z-buffer, which looks at them only where single precision does not tell.
+/// z-buffer, which uses them only where single precision does not decide.
 TEST(ScanLineZ, WithRoundoffTheFillsSeenAreTheZBuffers) {
   constexpr PictureSize kSize{47, 41};
   for (const double roundoff : {0.0, 1e-9, 1e-2}) {
@@ -78,7 +77,7 @@ TEST(ScanLineZ, WithRoundoffTheFillsSeenAreTheZBuffers) {
   }
 }
 
-// ---- What it costs ---------------------------------------------------------------------
+// ---- Costs -----------------------------------------------------------------------------
 
 /// A picture full of triangles of any size.
 DisplayFile many_triangles(int polygons) {
@@ -147,8 +146,8 @@ ViewedScene sheets(int n, double apart) {
   return ViewedScene(file);
 }
 
-/// Sheets that rounded depths do not tell apart take exact arithmetic for a row at most, not for
-/// a pixel; those of one plane for the picture.
+/// Sheets that rounded depths do not distinguish take exact arithmetic for a row at most, not for a
+/// pixel; those of one plane for the picture.
 TEST(ScanLineZ, ExactDecisionsDoNotGrowWithThePicturesWidth) {
   constexpr int kSheets = 20;
   const std::uint64_t narrow = exact_decisions(sheets(kSheets, 0x1p-53), {50, 40});

@@ -18,7 +18,7 @@ inline Point3 any_vertex(Source& s) {
 
 inline Polygon triangle(Source& s) { return {any_vertex(s), any_vertex(s), any_vertex(s)}; }
 
-/// In one plane exactly; concave and self-crossing as it comes.
+/// Exactly in one plane; some concave or self-crossing.
 inline Polygon flat(Source& s) {
   const int kind = s.below(3);
   const double at = step(s);

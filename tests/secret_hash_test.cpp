@@ -1,4 +1,4 @@
-// Hashes of what files hold.
+// Hashes of files' contents.
 
 #include "clip/geometry/secret_hash.h"
 
@@ -18,7 +18,7 @@ TEST(SecretHash, EqualKeysHaveEqualHashesInOneProcess) {
   EXPECT_NE(one(Point3(1, 2, 3), 1), one(Point3(1, 2, 3), 2));
 }
 
-/// Keys that differ in few bits, and those high ones, as powers of two are.
+/// Keys that differ in few high bits, as powers of two do.
 TEST(SecretHash, KeysInARowFallIntoManyPlaces) {
   constexpr std::size_t kPlaces = 1 << 11;
   const SecretHash hash;

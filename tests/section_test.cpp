@@ -140,7 +140,7 @@ TEST(Section, AFaceInThePlaneIsCutWhereThereIsSolidBehindIt) {
   EXPECT_EQ(section(unit_cube(), {{0, 0, -1}, 0.0}).area, 1.0);
 }
 
-/// What is behind a plane with its loops as faces.
+/// The part behind a plane with its loops as faces.
 Mesh closed_by_loops(const Section& cut) {
   Mesh closed = cut.behind;
   for (const auto& loop : cut.loops) {
@@ -233,7 +233,7 @@ TEST(Section, AnEdgeThatThePlaneTouchesIsInNoLoop) {
   EXPECT_EQ(cut.area, 4.0);
 }
 
-/// Two cubes, one on the other: what is between them is in the loops of both.
+/// Two cubes, one on the other: the square between them is in the loops of both.
 TEST(Section, ObjectsThatTouchHaveLoopsOfTheirOwn) {
   Mesh stack = unit_cube();
   const Mesh above = unit_cube();
@@ -284,12 +284,13 @@ TEST(Section, WhatIsBehindHasTheObjectsOfTheMesh) {
   EXPECT_EQ(cut.behind.objects[2].first_face, 5U);
 }
 
-/// Whether a point is on the line from one to the other.
+/// True if a point is on the line from one to the other.
 bool is_between(const Point3& p, const Point3& from, const Point3& to) {
   return glm::length(p - from) + glm::length(to - p) < glm::length(to - from) + 1e-12;
 }
 
-/// How long the sides of faces behind are together that run along the plane, and those of no side.
+/// The total lengths of the sides of faces behind that run along the plane, and of those of no
+/// side.
 struct LengthsOfSides {
   double in_plane = 0.0, none = 0.0;
 };

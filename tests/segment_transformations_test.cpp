@@ -87,7 +87,7 @@ TEST(GraphicsSystem, ImageTransformationAboutACentreOfItsOwn) {
   });
 }
 
-/// A point is told where a line that goes there ends, to the bit.
+/// to_device returns the end of a line that goes there, to the bit.
 TEST(GraphicsSystem, ToDeviceIsWhereThingsAreDrawn) {
   const auto expect_same = [](GraphicsSystem& g) {
     const Point3 joint(0.125, -0.25, 0.5);
@@ -123,7 +123,7 @@ TEST(GraphicsSystem, ToDeviceIsWhereThingsAreDrawn) {
   expect_error([&] { perspective.to_device({0, 0, 0}); }, "centre of projection");
 }
 
-/// What is saved acts last: an arm is written from the outside in.
+/// A saved transformation acts last: an arm is written from the outside in.
 TEST(GraphicsSystem, WhatIsSavedActsOnAllThatIsCalledUntilItIsRestored) {
   GraphicsSystem g = unit_square();
   g.open_segment(1);
@@ -152,8 +152,8 @@ TEST(GraphicsSystem, WhatIsSavedActsOnAllThatIsCalledUntilItIsRestored) {
             "line 0.5 0.5 0;line 0.5 0.5625 0;line 0.5 0.25 0;line 1 1 0;");
 }
 
-/// What is restored is what was saved to the bit, normals of vertices go the same way, and a
-/// refused call changes nothing.
+/// A restored transformation equals the saved one to the bit, normals of vertices go the same way,
+/// and a refused call changes nothing.
 TEST(GraphicsSystem, SavedTransformations) {
   const auto draw = [](GraphicsSystem& g) {
     g.set_vertex_normals({{0, 0, 1}, {1, 2, 3}, {0, 1, 1}});

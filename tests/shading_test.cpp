@@ -1,5 +1,5 @@
-// What a user may expect of Gouraud shading: the intensities are those of the vertices' normals,
-// run linearly over the picture of each triangle whatever clips or sorts it, and change no pixel's
+// The guarantees of Gouraud shading: the intensities are those of the vertices' normals, run
+// linearly over the picture of each triangle whatever clips or sorts it, and change no pixel's
 // polygon. OpenGL's own interpolation (OSMesa) is the independent judge.
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ using test::picture;
 using test::triangles;
 using Scene = test::ShadedScene;
 
-/// What the display file holds: the polygons, each with its intensities and fill colour.
+/// The contents of the display file: the polygons, each with its intensities and fill colour.
 struct Held {
   struct Polygon {
     std::vector<Point3> vertices;
@@ -134,7 +134,7 @@ TEST(VertexIntensities, NormalsFollowTheModellingTransformation) {
   }
 }
 
-/// Where the window cuts a triangle, what is left is shaded as it was in the whole picture.
+/// Where the window cuts a triangle, the rest is shaded as it was in the whole picture.
 TEST(VertexIntensities, ClippingLeavesThePictureAsItWas) {
   for (const bool perspective : {false, true}) {
     View view;
@@ -200,7 +200,7 @@ TEST(SetVertexNormals, AreOfTheNextPolygonAndHaveToFitIt) {
   EXPECT_TRUE(held.polygons[2].intensities.empty());
 }
 
-// ---- What does not change --------------------------------------------------------------
+// ---- Unchanged pictures ----------------------------------------------------------------
 
 TEST(FlatShading, PaysNothingForNormals) {
   Scene scene = triangles(3, 60), without = scene;
@@ -450,7 +450,7 @@ TEST_F(SmoothMesh, TheFilesOwnNormalsAreKept) {
     tilted += at_1 ? 1 : 0;
   }
   EXPECT_EQ(tilted, 1);
-  EXPECT_TRUE(read_mesh(path).normals.empty());  // nobody asked
+  EXPECT_TRUE(read_mesh(path).normals.empty());  // not requested
   EXPECT_TRUE(read_mesh(path).corner_normals.empty());
 }
 

@@ -1,6 +1,6 @@
-// What a user may expect of shadows: they lie where the world's geometry says, whatever the view
-// and the hidden-surface method; what is lit has no speckles; and with shadows off nothing changes.
-// The independent judge is a ray in world coordinates from every point that is seen.
+// The guarantees of shadows: they lie where the world's geometry puts them, whatever the view and
+// the hidden-surface method; lit surfaces have no speckles; and with shadows off nothing changes.
+// The independent judge is a ray in world coordinates from every visible point.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ Point3 normal_of(const std::vector<Point3>& polygon) {
   return glm::normalize(glm::cross(polygon[1] - polygon[0], polygon[2] - polygon[0]));
 }
 
-/// How far inside of a convex polygon a point of its plane lies; negative outside.
+/// The distance of a point of a convex polygon's plane from its sides; negative outside.
 double inside_by(const std::vector<Point3>& polygon, const Point3& p) {
   const Point3 n = normal_of(polygon);
   double least = 1e9;
@@ -139,7 +139,7 @@ struct Agreement {
   std::size_t lit = 0, in_shadow = 0, close = 0, wrong = 0;
 };
 
-/// Judges a picture of convex polygons whose identifiers are their places.
+/// Judges a picture of convex polygons whose identifiers are their indices.
 Agreement agreement(const Picture& seen, const Polygons& polygons, const Point3& light,
                     const Viewer& viewer) {
   Agreement sum;
@@ -203,7 +203,7 @@ std::vector<Point3> square(const Point3& middle, const Point3& across, const Poi
   return {middle - across - up, middle + across - up, middle + across + up, middle - across + up};
 }
 
-/// A cube's six sides, out of one of which +n looks; turned about y and x.
+/// A cube's six sides, one of which faces +n; turned about y and x.
 Polygons cube(const Point3& middle, double half, double turn = 0.0) {
   const double c = std::cos(turn), s = std::sin(turn);
   const Point3 x(c, s * s, -s * c), y(0, c, s), z(s, -s * c, c * c);
@@ -314,7 +314,7 @@ TEST(Shadows, OfBoxesOnAFloorBeginAtTheBoxes) {
   EXPECT_GT(in_shadow, 3000u);
 }
 
-/// On a closed convex body what is turned to the light is lit, and all else is dark anyway.
+/// On a closed convex body the parts turned to the light are lit, and all others are dark anyway.
 TEST(Shadows, AClosedConvexBodyHasNoneOnItself) {
   Dice dice(7);
   std::size_t coloured = 0;
@@ -562,7 +562,7 @@ TEST(Shadows, ARetainedSceneHasThemInEveryView) {
   }
 }
 
-// ---- What is stored -------------------------------------------------------------------------
+// ---- Stored data ----------------------------------------------------------------------------
 
 TEST(Shadows, OffChangeNothing) {
   const Polygons scene = crossing(3, 20);

@@ -29,7 +29,7 @@ using test::Retained;
 
 using Enter = std::function<void(GraphicsSystem&)>;
 
-/// What a shape enters, as a mesh of polygons with vertices of their own, in world coordinates.
+/// The polygons that a shape enters, as a mesh with vertices of their own, in world coordinates.
 Mesh mesh_of(const Enter& enter, const Point3& scale = Point3(1.0), bool smooth = false) {
   Retained retained;
   if (smooth) {
@@ -154,7 +154,7 @@ TEST(Shapes, AreTurnedOutwardWhereTheModellingTransformationMirrors) {
   }
 }
 
-/// A mirrored half of a pair is lit as the other one is.
+/// A mirrored half of a pair is lit like the other one.
 TEST(Shapes, AreLitFromOutsideWhereTheyAreMirrored) {
   Picture pictures[2];
   for (const bool mirrored : {false, true}) {

@@ -1,4 +1,4 @@
-// What in_parallel promises, with each of the files that share work out (tests/CMakeLists.txt).
+// The guarantees of in_parallel, with each of the files that share work out (tests/CMakeLists.txt).
 
 #include <gtest/gtest.h>
 

@@ -148,7 +148,7 @@ TEST_F(SheetAnnotation, LeadersAreInTheViewThatShowsTheirPoint) {
   EXPECT_NEAR(at("30 25 29.5")[1], 25.0, 1e-3);
   EXPECT_NEAR(at("30 25 28")[1], 25.0, 1e-3);
   EXPECT_GT(at("30 37 10")[1], 40.0 + 12.0);
-  // A section shows what lies in its plane, and not what is before it.
+  // A section shows points in its plane, and not those before it.
   EXPECT_NEAR(at("15 15 20")[1], 15.0, 12.0);
   EXPECT_NEAR(at("40 25 12", "--section front=12")[1], 25.0, 1e-3);
   EXPECT_GT(at("40 40 25", "--section front=12")[1], 40.0 + 12.0);
@@ -231,7 +231,7 @@ TEST_F(SheetAnnotation, ABalloonCoversWhatIsBehindIt) {
   EXPECT_NEAR(ends[1], left, 1e-3);
   EXPECT_NEAR(ends[2], right, 1e-3);
   EXPECT_NEAR(right - left, 2.0 * 1.15 * 3.5, 0.02);
-  // Of lines that end behind it nothing is left there.
+  // Nothing is left of lines that end behind it.
   write("corner.draw",
         "open-segment 1\nbox-3 0 60 0 40 0 30\nballoon-3 0 0 30 1 \"\" 0 0\nclose-segment\n");
   draw("corner.draw --scale 1:1");

@@ -74,7 +74,7 @@ class SheetDrafting : public SheetCommandTest {
     return count;
   }
 
-  /// An entity of a DXF file: its groups but for its handle.
+  /// An entity of a DXF file: its groups except its handle.
   using Entity = std::map<int, std::string>;
   std::vector<Entity> entities(const std::string& file, const std::string& kind) {
     std::istringstream dxf(read(folder_ / file));
@@ -219,7 +219,7 @@ TEST_F(SheetDrafting, AWholePartIsNotHatched) {
   EXPECT_EQ(count_of_length("VISIBLE", 60.0), 2U);  // of the shaft in the side view
 }
 
-/// A whole part hides what is cut behind it, its outlines and its hatching.
+/// A whole part hides cut faces behind it, their outlines and their hatching.
 TEST_F(SheetDrafting, AWholePartHidesCutFaces) {
   write_segments("two.draw", {"box-3 0 40 0 20 0 10\n", "box-3 10 20 5 25 3 12\n"});
   draw("two.draw --scale 1:1 --section front=5 --uncut two:2");
@@ -234,7 +234,7 @@ TEST_F(SheetDrafting, AWholePartHidesCutFaces) {
   EXPECT_EQ(above, (2 + 2) * 2);  // and the other box's ends; as many in the top view
 }
 
-/// Where what is behind the cut face is smaller than it, nothing else is drawn there.
+/// Where the part behind the cut face is smaller than it, nothing else is drawn there.
 TEST_F(SheetDrafting, CutFacesBesideAWholePartHaveOutlines) {
   write_segments("two.draw", {"cone-3 20 20 0 5 10 48 15\n", "box-3 18 22 18 22 3 12\n"});
   draw("two.draw --scale 1:1 --section front=5 --uncut two:2");
@@ -270,7 +270,7 @@ TEST_F(SheetDrafting, WholePartsAreNamed) {
   EXPECT_NE(err_.find("--uncut nut: no section plane goes through it"), std::string::npos) << err_;
 }
 
-/// The view is what is left of the part: its letters stand below the middle of that, and it stands
+/// The view shows the rest of the part: its letters stand below the middle of that, and it stands
 /// under the same points of the top view.
 TEST_F(SheetDrafting, ACutViewIsPlacedByWhatIsLeft) {
   write_segments("two.draw", {"box-3 10 30 0 20 0 10\n", "box-3 0 100 0 50 20 30\n"});
@@ -293,7 +293,7 @@ TEST_F(SheetDrafting, ACutViewIsPlacedByWhatIsLeft) {
   EXPECT_EQ(aligned, 2);
 }
 
-/// Three views that are cut have what is left, and so a larger scale.
+/// Three views that are cut show only the rest, and so have a larger scale.
 TEST_F(SheetDrafting, ACutAssemblyHasTheScaleOfWhatIsLeft) {
   write_segments("two.draw", {"box-3 0 24 0 24 0 24\n", "box-3 36 110 36 110 36 110\n"});
   const auto scale = [&](const std::string& arguments) {
@@ -358,30 +358,30 @@ TEST_F(SheetDrafting, CutFacesHideCentreLines) {
     return sum;
   };
   const double whole = draw_lines("");
-  // Of the first cylinder's cross nothing is left, of the second's what is beside the box.
+  // Nothing is left of the first cylinder's cross; of the second's, the part beside the box.
   const double small = 2.0 * (12.0 + 6.0), behind = 20.0 - (22.0 - 8.0 - 3.0);
   EXPECT_NEAR(draw_lines("--section front=5"), whole - small - behind, 1e-3);
   for (const Stroke& s : strokes("CENTRE")) {
     for (const Stroke& h : strokes("HATCH")) EXPECT_LE(overlap(s, h), 1e-6);
   }
-  // Nor is one along the view, on both sides of the box.
+  // Nor is a centre line hidden that runs along the view on both sides of the box.
   write_segments("along.draw",
                  {"box-3 -20 20 -20 20 0 10\n",
                   "rotate-y-3 90\ntranslate-3 0 5 -20\ncylinder-3 0 0 -30 6 60 48\n"});
   draw("along.draw --scale 1:1 --section front=5");
   EXPECT_EQ(count_of_length("CENTRE", (10.0 + 3.0) / 2.0), 4U);
   EXPECT_EQ(count_of_length("CENTRE", 30.0 + 3.0), 2U);  // in the top view
-  // Nor is that of a shape hidden which the plane cuts beside its axis.
+  // Nor is that of a shape which the plane cuts beside its axis.
   write_segments("off.draw", {"rotate-y-3 90\ncylinder-3 0 0 -30 10 60 48\n"});
   draw("off.draw --scale 1:1 --section front=4");
   EXPECT_EQ(count_of_length("CENTRE", 30.0 + 3.0), 4U);
-  // What the plane goes through has its own.
+  // Shapes that the plane goes through have their own.
   write_segments("through.draw", {"box-3 -20 20 -20 20 0 40\ncylinder-3 0 0 -40 6 42 48\n"});
   draw("through.draw --scale 1:1 --section front=1");
   EXPECT_GE(count_of_length("CENTRE", 6.0 + 3.0), 4U);
 }
 
-/// A hole of a solid has the axis of what was taken away, as far as the hole goes.
+/// A hole of a solid has the axis of the subtracted shape, as far as the hole goes.
 TEST_F(SheetDrafting, HolesHaveCentreLinesAsLongAsTheyAre) {
   write_segments("hole.draw", {"begin-solid difference\nbox-3 -20 20 -20 20 0 12\n"
                                "cylinder-3 0 0 -5 8 50 48\nend-solid\n"});
@@ -423,7 +423,7 @@ TEST_F(SheetDrafting, ADetailOfASectionIsHatchedAsElsewhere) {
   const double of_detail = length(strokes("HATCH")) - whole;
   EXPECT_NEAR(of_detail, std::acos(-1.0) * 20.0 * 20.0 / 2.0, 10.0);
   draw("box.obj --scale 1:1 --section front=10 --detail front=30,20,1e-4@100000:1 --hatch 1");
-  EXPECT_LT(strokes("HATCH").size(), 200U);  // only what is in the circle is hatched
+  EXPECT_LT(strokes("HATCH").size(), 200U);  // only the inside of the circle is hatched
 }
 
 TEST_F(SheetDrafting, DetailsHaveRoomOrAreRefused) {
@@ -524,7 +524,7 @@ TEST_F(SheetDrafting, CirclesAndArcsOfOutlinesAreThatInDxf) {
   EXPECT_EQ(angles, (std::set<std::string>{"-90 to 90", "90 to -90"}));
 }
 
-/// A polygon whose corners are on a circle, but not evenly, is none; nor is an oval one.
+/// A polygon whose corners are on a circle, but unevenly, is not a circle; nor is an oval.
 TEST_F(SheetDrafting, OnlyFacetsOfCirclesAreCircles) {
   const auto circles = [&](double stretch, bool uneven) {
     std::ostringstream profile;

@@ -12,7 +12,7 @@
 
 #include "tests/command_fixture.h"
 
-/// `displayfile sheet`, and what stands in its SVG files.
+/// `displayfile sheet`, and the contents of its SVG files.
 class SheetCommandTest : public Command {
  protected:
   void SetUp() override {
@@ -58,8 +58,8 @@ class SheetCommandTest : public Command {
     }
     return all;
   }
-  /// Whether something of a layer is drawn within the text's rectangle: by points along its lines.
-  /// Paths of several lines have as many points each.
+  /// True if something of a layer is drawn within the text's rectangle, tested by points along its
+  /// lines. Paths of several lines have as many points each.
   bool is_drawn_over(const std::string& file, const std::string& layer, std::size_t points_of_line,
                      const Text& text) {
     const auto all = numbers(file, layer);
@@ -126,7 +126,7 @@ inline std::vector<Stroke> strokes_of(const std::string& path) {
   return all;
 }
 
-/// How far two strokes run along each other.
+/// The length along which two strokes overlap.
 inline double overlap(const Stroke& a, const Stroke& b) {
   const double length = std::hypot(a[2] - a[0], a[3] - a[1]);
   const double u = (a[2] - a[0]) / length, v = (a[3] - a[1]) / length;

@@ -89,7 +89,7 @@ TEST_F(SheetCommandTest, SolidsOfOneProgramThatTouchAreHatched) {
   EXPECT_TRUE(sheet("two.draw") == files);
 }
 
-/// Hatching goes through, and hides what lies behind it.
+/// Hatching continues through both, and hides the parts behind it.
 TEST_F(SheetCommandTest, WhatTwoBodiesShareIsMaterial) {
   const std::string first = "box-3 0 40 0 20 0 20\n", second = "box-3 10 30 -10 30 5 15\n";
   const auto sheet = [&](const std::string& bodies, const std::string& layer) {
@@ -200,8 +200,8 @@ TEST_F(SheetCommandTest, ASectionThatMissesThePartIsRefused) {
   expect_error("sheet open.obj -o s.svg --section front=99", "front=99" + missed + "0 to 9");
 }
 
-/// What lies in the plane counts as before it: the face there is cut, if it is nearer to the viewer
-/// than the rest of the part.
+/// Points in the plane count as before it: a face there is cut if it is nearer to the viewer than
+/// the rest of the part.
 TEST_F(SheetCommandTest, ASectionAtTheEndOfThePartCutsAFaceOrNothing) {
   for (const char* position : {"front=30", "top=40", "side=60"}) {
     ASSERT_EQ(run(std::string("sheet box.obj -o s.svg --section ") + position), 0) << err_;
@@ -285,7 +285,7 @@ TEST_F(SheetCommandTest, EndsThatACuttingPlaneLeavesAreLines) {
   EXPECT_EQ(upright, 2 + 2);  // of the front and the side view
 }
 
-/// What is behind a bore or a ring is seen through it, whatever fills or overlaps its hole.
+/// The parts behind a bore or a ring are visible through it, whatever fills or overlaps its hole.
 TEST_F(SheetCommandTest, WhatIsBehindAHoleIsSeenThroughIt) {
   const std::string behind =
       "open-segment 1\nbox-3 -10 10 -10 10 -6 -5\nbox-3 -0.4 0.4 -0.4 0.4 -5 -4\n";
@@ -326,7 +326,7 @@ TEST_F(SheetCommandTest, ARidgeThatIsTouchedHidesNothing) {
   EXPECT_EQ(hidden("1"), hidden("1.001"));
 }
 
-/// A pin that reaches from a hole into what is around it, its faces turned in or out.
+/// A pin that reaches from a hole into the block around it, its faces turned in or out.
 TEST_F(SheetCommandTest, APinInAHoleIsSolidWhicheverWayItIsTurned) {
   const std::string block =
       "open-segment 1\nbegin-solid difference\nbox-3 0 10 0 10 0 10\n"
@@ -351,7 +351,7 @@ TEST_F(SheetCommandTest, APinInAHoleIsSolidWhicheverWayItIsTurned) {
   EXPECT_EQ(hatching(false), hatching(true));
 }
 
-/// Names of segments that a program deletes are those of what was entered before it.
+/// Segments that a program deletes are those of the inputs before it.
 TEST_F(SheetCommandTest, AProgramMayDeleteWhatAnotherOneEntered) {
   write("a.draw", "open-segment 1\nbox-3 0 4 0 4 0 4\nclose-segment\n");
   write("b.draw", "delete-segment 1\nopen-segment 1\nbox-3 0 8 0 4 0 4\nclose-segment\n");

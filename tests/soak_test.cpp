@@ -1,5 +1,5 @@
 // Segments without end opened, edited and deleted: the memory held does not grow.
-// DISPLAYFILE_SOAK_SEGMENTS sets how many: a million take minutes.
+// DISPLAYFILE_SOAK_SEGMENTS sets their number: a million take minutes.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@
 namespace displayfile {
 namespace {
 
-/// An application that keeps at most so many segments: it opens a new one, edits some of the others
-/// and deletes the oldest, and draws from time to time.
+/// An application that keeps a limited number of segments: it opens a new one, edits some of the
+/// others and deletes the oldest, and draws from time to time.
 class Application {
  public:
   Application() {
@@ -83,7 +83,7 @@ class Application {
   }
 
   void rename(int name) {
-    const int other = name ^ kOtherName;  // which nobody else has
+    const int other = name ^ kOtherName;  // a name that no other segment has
     system_.rename_segment(name, other);
     std::ranges::replace(open_, name, other);
   }
@@ -131,8 +131,8 @@ TEST(Soak, ManySegmentsInTheMemoryOfAFew) {
   EXPECT_GT(application.refused(), 0u);
 }
 
-/// Points are held in the scene and, as they are viewed, in the display file; nothing else is as
-/// large, nor is there much room to spare.
+/// Points are held in the scene and, viewed, in the display file; no other data are as large, nor
+/// is there much unused room.
 TEST(Memory, OfARetainedSegmentIsLittleMoreThanItsPointsInTheWorldAndInTheView) {
   constexpr int kTriangles = 20'000;  // arrays that double would have room for 32,768
   constexpr std::int64_t kPoints = 2 * 3 * sizeof(Point3), kNumbers = 16 + 4 * 4 + 3;

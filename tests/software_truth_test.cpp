@@ -76,7 +76,7 @@ TEST_P(EveryMethod, NoWrongPixelsWithManyPolygons) {
   }
 }
 
-/// What is computed for the first pixel of a span, or for the first row of a polygon, is carried
+/// Values computed for the first pixel of a span, or for the first row of a polygon, are carried
 /// over thousands.
 TEST_P(EveryMethod, NoWrongPixelsFarFromWhereASpanBegins) {
   constexpr std::uint32_t kScenes = 4 / test::kSlower + 1;

@@ -13,13 +13,13 @@
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/solids/solid_faces.h"
 
-// What is entered of solids, looked at in world coordinates.
+// The polygons that solids enter, in world coordinates.
 
 namespace displayfile::test {
 
 using EnterSolid = std::function<void(GraphicsSystem&)>;
 
-/// What one segment retains.
+/// The retained scene of one segment.
 struct Entered {
   RetainedScene scene;
   GraphicsSystem system;

@@ -89,7 +89,7 @@ inline bool find_intervals(const SolidTree& tree, const Ray& ray, std::vector<In
                              [&](const SolidTree& part) { return find_intervals(part, ray, all); });
 }
 
-/// Whether the solid is at that depth; `next` counts its convex parts.
+/// True if the solid is at that depth; `next` counts its convex parts.
 inline bool is_in(const SolidTree& tree, double depth, const std::vector<Interval>& intervals,
                   std::size_t& next) {
   if (tree.parts.empty()) {
@@ -165,8 +165,8 @@ inline bool find_crossing(std::span<const Point3> polygon, const Ray& ray,
   return true;
 }
 
-/// The depths at which the ray enters and leaves what the mesh bounds, by turns; {-1} if it does
-/// not do so by turns. Nothing if undecided.
+/// The depths at which the ray enters and leaves the mesh's volume, alternately; {-1} if they do
+/// not alternate. Nothing if undecided.
 inline std::optional<std::vector<double>> depths_in(const Mesh& mesh, const Ray& ray) {
   std::vector<Crossing> all;
   for (std::size_t i = 0; i < mesh.faces(); ++i) {
@@ -185,7 +185,7 @@ inline std::optional<std::vector<double>> depths_in(const Mesh& mesh, const Ray&
   return inside == 0 ? changes : std::vector{-1.0};
 }
 
-/// What is wrong with the mesh of the tree's solid along a ray: nothing if it is right, and no
+/// Describes the error of the mesh of the tree's solid along a ray: empty if it is right, and no
 /// value if that is not decided.
 inline std::optional<std::string> wrong_along(const SolidTree& tree, const Mesh& mesh,
                                               const Ray& ray) {

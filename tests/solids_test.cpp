@@ -44,7 +44,7 @@ EnterSolid solid_of(SolidOperation operation, const std::vector<EnterSolid>& par
   return [=](GraphicsSystem& g) { box_3(g, low, high); };
 }
 
-/// The faces of a box, one by one, but for the last `missing`.
+/// The faces of a box, one by one, except for the last `missing`.
 void box_by_polygons(GraphicsSystem& g, int missing) {
   const std::array<std::array<Point3, 4>, 6> faces{
       {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
@@ -100,7 +100,7 @@ TEST(Solids, CallsOutOfOrderAreRefusedAndNothingIsLost) {
   expect_error([&] { g.end_solid(); },
                "the solid is not closed: its side from 0 0 0 to 0 1 0 is no other polygon's");
   EXPECT_EQ(g.counts().solids_open, 1u);
-  g.polygon_abs_3({{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}});  // what was missing
+  g.polygon_abs_3({{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}});  // the missing face
   EXPECT_EQ(dump(g.display_file()).find("polygon"), std::string::npos);
   g.end_solid();
   EXPECT_NE(dump(g.display_file()).find("polygon"), std::string::npos);
@@ -299,7 +299,7 @@ TEST(CombinedSolids, FacesHaveTheCornersOfTheSolidAlone) {
                                                 cylinder_3(g, {x, y, -1}, 0.5, 3, 24);
                                               }});
     const Entered plate(bored);
-    std::map<std::size_t, int> polygons;  // by how many corners they have
+    std::map<std::size_t, int> polygons;  // by their number of corners
     for (const std::uint32_t i : plate.polygons()) ++polygons[plate.scene.points(i).size()];
     // A face with a hole is one polygon, with a bridge there and back.
     EXPECT_EQ(polygons, (std::map<std::size_t, int>{{4, 4 + 24}, {4 + 24 + 2, 2}})) << seed;
@@ -314,7 +314,7 @@ TEST(CombinedSolids, FacesInOnePlaneShowNoSideBetweenThem) {
   for (const std::uint32_t i : beam.polygons()) drawn += beam.drawn_length(i);
   EXPECT_DOUBLE_EQ(drawn, 2 * (4 * 3 + 8 * 1));  // of a box, each side from both faces
   EXPECT_EQ(volume(beam.mesh()), 3.0);
-  // Where two colours meet, the side between them is one of the part.
+  // Where two colours meet, the side between them is a side of the part.
   const Entered two(solid_of(kUnion, {in_red(1.0, 1, a), in_red(0.5, 2, b)}));
   drawn = 0.0;
   for (const std::uint32_t i : two.polygons()) drawn += two.drawn_length(i);
@@ -375,7 +375,7 @@ TEST(CombinedSolids, OfNothingNothingIsEnteredAndCounted) {
   solid_of(kIntersection, {box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})})(g);
   EXPECT_EQ(dump(g.display_file()).find("polygon"), std::string::npos);
   EXPECT_EQ(g.counts().empty_solids, 1);
-  // As a part of another it is none.
+  // An empty part of another solid is not counted.
   solid_of(kUnion, {solid_of(kDifference, {box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})}),
                     box({0, 0, 0}, {1, 1, 1})})(g);
   EXPECT_EQ(g.counts().empty_solids, 1);

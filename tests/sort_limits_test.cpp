@@ -49,7 +49,7 @@ TEST(SortLimits, MorePiecesThanAllowedNameTheMap) {
         error_of([&] { sort_hidden_surfaces(list.view(), options.by(method)); });
     EXPECT_NE(error.find("more than 18 pieces: expected hidden-surface method map"), error.npos)
         << error;
-    options.most_pieces = 1;  // what is not cut is allowed
+    options.most_pieces = 1;  // polygons that are not cut are allowed
     ItemList apart;
     apart.solid({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     apart.solid({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});

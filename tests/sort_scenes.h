@@ -174,7 +174,7 @@ inline void add_ring_of_bars(ItemList& list, int n, double turn = 0.0, bool over
   }
 }
 
-/// What a family of scenes is made of, and whether its polygons are flat.
+/// The polygons of a family of scenes, and whether they are flat.
 struct SortFamily {
   std::string name;
   ItemList (*make)(Source& s);
@@ -218,7 +218,7 @@ inline ItemList concave_and_crossing(Source& s) {
   return list;
 }
 
-/// Whatever vertices come, as far off any plane as they like.
+/// Random vertices, as far off any plane as they like.
 inline ItemList anything(Source& s) {
   ItemList list;
   for (int k = s.between(2, 7); k > 0; --k) {
@@ -444,8 +444,8 @@ inline SortedPieces sorted(const ItemList& list, const Way& way, const Precision
       {.method = way.method, .precision = precision, .root = way.root, .threads = threads});
 }
 
-/// Polygons of all sizes, so many that cells of several levels have blocking faces: some on a grid,
-/// some far outside, some steep.
+/// Polygons of all sizes, enough for cells of several levels to have blocking faces: some on a
+/// grid, some far outside, some steep.
 inline ItemList crowd(Source& s, int polygons) {
   ItemList list;
   const bool on_a_grid = s.below(2) == 0;

@@ -90,7 +90,7 @@ inline std::vector<DrawnPiece> drawn_pieces(const ItemList& list, const SortedPi
   return drawn;
 }
 
-/// Each judgement returns what is wrong, or nothing.
+/// Each judgement returns a description of the error, or nothing.
 class SortJudge {
  public:
   SortJudge(const ItemList& list, const SortedPieces& sorted)
@@ -125,7 +125,7 @@ class SortJudge {
     return "";
   }
 
-  /// The order at a sample point, and that one piece of each item that covers it does.
+  /// Judges the order at a sample point, and that one piece of each item that covers it does.
   std::string order_at(const Sample& at, double nearest_side = 1e-9) const {
     if (is_near_a_side(at, nearest_side)) return "";
     struct Covering {
@@ -163,8 +163,9 @@ class SortJudge {
     return out.str();
   }
 
-  /// A line is drawn after what is not nearer than it and before what is; likewise the sides of
-  /// polygons that are drawn, but for what is as near. `t` says where on each of them to look.
+  /// A line is drawn after polygons that are not nearer than it and before those that are; likewise
+  /// the drawn sides of polygons, except for equal depths. `t` is the parameter of the point judged
+  /// on each.
   std::string lines_at(double t) const {
     for (std::size_t k = 0; k < drawn_.size(); ++k) {
       const DrawnPiece& piece = drawn_[k];
@@ -250,7 +251,8 @@ class SortJudge {
       for (std::size_t i = 0; i < other.points.size() && !unclear; ++i) {
         const Point3 &c = other.points[i], &d = other.points[(i + 1) % other.points.size()];
         if (distance_to_side(here, c, d) > kNear) continue;
-        // A side along the line is no matter of chance: what is drawn beside it must be right.
+        // A side along the line is not a coincidence: polygons beside it must be drawn in the right
+        // order.
         const bool along = own_line && distance_to_side(here, c, d) < kOn &&
                            distance_to_side({a.x, a.y}, c, d) < kOn &&
                            distance_to_side({b.x, b.y}, c, d) < kOn;
@@ -261,8 +263,8 @@ class SortJudge {
                  covers_right = covers(other.points, right);
       if (!covers_left && !covers_right) continue;
       const Q other_depth = planes_[other.item]->z(Q(at.x), Q(at.y));
-      // The point is rounded, and a line's depth there with it: what is as near up to rounding
-      // is as near in truth only if it is so all along.
+      // The point is rounded, and so is a line's depth there: equal depths up to rounding are truly
+      // equal only if they are so along the whole line.
       if (abs(other_depth - depth) < Q(1e-12)) {
         if (!own_line || !is_on_plane(piece.item, *planes_[other.item])) continue;
         if (m > k) return at_line(k, m, t);

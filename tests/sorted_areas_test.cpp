@@ -1,4 +1,4 @@
-// What the object-space sorts cut sums to what was entered, exactly.
+// The areas of the object-space sorts' pieces sum exactly to those of the polygons as entered.
 
 #include <gtest/gtest.h>
 

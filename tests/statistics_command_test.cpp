@@ -1,4 +1,4 @@
-// What `displayfile draw --stats` counts.
+// The counts of `displayfile draw --stats`.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

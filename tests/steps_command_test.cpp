@@ -1,4 +1,4 @@
-// `displayfile steps`: the page and its data, whole or not at all, and what is refused.
+// `displayfile steps`: the page and its data, whole or not at all, and refused arguments.
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST_F(StepsCommand, WritesAPageThatHoldsItsDataAndAsksForNoFile) {
   const std::string page = read(folder_ / "steps.html");
   EXPECT_NE(page.find("<title>A &lt; B</title>"), page.npos);
   EXPECT_EQ(page.find("src="), page.npos);
-  const std::string icon = R"(href="data:,")";  // none, which a browser would ask a server for
+  const std::string icon = R"(href="data:,")";  // none, which a browser would request from a server
   EXPECT_EQ(page.find("href="), page.find(icon));
   EXPECT_EQ(page.rfind("href="), page.find(icon));
   const std::string before = R"(<script type="application/json" id="data">)";

@@ -1,5 +1,5 @@
-// Algorithms step by step: what the steps add up to is the item buffer of truth, every sentence
-// and line of a listing is one that there is, and too many steps are an error.
+// Algorithms step by step: the steps add up to the item buffer of truth, every sentence and line of
+// a listing exists, and too many steps are an error.
 
 #include "interp/steps/steps.h"
 
@@ -24,7 +24,7 @@
 namespace displayfile {
 namespace {
 
-/// The item buffer, top row first, after so many steps.
+/// The item buffer, top row first, after the first `steps` steps.
 std::vector<std::int32_t> ids_after(const Steps& told, std::size_t steps) {
   std::vector<std::int32_t> ids(
       static_cast<std::size_t>(told.width) * static_cast<std::size_t>(told.height), -1);
@@ -57,7 +57,7 @@ void expect_names(const std::string& sentence, const std::set<std::string>& name
   }
 }
 
-/// Line, names and places are ones that there are.
+/// Line, names and places exist.
 void expect_valid(const Steps& told) {
   const auto pieces = static_cast<std::uint32_t>(told.pieces.size());
   std::set<std::string> names;
@@ -119,7 +119,7 @@ std::vector<HiddenMethod> line_methods() {
 }
 
 /// The lines that the steps draw are those that the method finds, to the last bit, and the hidden
-/// ones are what is left of all that are drawn.
+/// ones are the rest of all drawn lines.
 void expect_lines(const DisplayFile& file, HiddenMethod method) {
   SCOPED_TRACE(name_of(method));
   const Steps told = tell_steps(file, {method, 16, 16, 1'000'000});
@@ -264,7 +264,7 @@ TEST(Steps, AMethodThatTellsNoneIsAnError) {
   EXPECT_THROW(tell_steps(GraphicsSystem(), {HiddenMethod::bsp, 0, 10}), Error);
 }
 
-/// The plain form of a method is what its steps show, and another name of them.
+/// The steps of a method's plain form are the method's steps, under another name.
 TEST(Steps, OfAPlainFormAreThoseThatShowIt) {
   const DisplayFile file = test::file_of(
       {{{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}}, {{0, 0, 0.5}, {1, 0, 0}, {0.5, 1, 0.25}}});

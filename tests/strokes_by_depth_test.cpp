@@ -28,7 +28,8 @@ constexpr StrokePicture kPicture{{256.0, 256.0}, 1e-9};
 
 QPoint exactly(const Point3& p) { return {Q(p.x), Q(p.y), Q(p.z)}; }
 
-/// Where two axes cross, as fractions of their lengths, and by how much the second is nearer.
+/// The crossing of two axes, as fractions of their lengths, and the depth by which the second is
+/// nearer.
 struct JudgedCrossing {
   Q at_a, at_b, nearer;
 };
@@ -56,7 +57,7 @@ std::vector<std::size_t> places_of(const std::vector<PartByDepth>& parts, std::u
   return places;
 }
 
-/// What is seen last at the crossing, of both, must be the nearer one.
+/// The stroke drawn last at the crossing of two must be the nearer one.
 void expect_nearer_last(const std::vector<DeepStroke>& strokes,
                         const std::vector<PartByDepth>& parts) {
   const Q apart(kPicture.apart);
@@ -160,7 +161,7 @@ TEST(StrokesByDepth, TheNearerOneOfACrossIsLast) {
 TEST(StrokesByDepth, LinesThatMeetAreInOrderOfEntryAndLeaveNoGap) {
   std::vector<DeepStroke> strokes{stroke({0.5, 0.1, 0.5}, {0.5, 0.9, 0.5}, 0),
                                   stroke({0.1, 0.5, 0.25}, {0.9, 0.5, 0.75}, 1)};
-  strokes[1].from.z += 1e-12;  // less than what is apart
+  strokes[1].from.z += 1e-12;  // less than the distance that counts as apart
   for (const double halo : {0.0, 8.0}) {
     const auto parts = strokes_by_depth(strokes, kPicture, halo, 1);
     ASSERT_EQ(parts.size(), 2u);
@@ -193,7 +194,7 @@ TEST(StrokesByDepth, ACircleIsCutBetweenItsCrossings) {
   expect_nearer_last(strokes, parts);
 }
 
-/// So wide that what two of them have in common reaches over the next crossing.
+/// So wide that the overlap of two of them reaches over the next crossing.
 TEST(StrokesByDepth, ACircleOfWideStrokesIsCutToo) {
   std::vector<DeepStroke> sticks = three_sticks(60.0);
   for (const std::array<std::size_t, 3>& order : {std::array<std::size_t, 3>{0, 1, 2},

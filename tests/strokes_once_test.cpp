@@ -137,7 +137,7 @@ TEST(StrokesOnce, ThatAreHiddenJoinNothing) {
   EXPECT_EQ(alone({stroke({0.1, 0.1}, {0.2, 0.1}), hidden}), (std::vector<bool>{true, false}));
 }
 
-/// A group matters to what covers, not to what meets.
+/// A group matters to covering, not to meeting.
 TEST(StrokesOnce, MeetThoseOfOtherGroups) {
   EXPECT_EQ(alone({stroke({0.1, 0.1}, {0.2, 0.1}, 0, 1), stroke({0.2, 0.1}, {0.2, 0.4}, 0, 2)}),
             (std::vector<bool>{false, false}));

@@ -1,4 +1,5 @@
-// `displayfile surface`: expressions and grids, what is drawn beside them, and what is refused.
+// `displayfile surface`: expressions and grids, their axes and other additions, and refused
+// arguments.
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -19,7 +20,7 @@ namespace {
 
 class SurfaceCommandTest : public Command {
  protected:
-  /// Draws, and counts what the drawing program has of a routine.
+  /// Draws, and counts the occurrences of a routine in the drawing program.
   std::size_t count(const std::string& arguments, const std::string& routine) {
     EXPECT_EQ(run("surface " + arguments + " -o s.svg --program s.draw"), 0) << err_;
     std::istringstream lines(read(folder_ / "s.draw"));
@@ -59,7 +60,7 @@ TEST_F(SurfaceCommandTest, AnExpressionIsItsHeights) {
   EXPECT_EQ(read(folder_ / "again.svg"), read(folder_ / "s.svg"));
 }
 
-/// Whatever was asked for, without an option that says it again.
+/// With any options, and without repeating them.
 TEST_F(SurfaceCommandTest, TheProgramDrawsTheSamePicture) {
   write("g.txt", "0 1 2 1\n1 2 5 2\n0 1 nan 4\n");
   write("h.txt", "2 1 0 3\n3 0 1 2\n1 4 2 0\n");
@@ -194,7 +195,8 @@ TEST_F(SurfaceCommandTest, OneCellAndAFlatSurfaceAreDrawn) {
   }
 }
 
-/// Before anything is evaluated, with what is needed, what there is, and what fits.
+/// Before anything is evaluated, with the memory needed, the memory there is, and the number of
+/// points that fits.
 TEST_F(SurfaceCommandTest, AGridThatMemoryDoesNotHoldIsRefused) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
   before_ = "ulimit -v 2000000 && ";
@@ -205,7 +207,7 @@ TEST_F(SurfaceCommandTest, AGridThatMemoryDoesNotHoldIsRefused) {
   EXPECT_NE(err_.find("points or fewer"), std::string::npos) << err_;
 }
 
-/// Their line of intersection is drawn, unless other lines are asked for.
+/// Their line of intersection is drawn, unless other lines are selected.
 TEST_F(SurfaceCommandTest, SurfacesThatPassThroughEachOtherShowWhere) {
   write("a.txt", "0 0\n1 1\n");
   write("b.txt", "1 1\n0 0\n");

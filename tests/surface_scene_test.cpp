@@ -1,5 +1,5 @@
-// What is drawn of surfaces and around them: the lines of one height, colours by height with their
-// legend, the box, and the margins of the picture.
+// The drawing of surfaces and of their surroundings: the lines of one height, colours by height
+// with their legend, the box, and the margins of the picture.
 
 #include "programs/surface/surface_scene.h"
 
@@ -53,8 +53,8 @@ double length(const std::array<Point3, 2>& line) {
 
 // ---- Lines of one height ---------------------------------------------------------------
 
-/// On a plane each line lies where the plane has its height, and all of a level together are as
-/// long as the plane's line is within the grid.
+/// On a plane each line lies at the plane's points of its height, and all of a level together are
+/// as long as the plane's line is within the grid.
 TEST(Contours, DivideTheHeightsEvenly) {
   const auto plane = [](double x, double y) { return 2.0 * x + y; };  // 0 to 11
   const SurfaceData surface = surface_of(8, 6, plane);
@@ -179,7 +179,7 @@ struct Call {
   Point3 point() const { return {number(0), number(1), number(2)}; }
 };
 
-/// What entering surfaces calls, in world coordinates.
+/// The routines that entering surfaces calls, in world coordinates.
 std::vector<Call> calls_of(const std::vector<SurfaceData>& surfaces, const SurfaceLook& look,
                            GraphicsSystem& system) {
   std::ostringstream recording;
@@ -292,7 +292,7 @@ TEST(SurfaceScene, AFlatSurfaceHasRoomAboveAndBelow) {
   EXPECT_EQ(heights(-8.0), (std::array{-12.0, -4.0}));
 }
 
-/// The corner of which no edge is drawn is the one nearest to the eye.
+/// The corner without drawn edges is the one nearest to the eye.
 TEST(SurfaceScene, TheBoxIsOpenToTheViewer) {
   const SurfaceData surface = surface_of(2, 2, {0.0, 1.0, 1.0, 2.0});
   for (const double azimuth : {30.0, 120.0, 210.0, 300.0}) {
@@ -347,7 +347,7 @@ TEST(SurfaceScene, TheBoxHasItsProportions) {
   EXPECT_NEAR(scaled.z, 1.0, 1e-12);
 }
 
-/// As large as fits, in the middle of what is between the margins.
+/// As large as fits, in the middle of the room between the margins.
 TEST(SurfaceScene, TheBoxFillsThePictureBetweenItsMargins) {
   const std::vector<SurfaceData> surfaces{surface_of(2, 2, {0.0, 1.0, 1.0, 2.0})};
   struct Case {
@@ -426,7 +426,7 @@ TEST(SurfaceScene, ColoursReachFromTheLowestToTheHighest) {
   const Colour lowest = height_colour_of_step(0), highest = height_colour_of_step(63);
   EXPECT_EQ(colours({-2, -2, 5, -2, -2, 5})[0], lowest);
   EXPECT_EQ(colours({-2, 5, 5, -2, 5, 5})[1], highest);
-  const Colour middle = height_colour_of_step(32);  // of what has one height
+  const Colour middle = height_colour_of_step(32);  // for surfaces of one height
   EXPECT_EQ(colours({7, 7, 7, 7, 7, 7}), (std::vector<Colour>{middle, middle}));
   EXPECT_EQ(colours({kHole, 0, 1, 0, 0, 1}).size(), 1u);
   // All surfaces share them.

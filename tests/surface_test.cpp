@@ -205,7 +205,7 @@ TEST(Surface, WhatCannotBeOneIsRefusedAndNothingIsEntered) {
   EXPECT_EQ(g.counts().polygons, 0);
 }
 
-/// The line styles that a dump has, in order, and how many polygons in each.
+/// The line styles in a dump, in order, and the number of polygons in each.
 std::map<std::string, int> polygons_by_style(const std::string& dumped) {
   std::map<std::string, int> polygons;
   std::string style;
@@ -260,7 +260,7 @@ TEST(Surface, EachSideHasItsLineStyle) {
       EXPECT_EQ(polygons_by_style(dump(g.display_file())), expected);
       EXPECT_EQ(g.looks().attributes.line.colour, Colour(1, 0, 0));
       EXPECT_FALSE(g.looks().attributes.dark_line);
-      // From the other side, what was above is below.
+      // From the other side, the slope seen from above is seen from below.
       View back = g.view();
       back.set_plane_normal({0, -1, -0.5});
       back.set_parallel({0, -1, -0.5});

@@ -1,5 +1,5 @@
-// Several SVG files in one page: ids, classes and rules of style are the page's there, so that
-// those of a file must be its own (interp/vector/file_key.h).
+// Several SVG files in one page: ids, classes and style rules apply to the whole page, so that
+// those of a file must be unique (interp/vector/file_key.h).
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -71,8 +71,8 @@ std::string outlined(const char* fill, const char* style) {
       fill, style);
 }
 
-/// Drawings that differ in what ids and classes stand for, in every way that files have. Some have
-/// the same styles, and differ in places alone.
+/// Drawings that differ in the meaning of ids and classes, in every way that files have. Some have
+/// the same styles and differ only in places.
 std::vector<Drawing> drawings() {
   DrawOptions map;
   map.surfaces.method = HiddenMethod::map;
@@ -128,11 +128,11 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
   }
   return all;
 }
-/// Without what stands before it in a file.
+/// Without the text before it in a file.
 std::string element(const File& file) { return file.svg.substr(file.svg.find("<svg")); }
 
 std::set<std::string> ids(const File& file) { return matches(file.svg, " id=\"([^\"]+)\""); }
-/// What the rules of style are about, as their selectors have it.
+/// The elements that the style rules apply to, by their selectors.
 std::set<std::string> selectors(const File& file) {
   const std::size_t begin = file.svg.find("<style>"), end = file.svg.find("</style>");
   if (begin == std::string::npos) return {};
@@ -191,8 +191,8 @@ TEST_P(SvgNames, AreAFunctionOfTheDrawing) {
   for (const File& file : files(GetParam())) EXPECT_EQ(file.svg, again[k++].svg) << file.what;
 }
 
-/// Every id and selector of a file begins with its prefix, and but for these names it is the file
-/// with a key.
+/// Every id and selector of a file begins with its prefix, and except for these names it is the
+/// file with a key.
 TEST(SvgPrefix, IsBeforeEveryName) {
   const std::vector<File> with_keys = files(), with_prefixes = files(true);
   for (std::size_t k = 0; k < with_prefixes.size(); ++k) {
@@ -338,7 +338,7 @@ TEST(FileKey, ChangesWithAnyByte) {
   EXPECT_EQ(keys.size(), texts);
 }
 
-/// What is known of it, so that files are the same on every machine.
+/// Known keys, so that files are the same on every machine.
 TEST(FileKey, IsTheSameOnEveryMachine) {
   EXPECT_EQ(file_key({""}), "r3d8d7n");
   EXPECT_EQ(file_key({"M0 0l1 1Z", "and more"}), "0rq3s1w");
@@ -370,7 +370,7 @@ class SvgPage : public TemporaryFolder, public testing::WithParamInterface<bool>
     }
     return text + "</svg>\n";
   }
-  /// In how many pixels of the place-th of the squares side by side two pictures differ.
+  /// The number of pixels of the place-th of the squares side by side in which two pictures differ.
   static int differ(const Picture& a, const Picture& b, std::size_t place, int size) {
     int number = 0;
     for (int y = 0; y < size; ++y) {
@@ -385,7 +385,7 @@ class SvgPage : public TemporaryFolder, public testing::WithParamInterface<bool>
     }
     return number;
   }
-  /// The file alone, where it stands among so many.
+  /// The file alone, in its place among `places`.
   Picture alone(const File& file, std::size_t place, std::size_t places, int size) {
     std::vector<const File*> files(places, nullptr);
     files[place] = &file;

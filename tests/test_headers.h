@@ -1,6 +1,7 @@
 #pragma once
 
-// What most tests include, compiled once for all of them. A test still includes what it uses.
+// The headers that most tests include, compiled once for all of them. A test still includes those
+// that it uses.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

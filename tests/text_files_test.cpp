@@ -66,7 +66,7 @@ TEST_F(TextFile, SvgByEveryMethodHidesTheSame) {
     EXPECT_EQ(svg.find("behind"), svg.npos) << name_of(method);
     EXPECT_NE(svg.find("side"), svg.npos) << name_of(method);
   }
-  // What auto takes must not depend on whether polygons hide each other.
+  // The choice of auto must not depend on whether polygons hide each other.
   EXPECT_EQ(drawn("set-hidden-line-removal on\nset-line-style none\nopen-segment 1\n"
                   "polygon-abs-2 0 0 1 0 1 1\nmove-abs-3 .7 .3 -1\ntext \"behind\"\n"
                   "close-segment\n",
@@ -80,7 +80,7 @@ TEST_F(TextFile, SvgByEveryMethodHidesTheSame) {
       std::string::npos);
 }
 
-/// Without a text nothing of a file speaks of texts.
+/// Without a text, a file has nothing about texts.
 TEST_F(TextFile, SvgWithoutTextIsAsItWas) {
   EXPECT_EQ(drawn(scene_with(""), "a.svg").find("text"), std::string::npos);
 }

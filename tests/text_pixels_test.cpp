@@ -1,5 +1,5 @@
-// Texts in pictures. What letters look like is the fonts' business: tests look where there is ink,
-// and of what colour.
+// Texts in pictures. The shapes of letters depend on the fonts: tests check the places and colours
+// of ink.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ std::optional<Box> ink(std::string_view texts, const DrawOptions& options = {.sa
                     picture_of(scene_with("", before), options));
 }
 
-/// Letters stand on their base line, at the side of the anchor that the style says, about as wide
+/// Letters stand on their base line, at the side of the anchor that the style sets, about as wide
 /// and as high as their size, in the line style's colour; nothing else changes.
 TEST(Text, InkStandsAtItsAnchor) {
   for (const auto& [word, from, to] :
@@ -81,7 +81,7 @@ TEST(Text, InkStandsAtItsAnchor) {
   }
 }
 
-/// Over no background the picture, laid on white, is what it is over white, but for rounding:
+/// Without a background the picture, composited over white, is that over white, up to rounding:
 /// once in a component's steps, and a pixel of samples twice.
 TEST(Text, IsSeenOnTransparentGround) {
   const std::string program =
@@ -131,12 +131,12 @@ TEST(Text, AnchorsOutsideOfTheViewVolumeAreNotDrawn) {
   EXPECT_TRUE(ink("move-abs-3 .5 .5 .5\ntext \"HH\"\n", {}, clipped));
   EXPECT_FALSE(ink("move-abs-3 .5 .5 1.5\ntext \"HH\"\n", {}, clipped));
   EXPECT_TRUE(ink("move-abs-3 0 .5 0\ntext \"HH\"\n"));  // on the border
-  // In perspective, what is behind the eye.
+  // In perspective, an anchor behind the eye.
   EXPECT_FALSE(ink("move-abs-3 .5 .5 9\nset-text-style .2 centre always\ntext \"HH\"\n", {},
                    "set-perspective .5 .5 4\n"));
 }
 
-/// By every method a text is seen where its anchor is: on the surface, its corner, its side,
+/// By every method a text is visible where its anchor is: on the surface, its corner, its side,
 /// before it; beside it; and always if its style says so.
 TEST(Text, IsSeenWhereItsAnchorIs) {
   for (const HiddenMethod method : methods_that_remove()) {
@@ -223,8 +223,8 @@ Picture joined_rows(const DisplayFile& file, const RasterRequest& request) {
   return all;
 }
 
-/// The picture is the same row by row, and by any number of threads; identifiers and depths know
-/// nothing of texts.
+/// The picture is the same row by row, and by any number of threads; identifiers and depths do not
+/// depend on texts.
 TEST(Text, SamePixelsHoweverTheyAreDrawnAndOnAnyThreads) {
   const std::string texts =
       "set-text-style .4 centre\nmove-abs-3 .5 .37 0\ntext \"H\u00e9g\"\n"

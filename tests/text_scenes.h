@@ -20,7 +20,7 @@ inline constexpr std::string_view kScene =
     "set-fill-style solid .9 .9 .6\n"
     "polygon-abs-3 .125 .125 0  .875 .125 0  .875 .875 0  .125 .875 0\n";
 
-/// The square with texts in its segment, and what is to stand before it.
+/// The square with texts in its segment, after the text in `before`.
 inline std::string scene_with(std::string_view texts, std::string_view before = "") {
   return fmt::format("{}{}{}close-segment\n", before, kScene, texts);
 }

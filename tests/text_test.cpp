@@ -195,7 +195,7 @@ std::vector<std::string> characters(const std::vector<DeviceText>& texts) {
   return all;
 }
 
-/// In the application's own view the same display file; turned, what was behind is in front.
+/// In the application's own view the same display file; from behind, hidden texts are in front.
 TEST(Text, IsRetained) {
   using Texts = std::vector<std::string>;
   GraphicsSystem g;

@@ -272,7 +272,7 @@ TEST_F(ThreeMfTest, Units) {
                  "not a mesh that can be read: 3MF: unit 'ell': unknown");
 }
 
-// ---- What is left out, and refused -----------------------------------------------------
+// ---- Parts left out, and refused -------------------------------------------------------
 
 TEST_F(ThreeMfTest, OtherGeometryIsNamed) {
   EXPECT_EQ(losses(object(tetrahedron({"", "", "", ""}, "<b:beamlattice/>"))),

@@ -1,6 +1,5 @@
-// Corners that are on a line, or on a side, but for rounding: what lies behind the crack that
-// rounding leaves is hidden, and a side along another polygon's plane is not where that passes
-// through it.
+// Corners that are on a line, or on a side, up to rounding: polygons behind the crack that rounding
+// leaves are hidden, and a side along another polygon's plane is not where that passes through it.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +21,7 @@ using test::length_of;
 // ---- Corners close to lines ---------------------------------------------------------------------
 
 /// The far side of the first polygon is right behind the side that the others share, of which the
-/// third has a part alone: its corner there is off the line but for rounding.
+/// third has a part alone: its corner there is on the line only up to rounding.
 TEST(TouchingCorners, ASideBehindASharedOneWithACornerAlongItIsHidden) {
   expect_length(
       "set-view-reference-point 0.0 72.0 0.0\n"
@@ -89,8 +88,8 @@ TEST(TouchingCorners, ASmallFaceBesideASideDoesNotHideAStretchOfIt) {
   }
 }
 
-/// Two triangles of a wall and three of a rib far behind it, which are seen edge-on but for
-/// rounding: their plane has any depth there, and the sides of the rib have not.
+/// Two triangles of a wall and three of a rib far behind it, which are edge-on up to rounding: the
+/// depth of their plane is arbitrary there, but that of the rib's sides is not.
 TEST(TouchingCorners, SidesOfFacesSeenNearlyEdgeOnAreHiddenByAWall) {
   GraphicsSystem g;
   replay(

@@ -1,5 +1,5 @@
 // Lines that lie in faces: sides that stand on a face, and lines that were entered in one. They are
-// whole, whatever viewing rounds.
+// drawn whole, whatever viewing rounds.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -237,7 +237,7 @@ TEST(TouchingLines, LinesInAFaceAreWhole) {
   }
 }
 
-/// What was entered far away makes no line that is well behind a wall one that lies in it.
+/// A line well behind a wall does not lie in it because of something entered far away.
 TEST(TouchingLines, WellBehindAreHiddenWhateverIsFarAway) {
   for (const double far : {0.0, 1e9, 1e60}) {
     GraphicsSystem g;
@@ -257,8 +257,8 @@ TEST(TouchingLines, WellBehindAreHiddenWhateverIsFarAway) {
   }
 }
 
-/// A ROUNDOFF lets through what rounding makes of touching lines, but no strokes without length, of
-/// which a pen makes dots.
+/// With a ROUNDOFF, rounding may leave pieces of touching lines, but no strokes without length,
+/// which a pen draws as dots.
 TEST(TouchingLines, WithARoundoffNoStrokeIsADot) {
   const double roundoff = 1e-9;
   std::size_t strokes = 0;
@@ -321,7 +321,7 @@ struct NearAFace {
   Touching touching{};
   double window = 3.0;  ///< half its width
 
-  /// The length seen of a polygon whose y are those; `with_face`: of one at y = 0.
+  /// The visible length of a polygon with these y, if `with_face` with a face at y = 0.
   double length(const std::array<double, 3>& y, bool with_face, HiddenMethod method) const {
     GraphicsSystem g;
     Source s(static_cast<std::uint64_t>(seed));
@@ -342,7 +342,7 @@ struct NearAFace {
   double whole(const std::array<double, 3>& y) const {
     return length(y, false, HiddenMethod::franklin);
   }
-  /// The sign of y where the face hides it; 0 if nothing of it is in the picture.
+  /// The sign of y where the face hides it; 0 if none of it is in the picture.
   int behind() const {
     for (const int sign : {1, -1}) {
       const std::array y{0.01 * sign, 0.01 * sign, 0.01 * sign};
@@ -352,7 +352,7 @@ struct NearAFace {
   }
 };
 
-/// What is farther from a plane than the reach, by however little, is before it or behind it. No
+/// A polygon farther from a plane than the reach, by however little, is before it or behind it. No
 /// coordinate is larger than 2.
 TEST(TouchingLines, MoreThanTheReachApartAreHidden) {
   const double reach = 8.0 * 0x1p-52 * 2.0;
@@ -422,8 +422,8 @@ TEST(TouchingLines, WithinALargeReachLieInTheFace) {
   }
 }
 
-/// A wall that is seen edge-on but for rounding has sides at their own ends' depth: that of its
-/// plane would be anything.
+/// A wall that is edge-on up to rounding has sides at the depths of their own ends: that of its
+/// plane would be arbitrary.
 TEST(TouchingLines, SidesOfWallsSeenEdgeOnAreWhereTheyAre) {
   for (int seed = 0; seed < 200 / test::kSlower; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -1,5 +1,5 @@
-// What touches, by every method of surfaces: polygons that lie in one plane as they were entered,
-// whatever viewing rounds. Judged by the truth from what was entered.
+// Touching polygons, by every method of surfaces: they are coplanar if they were entered so,
+// whatever viewing rounds. Judged by the truth from the scene as entered.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ std::uint64_t cuts_of_boxes(HiddenMethod method, const Precision& precision, int
       ->counts.cuts;
 }
 
-/// What touches is cut no more than with the ROUNDOFF that hides what viewing rounds.
+/// Touching polygons are cut no more than with the ROUNDOFF that hides viewing's rounding.
 TEST(TouchingMethods, SortsCutNoVerticesThatTouchOff) {
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort}) {
     std::uint64_t exact = 0, roundoff = 0;
@@ -119,8 +119,8 @@ TEST(TouchingMethods, SortsCutNoVerticesThatTouchOff) {
   }
 }
 
-/// Tiles pass through a floor at angles that are as small as what viewing rounds: half of each is
-/// seen, as it was entered.
+/// Tiles pass through a floor at angles as small as viewing's rounding: half of each is visible, as
+/// it was entered.
 void expect_tiles_seen(int rows, int columns, int size) {
   Source s(4);
   Retained retained;
@@ -196,7 +196,7 @@ void enter_rug_in_millimetres(GraphicsSystem& g) {
   g.close_segment();
 }
 
-/// What cutting planes leave touches as the whole does: each pixel shows what it showed, or
+/// Polygons cut by cutting planes touch as whole ones do: each pixel shows the same as before, or
 /// nothing.
 TEST(TouchingMethods, WhatCuttingPlanesLeaveTouches) {
   for (const auto enter : {enter_rug_far_away, enter_rug_in_millimetres}) {
@@ -219,8 +219,8 @@ TEST(TouchingMethods, WhatCuttingPlanesLeaveTouches) {
   }
 }
 
-/// What touches may be as far apart as polygons are large: then planes of others are seen at places
-/// far from them, at any slope, or edge-on.
+/// Touching polygons may be as far apart as polygons are large: then the planes of others are seen
+/// at places far from them, at any slope, or edge-on.
 TEST(TouchingMethods, WithinLengthsAsLargeAsPolygons) {
   const int views = from_environment("DISPLAYFILE_TOUCHING_VIEWS", 48 / test::kSlower);
   constexpr Enter kScenes[] = {test::enter_boxes_on_floor, test::enter_flush_windows,
@@ -236,7 +236,7 @@ TEST(TouchingMethods, WithinLengthsAsLargeAsPolygons) {
     const EnteredTruth truth =
         entered_truth(retained.scene, g.display_file(), kSize, kSize, false, std::nullopt);
     for (const HiddenMethod method : test::kSurfaceMethods) {
-      // Before viewing a modelling transformation has rounded what was entered.
+      // A modelling transformation has rounded the vertices before viewing.
       if (is_transformed && method == HiddenMethod::world_ray_cast) continue;
       EXPECT_EQ(wrong_pixels(ids_by(g, method, kSize), truth.picture), 0u)
           << name_of(method) << ", seed " << seed;
@@ -264,7 +264,7 @@ TEST(TouchingMethods, WallsWithinALengthOfTheFloorHaveItsDepth) {
   }
 }
 
-/// No polygon lies in the plane of one that is not visible, and it does again when that is.
+/// No polygon lies in the plane of an invisible one, and it does again when that becomes visible.
 TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -302,7 +302,7 @@ TEST(TouchingMethods, PlanesAreThoseOfVisibleSegments) {
 }
 
 /// Two floors are apart by somewhat more than the reach: the lower one, entered later, is hidden,
-/// though no vertex is farther from the other's plane than what viewing may round.
+/// though no vertex is farther from the other's plane than viewing's rounding may move it.
 TEST(TouchingMethods, SortsKeepApartWhatIsNearlyInOnePlane) {
   for (int seed = 0; seed < 60; ++seed) {
     Source s(static_cast<std::uint64_t>(seed));
@@ -351,8 +351,8 @@ void enter_tiny_angles(Source& s, GraphicsSystem& g) {
   }
 }
 
-/// Planes meet where they do as entered, however little viewing leaves of the angle between them,
-/// and whether or not what is closer would touch.
+/// Planes meet where they do as entered, however small viewing makes the angle between them, and
+/// whether or not closer polygons would touch.
 TEST(TouchingMethods, PlanesThatMeetAtTinyAngles) {
   for (int seed = 0; seed < 60 / test::kSlower; ++seed) {
     for (const bool transformed : {false, true}) {
@@ -366,7 +366,7 @@ TEST(TouchingMethods, PlanesThatMeetAtTinyAngles) {
         const EnteredTruth truth = entered_truth(retained.scene, retained.system.display_file(),
                                                  kSize, kSize, false, std::nullopt);
         for (const HiddenMethod method : test::kSurfaceMethods) {
-          // Before viewing a modelling transformation has rounded what was entered.
+          // A modelling transformation has rounded the vertices before viewing.
           if (transformed && method == HiddenMethod::world_ray_cast) continue;
           EXPECT_EQ(wrong_pixels(ids_by(retained.system, method, kSize), truth.picture), 0u)
               << name_of(method);
@@ -376,7 +376,7 @@ TEST(TouchingMethods, PlanesThatMeetAtTinyAngles) {
   }
 }
 
-/// What coincides exactly is in one plane with touching off too.
+/// Polygons that coincide exactly are coplanar with touching off too.
 TEST(TouchingMethods, WhatCoincidesDoesSoWithTouchingOff) {
   std::ptrdiff_t seen = 0;
   for (int seed = 0; seed < 24 / test::kSlower; ++seed) {
@@ -401,8 +401,8 @@ TEST(TouchingMethods, WhatCoincidesDoesSoWithTouchingOff) {
   EXPECT_GT(seen, test::kSlower == 1 ? 1000 : 0);
 }
 
-/// Planes all of which are parallel to an axis or to the other one: what a cut leaves of one runs
-/// along others, and a third plane has no point in common with both.
+/// Planes all of which are parallel to an axis or to the other one: the cut sides of one run along
+/// others, and a third plane has no point in common with both.
 TEST(TouchingMethods, SortsCutAlongLinesThatOtherPlanesAreParallelTo) {
   constexpr int kPlanes = 16;
   for (int seed = 1; seed <= 6 / test::kSlower; ++seed) {
@@ -432,7 +432,7 @@ TEST(TouchingMethods, SortsCutAlongLinesThatOtherPlanesAreParallelTo) {
   }
 }
 
-/// A triangle that is thinner than doubles tell covers the centres that its left side goes through.
+/// A triangle thinner than doubles can resolve covers the centres that its left side goes through.
 TEST(TouchingMethods, ATriangleThinnerThanDoublesTellCoversCentresOnItsSide) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -453,9 +453,9 @@ TEST(TouchingMethods, ATriangleThinnerThanDoublesTellCoversCentresOnItsSide) {
   EXPECT_EQ(displayfile::truth(g.display_file(), kPixels, kPixels, false).ids, truth.picture.ids);
 }
 
-/// A wall that is seen nearly edge-on, so that the picture has one column of it, and two windows in
-/// it: one is as far in front of it as the reach is, the other behind. All are triangles. `steep`:
-/// depth over width.
+/// A wall seen nearly edge-on, so that it covers one column of the picture, and two windows in it:
+/// one lies in front of it by the reach, the other behind. All are triangles. `steep`: depth over
+/// width.
 void enter_steep_wall(double reach, double steep, GraphicsSystem& g) {
   const double middle = (kSize / 2 + 0.5) / kSize, half = 1.0 / steep;
   const auto rectangle = [&](double low, double high, double off) {
@@ -495,7 +495,7 @@ TEST(TouchingMethods, WindowsInAWallThatIsSeenNearlyEdgeOn) {
   }
 }
 
-/// A program of the gallery is right in every pixel, by every method, though so many of its
+/// A program of the gallery is right in every pixel, by every method, though `touching` of its
 /// polygons lie in the planes of others; and by the display file alone many pixels would be wrong.
 void expect_program_right(const std::string& name, std::size_t touching) {
   constexpr int kProgramSize = 160;

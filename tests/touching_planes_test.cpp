@@ -82,7 +82,7 @@ void expect_members(const TouchingPlanes& planes, std::uint32_t polygons) {
   ASSERT_EQ(planes.touching(), touching);
 }
 
-/// The same answer as the truth's. Returns how many polygons touch another.
+/// The same answer as the truth's. Returns the number of polygons that touch another.
 std::size_t expect_truth(const RetainedScene& scene, const Touching& touching) {
   const TruePlanes expected(scene, touching);
   const TouchingPlanes found = planes_of(scene, touching);
@@ -96,8 +96,8 @@ std::size_t expect_truth(const RetainedScene& scene, const Touching& touching) {
   return found.touching();
 }
 
-/// Calls enter(source, system) for scenes from many seeds and holds each against the truth. Returns
-/// how many polygons touch another in all of them.
+/// Calls enter(source, system) for scenes from many seeds and compares each with the truth. Returns
+/// the number of polygons that touch another in all of them.
 template <class Enter>
 std::size_t expect_truth_of(const Touching& touching, Enter&& enter) {
   std::size_t touch = 0;
@@ -158,7 +158,7 @@ TEST(TouchingPlanes, OfWindowsInRoofsAndRugsOnFloors) {
   EXPECT_GE(touch, scenes() * 4);
 }
 
-/// A polygon of so many sides in z = 0.
+/// A polygon of `sides` sides in z = 0.
 std::vector<Point3> any_flat(Source& s, double size, int sides) {
   std::vector<Point3> polygon;
   for (int k = 0; k < sides; ++k) {
@@ -205,7 +205,8 @@ TEST(TouchingPlanes, OfSheetsApartByFractionsAndMultiplesOfTheReach) {
   }
 }
 
-/// Narrower and smaller than sums of two doubles tell, in two planes, or off them by hairs.
+/// Narrower and smaller than sums of two doubles resolve, in two planes, or off them by tiny
+/// amounts.
 TEST(TouchingPlanes, OfSliversOfAnyWidth) {
   const std::size_t touch = expect_truth_of(within(1e-60), [](Source& s, GraphicsSystem& g) {
     for (int n = s.below(2) == 0 ? s.between(5, 40) : 3; n > 0; --n) {
@@ -224,8 +225,8 @@ TEST(TouchingPlanes, OfSliversOfAnyWidth) {
   EXPECT_GT(touch, scenes());
 }
 
-/// A polygon lies in the plane of one that is larger but so narrow that nothing short of exact
-/// numbers knows its plane.
+/// A polygon lies in the plane of one that is larger but so narrow that only exact numbers
+/// determine its plane.
 TEST(TouchingPlanes, APolygonLiesInThePlaneOfALargerSliver) {
   const double narrow = 0x1p-120, small = 0x1p-62;
   const Triangles triangles{{Point3(0, 0, 0), Point3(1, 0, 0), Point3(0.5, narrow, narrow)},
@@ -238,7 +239,7 @@ TEST(TouchingPlanes, APolygonLiesInThePlaneOfALargerSliver) {
 }
 
 /// Some in line, some with points that coincide, some so nearly in line that only exact numbers
-/// tell; also where a modelling transformation flattens them.
+/// decide; also where a modelling transformation flattens them.
 void enter_degenerate(Source& s, GraphicsSystem& g) {
   for (int n = s.between(10, 60); n > 0; --n) {
     if (s.below(6) == 0) {
@@ -294,7 +295,7 @@ TEST(TouchingPlanes, OfCoordinatesOfAnySize) {
 }
 
 /// Small triangles at the far corners of a large rectangle, whose own planes are tilted as much as
-/// the reach lets them: their keys are as far from those of the rectangle as they may be.
+/// the reach allows: their keys are as far from the rectangle's as possible.
 TEST(TouchingPlanes, OfSmallPolygonsThatAreTiltedAsFarAsTheReachLets) {
   const double reach = 1e-4, size = 0.99;
   const Point3 along = Point3(1, 1, 0) / std::sqrt(2.0), up(0, 0, 1);
@@ -330,7 +331,7 @@ TEST(TouchingPlanes, InEveryRoundingMode) {
       const RetainedScene& scene = retained.scene;
       const TruePlanes expected(scene, {});
       TouchingPlanes found;
-      // Which leaves the mode what it was.
+      // The mode is unchanged afterwards.
       ASSERT_EQ(test::in_mode(mode,
                               [&] {
                                 found = planes_of(scene, {});
@@ -416,7 +417,7 @@ Triangles sheets(std::size_t n, std::size_t planes, double apart, double size) {
   return triangles;
 }
 
-/// How many comparisons a polygon takes part in.
+/// The number of comparisons that a polygon takes part in.
 double per_polygon(const Triangles& triangles, double reach) {
   const TouchingPlanes::Counts counts = planes_of(triangles, reach).counts();
   return static_cast<double>(counts.compared + counts.tested) /
@@ -451,7 +452,7 @@ TEST(TouchingPlanes, APolygonIsComparedWithFew) {
   }
 }
 
-/// Where polygons touch but for rounding, exact numbers are hardly needed.
+/// Where polygons touch up to rounding, exact numbers are hardly needed.
 TEST(TouchingPlanes, DecidesWhatTouchesWithoutExactNumbers) {
   Source s(3);
   const glm::dmat4x3 matrix = any_matrix(s);

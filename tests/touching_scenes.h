@@ -60,7 +60,7 @@ inline void enter_rug_on_floor(Source& s, GraphicsSystem& g) {
 }
 
 /// A window with decimal coordinates in a roof whose slope is decimal: polygon 1 in polygon 0. The
-/// doubles of the window lie in the roof's plane but for rounding.
+/// window's coordinates lie in the roof's plane up to rounding.
 inline void enter_window_in_roof(Source& s, GraphicsSystem& g) {
   const double rise = decimal(s, 0.3, 1.2), foot = decimal(s, -1, 0);
   const auto on_roof = [&](double x, double z) { return Point3(x, foot + rise * z, z); };

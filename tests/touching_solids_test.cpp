@@ -59,11 +59,11 @@ Ray any_ray(Source& s) {
   return {through - 8.0 * direction, direction};
 }
 
-/// What is known of one solid.
+/// The verdict on one solid.
 struct Verdict {
   std::string wrong;     ///< nothing if all is right
   bool is_hit = false;   ///< by some ray
-  bool touches = false;  ///< some side is that of more than two polygons
+  bool touches = false;  ///< some side belongs to more than two polygons
 };
 
 bool touches_itself(const Mesh& mesh) {
@@ -354,7 +354,7 @@ SolidTree any_tree(Source& s, int depth) {
   return {operation, std::move(all)};
 }
 
-/// What a process of its own has found so far.
+/// The results so far of a separate process.
 struct Found {
   int seed = 0, answers = 0, errors = 0, wrong = 0, hit = 0, touching = 0;
   char first_wrong[400] = "";

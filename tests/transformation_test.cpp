@@ -12,8 +12,8 @@
 namespace displayfile {
 namespace {
 
-// The doubles nearest to the true values. A C library is free to give a neighbour, and at some of
-// these angles one does.
+// The doubles nearest to the true values. A C library may return a neighbour, and at some of these
+// angles one does.
 TEST(SineAndCosine, AreRoundedOnceWhateverTheLibraryGives) {
   EXPECT_EQ(sine_cosine_of_degrees(28.47936335046218).sine, 0x1.e849524b5c405p-2);
   EXPECT_EQ(sine_cosine_of_degrees(-10.982804909075277).sine, -0x1.862c688a1d0c5p-3);

@@ -1,5 +1,5 @@
-// What a new view finds in vectors: vertices viewed many at once are those viewed one by one, and
-// what is said of many triangles holds by the exact scan conversion.
+// A new view computed in vectors: vertices viewed many at once are those viewed one by one, and the
+// decisions about many triangles are correct by the exact scan conversion.
 
 #include "displayfile/views/triangle_sieve.h"
 
@@ -59,7 +59,7 @@ TEST(ViewPoints, AreThoseViewedOneByOne) {
   }
 }
 
-/// Vertices in a picture, and where they are said to be.
+/// Vertices in a picture, and their computed places.
 struct Vertices {
   PictureSize size;
   std::vector<Point3> device;
@@ -177,7 +177,7 @@ Counts check(const Vertices& vertices) {
   return counts;
 }
 
-/// What stays covers a centre nearly always, and few need more.
+/// Triangles that stay nearly always cover a centre, and few need more work.
 TEST(TriangleSieve, WhatIsLeftOutCoversNoCentre) {
   for (const double extent : {0.3, 1.0, 2.0, 5.0, 40.0, 700.0}) {
     for (const bool grid : {false, true}) {

@@ -60,8 +60,8 @@ void expect_all_sides_once(std::size_t n, Triangles triangles) {
   EXPECT_EQ(of_polygon, n);
 }
 
-/// What makes them tile it: with the above, at each point as many triangles as the polygon winds
-/// around it, if none is turned over.
+/// The triangles tile the polygon: with the above, each point is covered by as many triangles as
+/// the polygon winds around it, if none is turned over.
 void expect_tiling(const Outline& p, Triangles triangles, bool some_without_area = false) {
   expect_all_sides_once(p.size(), triangles);
   std::int64_t sum = 0;
@@ -72,8 +72,8 @@ void expect_tiling(const Outline& p, Triangles triangles, bool some_without_area
   EXPECT_EQ(sum, twice_area(p));
 }
 
-/// A side of one of both has all of the other on its far side, or on it; what has no area covers
-/// nothing.
+/// A side of one of the two has all of the other on its far side, or on it; a triangle without area
+/// covers nothing.
 bool are_disjoint(const Outline& p, const CornerTriple& s, const CornerTriple& t) {
   const auto has_area = [&](const CornerTriple& one) {
     return orientation(p[one[0]], p[one[1]], p[one[2]]) != 0;
@@ -199,7 +199,7 @@ TEST(Triangulation, LargePolygonsAreTiled) {
   }
 }
 
-// The sums from which the normal is found are rounded; the sweep is not told which way is which.
+// The sums from which the normal is found are rounded; the sweep is not given the orientation.
 TEST(Triangulation, APolygonThatRunsClockwiseKeepsItsTurning) {
   for (Outline p : outlines(100, 3)) {
     std::ranges::reverse(p);

@@ -1,5 +1,5 @@
 // The oracle of lines against scenes worked out by hand and against brute force in rationals; and
-// what must not change an answer does not.
+// changes that must not affect an answer do not.
 
 #include "interp/truth/true_lines.h"
 
@@ -28,7 +28,7 @@ namespace {
 
 using namespace test;
 
-/// What is seen of a line, by the oracle, which must be what brute force finds.
+/// The visible parts of a line, by the oracle, which must equal those by brute force.
 Parts seen(const Drawing& drawing, LineId line) {
   const LineItems items(drawing.file());
   const auto found = true_lines(items, std::vector{line});
@@ -40,7 +40,7 @@ Parts seen(const Drawing& drawing, LineId line) {
   return found[0].visible;
 }
 
-/// What is seen behind polygons of a line from (0, y, z) to (1, y, z).
+/// The parts of a line from (0, y, z) to (1, y, z) that are visible behind polygons.
 Parts behind(const std::vector<Vertices>& polygons, double y, double z = 0.0, double z_end = 0.0) {
   Drawing drawing;
   drawing.line({0, y, z}, {1, y, z_end});
@@ -100,7 +100,7 @@ TEST(TrueLines, ASideOnTheOutlineOfANearerSquareIsSeen) {
 
 TEST(TrueLines, CoplanarIsSeen) {
   EXPECT_EQ(behind({square(0)}, 0.5), kAll);
-  // A tilted plane that holds the line, and the sides of what lies in it.
+  // A tilted plane that contains the line, and the sides of polygons in it.
   const auto lifted = [](Vertices v) {
     for (Point3& p : v) p.z = 0.5 * p.x + 0.25 * p.y;
     return v;

@@ -12,7 +12,7 @@ namespace {
 
 class TruthCommand : public Command {
  protected:
-  /// What a .npy file of identifiers holds.
+  /// The identifiers in a .npy file.
   std::vector<std::int32_t> ids(const std::string& name) const {
     constexpr std::uintmax_t kHeader = 128;
     std::vector<std::int32_t> values((fs::file_size(folder_ / name) - kHeader) / 4);
@@ -108,7 +108,7 @@ TEST_F(TruthCommand, FromWorldCountsWhatTheRoundingOfViewingChanges) {
   EXPECT_EQ(run("compare w.npy d.npy"), 0);
 }
 
-/// The rug lies in the floor's plane as it was entered, under one modelling transformation.
+/// The rug as entered lies in the floor's plane, under one modelling transformation.
 TEST_F(TruthCommand, FromEnteredPolygonsThatTouchLieInOnePlane) {
   write("view.draw",
         "set-view-plane-normal -3 -2 -6\nset-perspective 3 2 6\nset-line-style none\n"

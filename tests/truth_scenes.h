@@ -61,7 +61,7 @@ inline std::string letters_of(const Picture& picture) {
   return text;
 }
 
-/// In how many places two item buffers of a size differ.
+/// The number of places in which two item buffers of a size differ.
 inline std::size_t different(const std::vector<std::int32_t>& a,
                              const std::vector<std::int32_t>& b) {
   std::size_t n = 0;
@@ -69,7 +69,7 @@ inline std::size_t different(const std::vector<std::int32_t>& a,
   return n;
 }
 
-/// `sides` vertices: concave and self-crossing as they come.
+/// `sides` vertices: some polygons are concave or self-crossing.
 template <class Vertex>
 Vertices polygon(int sides, Vertex&& vertex) {
   Vertices vertices;
@@ -77,7 +77,7 @@ Vertices polygon(int sides, Vertex&& vertex) {
   return vertices;
 }
 
-/// What a family of scenes draws: one polygon after the other.
+/// The polygons of a family of scenes: one after the other.
 struct SceneFamily {
   std::string name;
   Vertices (*polygon)(Dice& dice);

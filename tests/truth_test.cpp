@@ -199,7 +199,7 @@ TEST(Truth, EdgeOnPolygonsCoverNothing) {
             ".\n");
 }
 
-/// What doubles find in line is edge-on only if it is so exactly.
+/// A triangle that is degenerate in doubles is edge-on only if it is so exactly.
 TEST(Truth, SliversCoverCentresOnTheirLeftSides) {
   // The differences round to those of three points in line, so that r's value is 0; the triangle
   // has an area, with the centre on its edge.

@@ -69,8 +69,7 @@ TEST_F(Command, TurntableDrawsViewsWithoutASort) {
   EXPECT_FALSE(fs::exists(folder_ / "w-000.png"));
 }
 
-/// Each view is what drawing in it anew is: of the views that a turn goes through the first is the
-/// program's own.
+/// Each view equals a new drawing in it: the first view of a turn is the program's own.
 TEST_F(Command, TurntableDrawsLines) {
   const std::string box =
       "polygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\npolygon-abs-3 0 0 0  0 1 0  0 1 -1  0 0 -1\n"
@@ -109,7 +108,7 @@ TEST_F(Command, TurntableDrawsLines) {
   EXPECT_NE(read(folder_ / "m-001.svg").find("<path"), std::string::npos);
 }
 
-/// Machines that draw some views, or some rows, each draw what one draws.
+/// Machines that draw only some views, or some rows, each draw the same as one that draws all.
 TEST_F(Command, SomeViewsAndSomeRowsAreThoseOfAll) {
   write("a.draw",
         "set-perspective 0 0 5\nopen-segment 1\n"

@@ -1,5 +1,5 @@
-// A turntable's views: each is what its view of the scene is, by whichever method, and the same
-// whichever others are drawn.
+// A turntable's views: each equals the scene's picture in that view, by any method, whichever
+// others are drawn.
 
 #include "interp/draw/turntable_renderer.h"
 
@@ -94,7 +94,7 @@ TEST_F(TurntableRendererTest, FilesAreThePicturesInMemory) {
   }
 }
 
-/// Pieces of one tree show what the display file in that view does.
+/// Pieces of one tree show the same as the display file in that view.
 TEST_F(TurntableRendererTest, ByDefaultViewsAreOfOneTree) {
   TurntableRenderer turntable = renderer(options_of(std::nullopt));
   const DisplayFile& file = retained_.system.display_file();
@@ -142,8 +142,7 @@ TEST_F(TurntableRendererTest, TurnsAboutAnotherAxisAndFitsItsWindow) {
   EXPECT_NE(renderer(options, {.number = kViews, .fit_window = true}).draw(1).pixels, plain.pixels);
 }
 
-/// A scene of the system's own goes back with it.
-/// The first view is what the application would have drawn.
+/// A scene of the system's own goes back with it. The first view is the application's own picture.
 TEST(TurntableOfTheApplication, FollowsItsPrecisionColourRuleAndPerimeter) {
   const auto expect_same_first = [](Retained& retained, DrawOptions options) {
     options.width = options.height = 40;

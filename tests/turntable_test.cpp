@@ -93,7 +93,7 @@ TEST(Turntable, FitsItsWindowToAllViews) {
   }
 }
 
-/// The window that all points ask for, in all views.
+/// The window that all points need, in all views.
 Rectangle fitted_by_all_points(const Turntable& turntable, const RetainedScene& scene, int views) {
   const Rectangle window = turntable.at(0.0).view.window;
   const double width = window.x_max - window.x_min, height = window.y_max - window.y_min;

@@ -1,4 +1,4 @@
-// Painting a sorted display file shows what the definition says, also where polygons touch: the
+// Painting a sorted display file agrees with the definition, also where polygons touch: the
 // pictures are the oracle's, to the last pixel.
 
 #include "interp/raster/undecided_centres.h"
@@ -159,7 +159,7 @@ TEST(UndecidedCentres, ALaterSegmentCoversAnEarlierOne) {
   EXPECT_EQ(wrong(other_way, kSize, kSize, expected), "");
 }
 
-/// A segment that was not sorted is painted as entered, over what is noted before and after.
+/// A segment that was not sorted is painted as entered, over centres noted before and after.
 TEST(UndecidedCentres, ASegmentThatWasNotSortedIsPaintedInOrder) {
   const auto [sheet, flap] = fold(2, -0.25);
   const Vertices square = {{0.25, 0.25, 1}, {0.75, 0.25, 1}, {0.75, 0.75, 1}, {0.25, 0.75, 1}};
@@ -242,9 +242,9 @@ TEST(UndecidedCentres, NothingIsNotedAwayFromTheCentres) {
   EXPECT_EQ(paint(file, 100, 100, false).undecided_centres, 0u);
 }
 
-// ---- What is noted -----------------------------------------------------------------------------
+// ---- Noted centres -----------------------------------------------------------------------------
 
-/// How far the centre is from the side along x and along y, whichever is more; roughly.
+/// The larger of the centre's distances from the side along x and along y, roughly.
 double distance(const Point2& a, const Point2& b, const Point2& c, const Point2& unit) {
   const Point2 u = (b - a) / unit, v = (c - a) / unit;
   const double length = u.x * u.x + u.y * u.y;

@@ -1,4 +1,4 @@
-// Painting a sorted display file shows what the definition says, also where a cut was rounded: the
+// Painting a sorted display file agrees with the definition, also where a cut was rounded: the
 // pictures are the oracle's, to the last pixel.
 
 #include "interp/raster/undecided_centres.h"
@@ -47,8 +47,8 @@ struct GridPlane {
   }
 };
 
-/// Half of the convex polygon: what is left of the line from a to b, or on it. Each coordinate of
-/// a cut is one quotient of whole numbers, so it is rounded once.
+/// Half of the convex polygon: the part to the left of the line from a to b, or on it. Each
+/// coordinate of a cut is one quotient of whole numbers, so it is rounded once.
 Vertices left_of(const GridPolygon& polygon, const GridPlane& plane, const GridPoint& a,
                  const GridPoint& b) {
   const auto side = [&](const GridPoint& p) {
@@ -210,8 +210,8 @@ struct Sheet {
   int side = 0;  ///< of a line that all meet
 };
 
-/// Expects no wrong centre of sheets that are cut and painted in this order. Returns how many a
-/// painter gets wrong that does not heed them.
+/// Expects no wrong centre of sheets that are cut and painted in this order. Returns the number
+/// that a painter without undecided centres gets wrong.
 std::size_t expect_right_though_cut(Dice& dice, const std::vector<Sheet>& sheets,
                                     const Fills& entered) {
   Fills painted;
@@ -250,7 +250,7 @@ TEST(UndecidedCentres, FansAboutALineOfCentres) {
     Dice dice(seed);
     const int axis = dice.from(0, 2), n = 2 + static_cast<int>(seed % 7);
     const std::int64_t c = centre(dice.from(2, 13), 0).x;
-    // How far a point is from the axis x = c, y = c or x = y, in units of the grid.
+    // The distance of a point from the axis x = c, y = c or x = y, in units of the grid.
     const auto aside = [&](const GridPoint& p) {
       return axis == 0 ? p.x - c : axis == 1 ? p.y - c : p.x - p.y;
     };

@@ -26,7 +26,7 @@ class UpAxisOfImported : public test::TemporaryFolder {
   void SetUp() override {
     if (!import_library_version()) GTEST_SKIP() << "no import library";
   }
-  /// The axis that is up in a file as it, or its format, says.
+  /// The up axis that a file or its format sets.
   std::optional<Upright> in_file(const std::string& name, const std::string& text) {
     return read_mesh(file(name, text)).upright;
   }

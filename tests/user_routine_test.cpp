@@ -60,7 +60,8 @@ TEST(UserRoutines, TheTableNamesEachOnce) {
   EXPECT_GT(names.size(), 70u);
 }
 
-/// What programs in other languages show of a routine; and the document has each.
+/// The table has each routine's meaning, which bindings in other languages show; the document has
+/// each routine.
 TEST(UserRoutines, TheTableSaysWhatEachMeans) {
   const std::string document =
       test::content(DISPLAYFILE_SOURCE_DIR "/displayfile/text/drawing_programs.md");

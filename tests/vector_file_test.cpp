@@ -1,4 +1,4 @@
-// What SVG and PDF files hold.
+// The contents of SVG and PDF files.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,8 @@ class VectorFile : public TemporaryFolder {
 
 std::string body(const std::string& svg) { return svg.substr(svg.find("<rect")); }
 
-/// Where depths decide, dashes are cut here: one that goes on in the next line is one path still.
+/// Where depths decide, dashes are cut here: a dash that continues in the next line is still one
+/// path.
 TEST_F(VectorFile, ADashGoesOnInTheLineThatContinuesItsOwn) {
   GraphicsSystem g = unit_square_without_lines();
   g.open_segment(1);
@@ -204,7 +205,7 @@ TEST(SvgDevice, OnlyVisibleSidesAreDrawn) {
   // The sides that end at the second and the fourth vertex.
   const std::string svg = svg_of(kSquare, {op::move, op::line, op::move, op::line});
   EXPECT_EQ(count(svg, "class=\"l1\" d=\"M20 80l60 0M80 20l-60 0\""), 1u) << svg;
-  // A run goes on over the polygon's first vertex.
+  // A run continues over the polygon's first vertex.
   const std::string three = svg_of(kSquare, {op::line, op::line, op::move, op::line});
   EXPECT_EQ(count(three, "class=\"l1\" d=\"M80 20l-60 0 0 60 60 0\""), 1u) << three;
   EXPECT_EQ(count(svg_of(kSquare, {op::move, op::move, op::move, op::move}), "<path"), 1u);

@@ -28,7 +28,7 @@ using namespace test;
 constexpr int kWidth = 97, kHeight = 83;
 const LineStyle kNoLines{LineStyle::Kind::none};
 
-/// A polygon of so many pixels, and its paint.
+/// A polygon in pixels, and its paint.
 FillPaint paint_of(const std::vector<Point2>& page, const std::vector<double>& intensities,
                    PolygonPaints& paints, const FillStyle& fill = kFill) {
   std::vector<Point3> device;
@@ -92,7 +92,7 @@ TEST(PolygonPaints, WhatHardlyVariesIsEven) {
             FillPaint{0xff000000u});
 }
 
-/// Its slope across would be a thousand times that along it, and says nothing.
+/// Its slope across would be a thousand times that along it, and is meaningless.
 TEST(PolygonPaints, ANeedlesRampRunsAlongIt) {
   for (const double width : {0.3, 1e-3, 1e-9, 0.0}) {
     const std::vector<Point2> page{{10, 10}, {110, 10}, {50, 10 + width}};
@@ -135,7 +135,7 @@ TEST(PolygonPaints, PiecesOfOneTriangleHaveOnePaint) {
   EXPECT_EQ(of_piece({{0, 0}, {90, 90}, {45, 45.001}}), first);  // a needle
 }
 
-/// What a device is asked to paint, to be evaluated at points.
+/// The paints that a device receives, to be evaluated at points.
 class Evaluated : public VectorDevice {
  public:
   Evaluated() : VectorDevice(kWidth, kHeight) {}

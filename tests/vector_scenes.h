@@ -9,7 +9,7 @@
 #include "displayfile/graphics_system.h"
 #include "tests/unit_square.h"
 
-// Scenes of the tests of vector output: filled polygons whose colours tell them apart.
+// Scenes of the tests of vector output: filled polygons distinguished by their colours.
 
 namespace displayfile::test {
 
@@ -21,7 +21,7 @@ inline LineStyle line(const Colour& colour, double width = 1.0) {
 }
 inline const LineStyle kNoLine{LineStyle::Kind::none};
 
-/// The colour by which Canvas knows a polygon.
+/// The colour by which Canvas identifies a polygon.
 inline FillStyle numbered(int id) {
   return solid({(id / 65536) / 255.0, (id / 256 % 256) / 255.0, (id % 256) / 255.0});
 }

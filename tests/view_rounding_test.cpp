@@ -1,4 +1,4 @@
-// The bound of what viewing may round.
+// The bound of viewing's rounding.
 
 #include "displayfile/views/view_rounding.h"
 
@@ -33,7 +33,7 @@ TEST(ViewRounding, BoundsWhatTheTransformationRounds) {
     Point3 viewed[2];
     if (!pipeline.clip_line(ends[0], ends[1], viewed[0], viewed[1])) continue;
     const double bound = ViewRounding(view, volume).of(ends, viewed, 0.0);
-    // How far what clipping left is from the line, viewed exactly.
+    // The distance of the clipped point from the line, viewed exactly.
     const auto exactly = [&](const Point3& p) {
       const glm::dmat4& m = volume.matrix();
       const auto row = [&](int i) -> Q {
@@ -66,7 +66,7 @@ TEST(ViewRounding, CountsWhatIsNotQuiteFlat) {
   g.open_segment(1);
   g.polygon_abs_3({{-1, -1, 0}, {0, -1, 0}, {0, 1, kBent}, {-1, 1, 0}});
   g.polygon_abs_3({{0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, kBent}});
-  for (const double y : {-0.2, -0.1, 0.0, 0.1, 0.2}) {  // so many that they cut, and are not cut
+  for (const double y : {-0.2, -0.1, 0.0, 0.1, 0.2}) {  // enough of them to cut and not be cut
     g.polygon_abs_3({{-1, y, -0.5}, {1, y, -0.5}, {1, y, 0.5}, {-1, y, 0.5}});
   }
   g.close_segment();

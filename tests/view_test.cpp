@@ -270,7 +270,7 @@ TEST(LookAt, SeesTheAngleOfViewAroundTheTarget) {
     EXPECT_DOUBLE_EQ(view.front, -0.999 * 5.0);
     EXPECT_DOUBLE_EQ(view.back, 5.0);
   }
-  // How far the eye is does not overflow, and each coordinate counts.
+  // The distance of the eye does not overflow, and each coordinate counts.
   for (const Point3& eye :
        {Point3(3e99, 4e99, 0), Point3(0, -3e99, 4e99), Point3(4e99, 0, -3e99)}) {
     EXPECT_DOUBLE_EQ(look_at(eye, {0, 0, 0}, {1, 1, 1}, 40.0).back, 5e99);

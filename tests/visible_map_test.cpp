@@ -58,7 +58,7 @@ TEST(VisibleMap, EveryFamilyAgainstTheTruth) {
   }
 }
 
-/// A wall on a floor, whose lower side is in the floor's plane but for a ROUNDOFF. The fills are
+/// A wall on a floor, whose lower side is in the floor's plane within a ROUNDOFF. The fills are
 /// exact, and the lines over them heed the ROUNDOFF.
 TEST(VisibleMap, LinesOverItHeedTheRoundoff) {
   GraphicsSystem system;
@@ -84,7 +84,7 @@ TEST(VisibleMap, LinesOverItHeedTheRoundoff) {
   EXPECT_NE(rounded.pixels, exact.pixels) << "the side was hidden";
 }
 
-// ---- Polygons that are said to lie in a plane ---------------------------------------------------
+// ---- Polygons declared to lie in a plane -------------------------------------------------------
 
 /// Triangles of a flat area, all of them in the plane of one; beside the area others that share
 /// sides with it, steep ones too; and parts of the triangles.
@@ -180,8 +180,8 @@ std::string difference_from_plain(const Primitives& items, int threads = 1) {
   return differ.str();
 }
 
-/// Fails, with what is left of the scene where nothing more can be left out, if the map on some
-/// threads is not the plain one.
+/// Fails, with a minimal part of the scene that still differs, if the map on some threads is not
+/// the plain one.
 bool is_the_plain_one(const ItemList& list, int seed) {
   if (difference_from_plain(list.view(), 1 + seed % 3).empty()) return true;
   const ItemList least = shrunken(
@@ -221,9 +221,8 @@ void add_uneven(ItemList& list, Source& s, const Loop& loop) {
   list.solid_in(plane, loop);
 }
 
-/// A surface over a grid of so many squares, each of two triangles; heights follow waves and
-/// noise; and where it folds over, parts of it are before others. One in `uneven` triangles is not
-/// even; 0: none.
+/// A surface over a grid of squares, each of two triangles; heights follow waves and noise; where
+/// it folds over, parts of it are before others. One in `uneven` triangles is not even; 0: none.
 void add_sheet(ItemList& list, Source& s, int squares, bool on_a_grid, int uneven = 0) {
   const double depth = s.unit(), wave = s.unit(), fold = s.below(2) == 0 ? 0.15 : 0.0;
   const double noise = s.below(2) == 0 ? 0.3 / squares : 0.0;

@@ -1,5 +1,5 @@
 // Warnock's area subdivision, area by area: the categories and lists of the problem book's section
-// 10.6, what is inherited from an area's parent, and the picture of both forms.
+// 10.6, the lists inherited from an area's parent, and the picture of both forms.
 
 #include "interp/visibility/warnock.h"
 
@@ -56,8 +56,8 @@ void for_pixels(const SampleArea& area, Do&& act) {
   }
 }
 
-/// The fills seen, rows from the bottom; drawn in bands of so many rows. Fails where a pixel is not
-/// told of exactly once.
+/// The fills seen, rows from the bottom; drawn in bands of `rows` rows. Fails where a pixel is not
+/// reported exactly once.
 std::vector<Fill> seen_by(const ImageSpaceMethod& method, const PictureSize& size, int rows) {
   std::vector<Fill> fills(pixels(size));
   std::vector<int> told(pixels(size));
@@ -211,7 +211,7 @@ TEST(WarnockSteps, APixelIsDecidedAtItsCentre) {
   EXPECT_EQ(seen_by(warnock, {3, 1}, 1), (std::vector<Fill>{2, 2, 1}));
 }
 
-/// However many, and however close: one of them hides the rest over the whole picture.
+/// However many sheets there are, and however close: one hides the rest over the whole picture.
 TEST(WarnockSteps, SheetsOverThePictureAreOneArea) {
   std::vector<Vertices> sheets;
   for (int k = 0; k < 50; ++k) {
@@ -235,7 +235,7 @@ TEST(WarnockSteps, AreasAlongAnEdge) {
   }
 }
 
-/// Among depths that are equal within the ROUNDOFF that of the polygon entered later is seen.
+/// Among depths that are equal within the ROUNDOFF the polygon entered later is visible.
 TEST(WarnockSteps, Roundoff) {
   const ViewedScene scene = scene_of({rectangle(0, 8, 0, 8, 0.5), rectangle(0, 8, 0, 8, 0.5 - 1e-7),
                                       rectangle(1, 3, 1, 3, 0.5 - 2e-7)});
@@ -249,9 +249,9 @@ TEST(WarnockSteps, Roundoff) {
   }
 }
 
-// ---- What holds of every area ------------------------------------------------------------------
+// ---- Invariants of every area ------------------------------------------------------------------
 
-/// A small random scene, and what is true of it.
+/// A small random scene, and its truth.
 struct Known {
   Known(const test::SceneFamily& family, std::uint32_t seed)
       : name(fmt::format("{}, seed {}", family.name, seed)),

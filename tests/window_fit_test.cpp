@@ -103,7 +103,7 @@ TEST(WindowFit, RefusesWhatCannotBe) {
   EXPECT_THROW(g.set_window_fit(WindowFit::widen), Error);
 }
 
-/// How many columns and rows of a picture show something.
+/// The numbers of columns and rows of a picture that show something.
 Point2 extent(const Picture& picture) {
   int left = picture.width, right = -1, top = picture.height, bottom = -1;
   for (int y = 0; y < picture.height; ++y) {
@@ -219,7 +219,7 @@ TEST(WindowFit, AViewOfAnotherShapeThanThePictureIsWarnedOf) {
   EXPECT_EQ(warnings_in_view(view, g, false, 80, 20), 0);
 }
 
-/// All views of a turntable are stretched alike: the first says so.
+/// All views of a turntable are stretched alike: the first one warns.
 TEST(WindowFit, ATurntableWarnsOnce) {
   for (const std::string settings : {"", "set-window-fit stretch\n"}) {
     const GraphicsSystem g = retained_square(settings, 1.0);

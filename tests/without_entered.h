@@ -9,8 +9,8 @@
 
 namespace displayfile::test {
 
-/// The same display file as if it had no application behind it, as one of a dump: all begins at its
-/// coordinates. Its surfaces, if it has any, come first; texts and shading are left out.
+/// The same display file without the entered polygons, as one read from a dump: all begins at its
+/// own coordinates. Its surfaces, if it has any, come first; texts and shading are left out.
 inline DisplayFile without_entered(const DisplayFile& file) {
   struct Copy {
     Segment& segment;

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 class Budgets : public test::TemporaryFolder {};
 
-/// What the call says when it reaches a limit; "done" if it does not.
+/// The message of the call that reaches a limit; "done" if it reaches none.
 std::string reached(const std::function<void()>& call) {
   try {
     call();
@@ -59,7 +59,7 @@ GraphicsSystem crossing(int count) {
   return g;
 }
 
-/// What takes long, under a budget: a name, and the call.
+/// A long operation under a budget: a name, and the call.
 struct Operation {
   std::string name;
   std::function<void(WorkBudget&)> run;
@@ -183,10 +183,9 @@ TEST_F(Budgets, PiecesAndBytesOfTheirTables) {
             std::string::npos);
 }
 
-/// The textbook's routine: the segment is open still, and closes when there is a method that
-/// serves.
-/// Draws by that method with no more pieces, by a renderer that keeps things and by a new one: the
-/// same pixels, or the same limit reached. True if it was not reached.
+/// The textbook's routine: the segment is still open, and can be closed with another method. Draws
+/// by that method with no more pieces, by a renderer that keeps data and by a new one: the same
+/// pixels, or the same limit reached. True if it was not reached.
 bool draws_as_a_new_renderer(Renderer& kept, const GraphicsSystem& g, const DrawOptions& options) {
   std::string of_kept, of_new;
   Renderer anew;
@@ -321,7 +320,7 @@ TEST_F(Budgets, CloseSegmentAtItsLimitLeavesTheSegmentOpen) {
   EXPECT_EQ(dump(g.display_file()), dump(same.display_file()));
 }
 
-/// A renderer that was stopped draws what a new one does.
+/// A renderer that was stopped draws the same as a new one.
 TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
   const GraphicsSystem g = crossing(400);
   for (const HiddenMethod method :
@@ -358,7 +357,7 @@ TEST_F(Budgets, StoppedFromAnotherThreadAndDrawnAgain) {
   EXPECT_EQ(renderer.draw(few, options).pixels, draw(few, options).pixels);
 }
 
-/// Few polygons may be much to paint: it is asked while rows are.
+/// Few polygons may take long to paint: the budget is checked between rows.
 TEST_F(Budgets, PaintingStops) {
   GraphicsSystem g;
   g.set_view_depth(-1, 3);
@@ -405,7 +404,7 @@ TEST_F(Budgets, PickingAndTheTreeOfATurntable) {
   EXPECT_EQ(reached(turntable), "done");
 }
 
-/// What is told of a lack of memory is what was being done then, not what failed before.
+/// A lack of memory is reported with the work in progress, not with work that failed before.
 TEST_F(Budgets, WorkThatFailedIsNotToldOfOtherWork) {
   const GraphicsSystem g = crossing(60);
   WorkBudget budget({.pieces = 100});
@@ -505,7 +504,7 @@ TEST_F(Budgets, PairsThatAreLookedAtCountAlsoWhereNoneOverlaps) {
             std::string::npos);
 }
 
-/// A line of a program may stand for very many polygons.
+/// A line of a program may enter very many polygons.
 TEST_F(Budgets, ShapesAndManyPolygonsAreStoppedBeforeTheyAreEntered) {
   GraphicsSystem g;
   g.open_segment(1);

@@ -1,4 +1,4 @@
-// Ray casting in object space: what its rays see, held against the truth of each view.
+// Ray casting in object space: the hits of its rays, compared with the truth of each view.
 
 #include "interp/visibility/world_rays.h"
 
@@ -38,7 +38,7 @@ struct Retained : test::Retained {
   Retained() = default;
   explicit Retained(const Scene& drawn) { enter(drawn, system); }
   WorldRays rays() const { return {scene, system.display_file()}; }
-  /// From what was entered.
+  /// From the scene as entered.
   std::vector<std::int32_t> truth(const PictureSize& size) const {
     return entered_truth(scene, system.display_file(), size.width, size.height, false, std::nullopt)
         .picture.ids;
@@ -55,7 +55,7 @@ Scene in_view(Scene scene, const View& view) {
 std::vector<std::int32_t> truth_in(const Scene& scene, const View& view, int size) {
   return truth(entered(in_view(scene, view)).display_file(), size, size, false).ids;
 }
-/// The exact truth from what was entered, of the same.
+/// The exact truth from the scene as entered, of the same.
 std::vector<std::int32_t> entered_truth_in(const Scene& scene, const View& view, int size) {
   return Retained(in_view(scene, view)).truth({size, size});
 }
@@ -129,9 +129,8 @@ View special_view(Source& s, const Scene& scene, const test::Ball3& ball) {
   return test::parallel_view(axis, axis, ball);
 }
 
-/// On scenes made to break methods what is seen may differ from the truth of the display file only
-/// where the rounding of viewing decides: it is everywhere what the truth from world coordinates
-/// says.
+/// On scenes made to break methods, pictures may differ from the truth of the display file only
+/// where the rounding of viewing decides: everywhere they equal the truth from world coordinates.
 TEST(WorldRays, DifferOnlyWhereTheRoundingOfViewingDecides) {
   const int eyes = from_environment("DISPLAYFILE_WORLD_RAYS_EYES", 2);
   const int size = from_environment("DISPLAYFILE_WORLD_RAYS_SIZE", 16);
@@ -167,7 +166,7 @@ TEST(WorldRays, DifferOnlyWhereTheRoundingOfViewingDecides) {
 
 // ---- Polygons that a view may turn over, or that are not quite flat ----------------------------
 
-/// What is seen, which must be what the truth from what was entered says.
+/// The visible polygons, which must be those of the truth from the scene as entered.
 std::vector<std::int32_t> seen_as_in_truth(const Retained& retained, const PictureSize& size) {
   const View& view = retained.system.view();
   auto seen = retained.rays().picks(view, size);
@@ -224,7 +223,7 @@ TEST(WorldRays, PolygonsThatAreEdgeOnForDoublesAloneAreSeen) {
 }
 
 /// A polygon so steep that a vertex off its plane, within the tolerance, is nearer in the plane
-/// than all vertices are, and than what is in front of these.
+/// than all vertices are, and than the polygons in front of these.
 TEST(WorldRays, PolygonsMayBeSeenNearerThanTheirVertices) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -239,8 +238,8 @@ TEST(WorldRays, PolygonsMayBeSeenNearerThanTheirVertices) {
   EXPECT_EQ(retained.rays().seen_at(g.view(), {0.56, 0.36})->primitive, 0u);
 }
 
-/// Ground with a corner that is raised to above the eye, within the tolerance: there its plane is
-/// seen beyond what is infinitely far away, and so is no nearer than the wall behind it.
+/// Ground with a corner that is raised to above the eye, within the tolerance: there its plane
+/// appears beyond infinity, and so is no nearer than the wall behind it.
 TEST(WorldRays, WhatIsSeenAboveTheHorizonOfItsPlaneHidesNothing) {
   Retained retained;
   GraphicsSystem& g = retained.system;
@@ -257,8 +256,8 @@ TEST(WorldRays, WhatIsSeenAboveTheHorizonOfItsPlaneHidesNothing) {
   EXPECT_EQ(std::ranges::count(seen, -1), 0);
 }
 
-/// A polygon in a plane that runs any way, concave and self-crossing as it comes, so that rounding
-/// bends it; and some within the tolerance too.
+/// A polygon in an arbitrary plane, sometimes concave or self-crossing, bent by rounding; and some
+/// within the tolerance too.
 Polygon turned(Source& s) {
   const Point3 normal = test::any_direction(s);
   const Point3 u = glm::normalize(glm::cross(normal, test::any_direction(s)));
@@ -292,7 +291,7 @@ View magnified(const View& view, const Point3& about, double half) {
   return nearer;
 }
 
-/// Along a side of a polygon, or nearly: its plane is seen edge-on but for a tilt.
+/// Along a side of a polygon, or nearly: its plane is edge-on, except for a tilt.
 View grazing_view(Source& s, const Scene& scene, std::size_t first) {
   const Point3 from = scene.points[first], to = scene.points[first + 1];
   Point3 into = to - from;
@@ -314,7 +313,7 @@ View any_difficult_view(Source& s, const Scene& scene) {
   return magnified(view, scene.points[any], std::pow(0.1, s.between(1, 7)));
 }
 
-/// What a picture and single points see, at centres that are doubles, is the truth.
+/// The hits of a picture and of single points, at centres that are doubles, are the truth's.
 std::ptrdiff_t hits_as_in_truth(const Retained& retained) {
   constexpr PictureSize kSize{16, 8};
   const auto seen = seen_as_in_truth(retained, kSize);
@@ -358,9 +357,9 @@ Scene any_polygons(Source& s) {
 }
 TEST(WorldRays, SeeOfAnyPolygonsWhatTheTruthSays) { expect_truth_of(any_polygons, 2000); }
 
-/// Polygons so steep that the little that their vertices are off a plane moves their depth by as
-/// much as they are deep, in perspective to beyond what is infinitely far away; between others that
-/// face the viewer. Vertices are on the window's sides but for rounding.
+/// Polygons so steep that the small distances of their vertices from a plane change their depth by
+/// as much as their extent in depth, in perspective to beyond infinity; between others that face
+/// the viewer. Vertices are on the window's sides up to rounding.
 Scene steep_polygons(Source& s) {
   constexpr double kEye = 8.0;
   const bool perspective = s.below(2) == 0;
@@ -371,7 +370,7 @@ Scene steep_polygons(Source& s) {
   if (perspective) scene.view.set_perspective({0.0, 0.0, kEye});
   scene.view.front_clipping = s.below(4) == 0;
   scene.view.back_clipping = s.below(4) == 0;
-  // What is seen at x, y of the picture and is that near: linear over the picture of a plane.
+  // The point seen at x, y of the picture with that nearness: linear over the picture of a plane.
   const auto at = [&](double x, double y, double nearness) -> Point3 {
     const double z = perspective ? kEye - 1.0 / std::max(nearness, 0.001) : nearness;
     const double size = perspective ? (kEye - z) / kEye : 1.0;
@@ -430,7 +429,7 @@ TEST(WorldRays, FacesOnTheFrontPlaneAreSeen) {
   EXPECT_EQ(std::ranges::count(seen_as_in_truth(retained, {32, 32}), 0), 288);
 }
 
-// ---- What is not seen --------------------------------------------------------------------------
+// ---- Invisible polygons ------------------------------------------------------------------------
 
 TEST(WorldRays, BackFacesRemovedAndHollowFillsNotSeen) {
   RetainedScene scene;

@@ -1,4 +1,4 @@
-// The tree in world coordinates by itself: its orders, held against rays by rational arithmetic.
+// The tree in world coordinates by itself: its orders, compared with rays in rational arithmetic.
 
 #include "hidden/sort/world_tree.h"
 
@@ -62,14 +62,15 @@ std::string text_of(const Eye& eye) {
 
 // ---- The judge ---------------------------------------------------------------------------
 
-/// The cube that the scene is in, and how close to a side doubles still tell.
+/// The cube that contains the scene, and the distance from a side at which doubles still decide.
 struct Cube {
   Point3 low{0.0};
   double side = 1.0, near = 1e-9;
 };
 
-/// Rays from an eye: what a ray meets nearer to the eye must come later. Depths are rationals;
-/// whether a ray meets a piece is a matter of doubles, because none that passes near a side counts.
+/// Rays from an eye: pieces that a ray meets nearer to the eye must come later. Depths are
+/// rationals; whether a ray meets a piece is a matter of doubles, because none that passes near a
+/// side counts.
 class Judge {
  public:
   Judge(const ItemList& list, const WorldTree& tree, const Cube& cube = Cube())
@@ -77,7 +78,7 @@ class Judge {
     for (std::size_t i = 0; i < list.items.size(); ++i) planes_.push_back(plane_of(i));
   }
 
-  /// What is wrong with the order along a random ray; "" if nothing is.
+  /// Describes an error in the order along a random ray; "" if there is none.
   std::string along_any_ray(Source& s, const Eye& eye, std::span<const Index> order) {
     // From the eye, or toward an eye at infinity.
     const Point3 aim = cube_.low + cube_.side * test::in_cube(s);
@@ -93,7 +94,7 @@ class Judge {
       if (!t) continue;
       const Point3 at = from + t->get_d() * along;
       const std::optional<bool> covered = covers(points_of(i), planes_[item]->facing, at);
-      if (!covered) return "";  // too near a side to tell
+      if (!covered) return "";  // too near a side to decide
       if (!*covered) continue;
       met.push_back({item, *t});
       ++met_of[item];
@@ -120,7 +121,7 @@ class Judge {
  private:
   struct Met {
     std::uint32_t item;
-    Q t;  // how far along the ray
+    Q t;  // the distance along the ray
   };
   struct FacedPlane {
     QPlane plane;
@@ -265,8 +266,9 @@ TEST(WorldTree, OrdersAreRightForEyesAHairOffPlanes) {
   EXPECT_GT(stages.exact, 100u / test::kSlower) << "a filter decided what it cannot know";
 }
 
-/// Two parallel sheets: one's plane divides, and the order tells on which side of it the eye is
-/// taken to be. That must be the true side, also where the doubles' error is larger than the value.
+/// Two parallel sheets: one's plane divides, and the order shows on which side of it the eye is
+/// assumed to be. That must be the true side, also where the doubles' error is larger than the
+/// value.
 TEST(WorldTree, EverySideIsTrue) {
   Source s(17);
   std::size_t judged = 0;
@@ -290,8 +292,7 @@ TEST(WorldTree, EverySideIsTrue) {
     const auto rational = [](const Point3& q) { return QPoint{Q(q.x), Q(q.y), Q(q.z)}; };
     const QPlane plane(rational(d[0]), rational(d[1]), rational(d[2]));
     const int other = sgn(plane.at(rational(list.points_of(1 - divides)[0])));
-    // In the plane but for the rounding: anywhere, where it is nearest to the origin, and
-    // directions.
+    // In the plane up to rounding: anywhere, where it is nearest to the origin, and directions.
     const double a = s.unit(), b = s.unit();
     const Point3 along = a * u + b * v, normal = glm::normalize(glm::cross(u, v));
     for (const Eye& eye :
@@ -429,7 +430,7 @@ TEST(WorldTree, DeepTreesDoNotRecur) {
   }
 }
 
-/// Far from the origin the fast filter says little; it must not say anything false.
+/// Far from the origin the fast filter decides little; it must not decide wrongly.
 TEST(WorldTree, OrdersAreRightFarFromTheOrigin) {
   for (const double offset : {1e3, 1e9, 1e15}) {
     for (std::uint64_t seed = 1; seed <= 10 / test::kSlower; ++seed) {
@@ -482,7 +483,7 @@ TEST(MovingEye, StaysBetweenPlanes) {
   list.solid({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
   const WorldTree tree = tree_of(list);
   Order order;
-  // The plane of one of the two divides; the other is a leaf, and decides nothing.
+  // One of the two planes divides; the other polygon is a leaf, and decides nothing.
   const double until = tree.far_to_near(Eye::at({0.3, 0.3, 5.0}), order);
   EXPECT_TRUE(std::abs(until - 4.0) < 1e-12 || std::abs(until - 5.0) < 1e-12) << until;
   MovingEye moving(tree);

@@ -15,9 +15,10 @@
 #include "hidden/exact/support_plane.h"
 #include "tests/predicate_truth.h"
 
-// What work done before viewing sees: the definition of truth applied to the world's polygons,
-// which go through the view's matrix as rational numbers, nothing rounded. Where it shows another
-// polygon than the truth of the display file, rounding the viewed vertices made the difference.
+// The truth for methods that work before viewing: the definition of truth applied to the world's
+// polygons, which are transformed by the view's matrix as rational numbers, without rounding. Where
+// it shows another polygon than the truth of the display file, rounding the viewed vertices made
+// the difference.
 
 namespace displayfile::test {
 

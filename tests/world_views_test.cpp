@@ -1,4 +1,4 @@
-// Ray casting in object space as its users meet it: pictures of what is retained, and picking.
+// Ray casting in object space as its users call it: pictures of retained scenes, and picking.
 
 #include "interp/draw/world_views.h"
 
@@ -60,8 +60,8 @@ void expect_right(const Picture& picture, const DisplayFile& file) {
   expect_right_painting(picture, file);
 }
 
-/// The same, except where the rounding of viewing decides: what is seen is everywhere what the
-/// truth from what was entered says. Returns at how many pixels.
+/// The same, except where the rounding of viewing decides: everywhere the picture is that of the
+/// truth from the scene as entered. Returns the number of pixels where it decides.
 std::size_t expect_right_unrounded(const Picture& picture, const Retained& retained) {
   const GraphicsSystem& system = retained.system;
   const DisplayFile& file = system.display_file();
@@ -74,7 +74,7 @@ std::size_t expect_right_unrounded(const Picture& picture, const Retained& retai
 }
 
 /// Lines, light, shadows, smooth shading, clipping, several views in one picture. The terrain has
-/// faces in the plane of the sea, which viewing, though it rounds, does not tell apart.
+/// faces in the plane of the sea, which viewing, though it rounds, does not separate.
 TEST(WorldViews, DrawTheGallery) {
   int drawn = 0;
   test::for_each_in_gallery([&](const std::string&, const Retained& retained) {
@@ -211,7 +211,8 @@ TEST(WorldViews, RefuseWhatTheyCannotDraw) {
 
 // ---- Picking ---------------------------------------------------------------------------
 
-/// At every pixel's centre what the item buffer has there; where it is goes back to the centre.
+/// At every pixel's centre the item buffer's identifier; the returned place maps back to the
+/// centre.
 TEST(Picking, TellsWhatIsSeenAndWhere) {
   Retained retained;
   test::enter_two_segments(retained.system);
@@ -223,7 +224,7 @@ TEST(Picking, TellsWhatIsSeenAndWhere) {
   int hits = 0;
   for (int row = 0; row < kHeight; ++row) {
     for (int column = 0; column < kWidth; ++column) {
-      // 1/160 is no double: the points are those of pixels but for a rounding.
+      // 1/160 is not a double: the points are those of pixels up to rounding.
       const double x = (column + 0.5) / kWidth, y = (row + 0.5) / kHeight;
       const auto k = static_cast<std::size_t>((kHeight - 1 - row) * kWidth + column);
       const auto pick = world.pick(view, x, y);
@@ -270,7 +271,7 @@ TEST(Picking, VerticesOffThePlaneAreSeenWhereTheyAre) {
   }
 }
 
-/// Common edges and corners belong to one polygon alone, and of coplanar ones the later is seen.
+/// Common edges and corners belong to one polygon alone, and of coplanar ones the later is visible.
 TEST(Picking, DecidesExactly) {
   Retained retained;
   GraphicsSystem& g = retained.system;

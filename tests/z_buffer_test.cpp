@@ -1,4 +1,4 @@
-// What must hold of the z-buffer beside having no wrong pixel (software_truth_test.cpp).
+// The invariants of the z-buffer besides having no wrong pixel (software_truth_test.cpp).
 
 #include "interp/visibility/z_buffer.h"
 
@@ -108,7 +108,7 @@ TEST(ZBuffer, WhatLiesBehindAWholeTileIsTheTruths) {
 }
 
 /// Triangles turned away are drawn after the others; where depths tie, the one entered later is
-/// seen all the same.
+/// visible nevertheless.
 TEST(ZBuffer, TrianglesThatTieAreSeenByTheOrderOfEntryWhicheverWayTheyTurn) {
   constexpr PictureSize kSize{90, 70};
   for (std::uint32_t seed = 0; seed < 60; ++seed) {

@@ -11,7 +11,7 @@ BlockBuffer::BlockBuffer(int descriptor)
   setp(block_.get(), block_.get() + kBlock);
 }
 
-/// What could not be written once is not tried again.
+/// After a failed write nothing more is written.
 bool BlockBuffer::write_block() {
   if (reason_ == 0 &&
       !write_all(descriptor_, pbase(), static_cast<std::size_t>(pptr() - pbase()))) {

@@ -18,7 +18,7 @@ namespace displayfile {
 namespace {
 
 constexpr std::size_t kBytesPerRead = std::size_t{1} << 20;
-/// What a file says of its size is believed up to here.
+/// The file system's report of a file's size is trusted up to here.
 constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 30;
 
 struct Close {
@@ -36,7 +36,7 @@ struct Close {
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::string read_text_file(const std::string& path) {
-  // To open a pipe without a writer would take for ever.
+  // Opening a pipe without a writer would block forever.
   std::error_code unknown;
   if (path != "-" && std::filesystem::is_fifo(path, unknown)) {
     throw Error(path + ": not a regular file: expected one, or - for standard input");
@@ -71,12 +71,12 @@ std::string read_text_file(const std::string& path) {
 namespace fs = std::filesystem;
 
 fs::path real_path(const fs::path& path, std::error_code& error) {
-  constexpr int kMostLinks = 40;  // as the system has it
+  constexpr int kMostLinks = 40;  // the system's own limit
   fs::path followed = fs::absolute(path, error);
   for (int links = 0; !error && links < kMostLinks; ++links) {
     followed = fs::weakly_canonical(followed, error);
     if (error) break;
-    // That follows no link to what is not there.
+    // weakly_canonical does not follow links to files that do not exist.
     std::error_code not_there;
     if (!fs::is_symlink(fs::symlink_status(followed, not_there))) return followed;
     followed = followed.parent_path() / fs::read_symlink(followed, error);

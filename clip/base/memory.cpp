@@ -28,8 +28,8 @@ std::size_t offered_memory() {
       std::min<std::uint64_t>(memory_free_for_all(), limit_of_process()));
 }
 
-/// Where more was allowed than what is known to be needed, it ran out in the middle of the work: by
-/// the limit of the process, if it has one.
+/// If more memory was allowed than the work is known to need, it ran out during the work: by the
+/// process's limit, if there is one.
 void out_of_memory(std::size_t bytes, const std::string& what) {
   const std::uint64_t allowed = bytes_allowed();
   const WorkDone left = NamedWork::left_by_exception();
@@ -46,8 +46,8 @@ void out_of_memory(std::size_t bytes, const std::string& what) {
                   bytes <= allowed ? "" : fmt::format(", and the limit is {}", allowed)));
 }
 
-/// The system's pages are asked for, not the library's allocator: a compiler may leave out what is
-/// allocated and released at once, and an application may count what it allocates.
+/// Requests pages from the system, not from the library's allocator: a compiler may omit memory
+/// that is allocated and released at once, and an application may count its allocations.
 bool has_memory(std::size_t bytes) {
   if (bytes < kWorthAsking) return true;
   if (const std::uint64_t limit = limit_of_data(); lent > 0 && limit != kNoMemoryLimit) {
@@ -68,7 +68,7 @@ namespace {
 std::mutex lending;
 std::condition_variable given_back;
 
-/// Three quarters of what is left of it.
+/// Three quarters of the limit's unused rest.
 std::size_t offer_of(std::uint64_t limit) {
   const std::size_t taken = memory_of_process() + lent;
   return limit > taken ? static_cast<std::size_t>(limit - taken) / 4 * 3 : 0;

@@ -8,7 +8,7 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kLongest = 64;  // characters of a word that are looked at
+constexpr std::size_t kLongest = 64;  // characters of a word that are compared
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -34,7 +34,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::vector<std::string_view> nearest_words(std::string_view word,
                                             std::span<const std::string_view> known) {
   struct Near {
-    std::size_t distance, unlike;  // from which character on
+    std::size_t distance, unlike;  // the index of the first different character
     std::string_view word;
   };
   std::vector<Near> near;
@@ -55,7 +55,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   if (known.empty() || word.size() < 2 || word.size() > kLongest) return "";
   std::string_view meant = nearest_words(word, known).front();
   if (edit_distance(word, meant) > std::max<std::size_t>(1, word.size() / 3)) {
-    // The word may be a part of a known one; the shortest such adds least to what was written.
+    // The word may be a part of a known one; the shortest such word adds the least.
     const auto length_of_whole = [&](std::string_view other) {
       const bool is_part = other.starts_with(word) || other.ends_with(word);
       return is_part ? other.size() : std::string_view::npos;

@@ -8,7 +8,7 @@
 namespace displayfile {
 
 int useful_threads(int threads) {
-  if (threads <= 1) return 1;  // the thread library is not asked
+  if (threads <= 1) return 1;  // without calling the thread library
   return std::clamp(threads, 1, std::max(1, most_threads()));
 }
 
@@ -23,8 +23,8 @@ void share_out_if_useful(int threads, std::size_t count,
 
 }  // namespace
 
-/// The threads that help this one have its budget, which is asked before each call, and round to
-/// nearest: a thread has a rounding mode of its own.
+/// Helping threads work under this thread's budget, which is checked before each call, and round to
+/// nearest: each thread has its own rounding mode.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   const WorkInForce ours = work_in_force();
   share_out_if_useful(threads, count, [&](std::size_t k) {

@@ -2,7 +2,7 @@
 
 namespace displayfile {
 
-// On a system without threads, as browsers are to a page that asks for none.
+// For systems without threads, such as a browser whose page requests none.
 
 int most_threads() { return 1; }
 

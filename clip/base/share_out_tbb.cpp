@@ -7,9 +7,9 @@
 
 #include "clip/base/parallel.h"
 
-// ThreadSanitizer does not see into the library, so that it must be told what the library promises:
-// each call comes after all that was done before, and all calls before what is done after. This
-// file is compiled without it.
+// ThreadSanitizer does not see into the library, so the library's guarantee is declared here: each
+// call comes after all earlier work, and before all later work. This file is compiled without
+// ThreadSanitizer.
 #if defined(DISPLAYFILE_SANITIZE_THREADS)
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-/// One end of the promise: what was done before happens_before(at) is seen after happens_after(at).
+/// One end of the guarantee: writes before happens_before(at) are visible after happens_after(at).
 void happens_before([[maybe_unused]] void* at) {
 #if defined(DISPLAYFILE_SANITIZE_THREADS)
   __tsan_release(at);
@@ -47,7 +47,7 @@ void share_out(int threads, std::size_t count, const std::function<void(std::siz
       });
     });
   } catch (const std::runtime_error& failure) {
-    // The library's word for a thread that there is no memory for.
+    // The library's message when there is no memory for a thread.
     if (std::string_view(failure.what()).starts_with("pthread_create")) throw std::bad_alloc();
     throw;
   }

@@ -13,16 +13,16 @@ namespace displayfile {
 
 namespace {
 
-/// This thread shares work out, or does a share of it: what it shares out then is its own to do.
+/// True while this thread does a share of work: its nested calls then run on it alone.
 thread_local bool shares = false;
 
-/// Calls that several threads take, each the next one that is left.
+/// Calls shared by several threads; each thread takes the next remaining one.
 class SharedWork {
  public:
   SharedWork(std::size_t count, const std::function<void(std::size_t)>& work)
       : count_(count), work_(work) {}
 
-  /// Until none is left, or one has failed.
+  /// Makes calls until none is left or one has failed.
   void do_share() {
     shares = true;
     try {
@@ -44,7 +44,7 @@ class SharedWork {
   const std::function<void(std::size_t)>& work_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex guard_;
-  std::exception_ptr failure_;  // the first
+  std::exception_ptr failure_;  // the first exception thrown
 };
 
 }  // namespace
@@ -64,7 +64,7 @@ void share_out(int threads, std::size_t count, const std::function<void(std::siz
     }
     shared.do_share();
   } catch (const std::system_error&) {
-    throw std::bad_alloc();  // there is no memory for a thread
+    throw std::bad_alloc();  // no memory for a thread
   }
   shared.throw_failure();
 }

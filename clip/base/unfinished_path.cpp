@@ -12,15 +12,15 @@ namespace displayfile {
 
 namespace {
 
-/// What stands in the table belongs to it, and to the handler alone while that has it: the handler
-/// frees nothing, since the process ends.
+/// Paths in the table are owned by it, and by the handler alone while the handler has them. The
+/// handler frees nothing, since the process ends.
 constexpr std::size_t kPlaces = 4096;
 std::array<std::atomic<char*>, kPlaces> unfinished{};
 static_assert(std::atomic<char*>::is_always_lock_free, "a signal handler reads the table");
 
-std::atomic<int> naming{0};  // threads that are about it
+std::atomic<int> naming{0};  // threads with a Naming object
 std::atomic<bool> ending{false};
-thread_local int names_of_thread = 0;  // how many Naming objects it has
+thread_local int names_of_thread = 0;  // this thread's Naming objects
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
 }  // namespace
@@ -51,8 +51,8 @@ UnfinishedPath& UnfinishedPath::operator=(UnfinishedPath&& other) noexcept {
   return *this;
 }
 
-/// A folder goes when nothing is in it any more: as long as anything goes, another may. Windows
-/// removes a file that is open again and again, so each is removed once.
+/// A folder can only be removed once it is empty, so removal is repeated as long as anything was
+/// removed. Windows removes an open file any number of times, so each path is removed once.
 void UnfinishedPath::remove_all() noexcept {
   std::array<bool, kPlaces> went{};
   for (bool any_went = true; any_went;) {
@@ -63,13 +63,12 @@ void UnfinishedPath::remove_all() noexcept {
       went[i] = remove_path(path);
       any_went = any_went || went[i];
       char* none = nullptr;
-      unfinished[i].compare_exchange_strong(none, path);  // whose it is frees it, if time is left
+      unfinished[i].compare_exchange_strong(none, path);  // its owner frees it, if time is left
     }
   }
 }
 
-// ---- Names while the process is told to stop
-// -----------------------------------------------------
+// ---- Names while the process is stopped ---------------------------------------------------------
 
 UnfinishedPath::Naming::Naming() {
   if (names_of_thread++ > 0) return;
@@ -84,7 +83,7 @@ UnfinishedPath::Naming::~Naming() {
   naming.fetch_sub(1);
 }
 
-/// A file system that hangs must not keep the process from ending: the wait has an end.
+/// The wait is limited: a file system that hangs must not keep the process from ending.
 void UnfinishedPath::end_naming() noexcept {
   constexpr int kTurns = 2000;
   ending.store(true);

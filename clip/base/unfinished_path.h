@@ -38,7 +38,7 @@ class UnfinishedPath {
   /// For the handler of a signal that ends the process: blocks threads that begin Naming from now
   /// on, and returns when no thread is in it, so that remove_all then removes everything.
   static void end_naming() noexcept;
-  /// Both, one after the other: the last that a process does which is stopped from outside.
+  /// Calls end_naming, then remove_all: the last action of a process stopped from outside.
   static void end_with_none() noexcept {
     end_naming();
     remove_all();

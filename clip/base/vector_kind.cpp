@@ -17,15 +17,16 @@ namespace displayfile {
 namespace {
 
 #if defined(__x86_64__) || defined(__i386__)
-/// What the compilers' own question does not know by name in all their versions: conversion to half
-/// floats, and counts of leading zeros.
+/// The features for which not all versions of the compilers' built-in check have a name: conversion
+/// to half floats, and counting leading zeros.
 bool has_half_floats_and_leading_zeros() {
   unsigned a = 0, b = 0, c = 0, d = 0;
   const bool half_floats = __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
   return half_floats && __get_cpuid(0x80000001, &a, &b, &c, &d) != 0 && (c & bit_LZCNT) != 0;
 }
 
-/// All that Highway wants for a kind of vectors, and whether the system keeps their registers.
+/// Checks all features that Highway needs for a vector kind, and that the system saves its
+/// registers.
 VectorKind find_widest_vectors() {
   __builtin_cpu_init();
   const auto all = [](auto... supported) { return ((supported != 0) && ...); };

@@ -18,7 +18,8 @@ thread_local WorkInForce in_force;
 thread_local WorkDone left;
 thread_local bool has_choice = true;
 
-/// With what is being done before it, and what would serve after it.
+/// Throws LimitReached; the message begins with the current work and ends with an alternative
+/// method.
 [[noreturn]] void fail(const std::string& reached, const char* limit) {
   const auto& [what, instead] = in_force.done;
   throw LimitReached(fmt::format(
@@ -31,7 +32,7 @@ std::int64_t steady_nanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// Returns the mode in which the thread rounded before.
+/// Returns the thread's previous rounding mode.
 int round_to_nearest() {
   const int before = std::fegetround();
   if (before != FE_TONEAREST) std::fesetround(FE_TONEAREST);
@@ -88,7 +89,7 @@ void WorkBudget::require_bytes(std::uint64_t bytes) const {
        "memory");
 }
 
-// ---- What is in force ---------------------------------------------------------------------------
+// ---- The budget in force ------------------------------------------------------------------------
 
 WorkInForce work_in_force() noexcept { return in_force; }
 

@@ -14,8 +14,8 @@ namespace displayfile {
 
 namespace {
 
-/// The arctangent's series, t - t^3 / 3 + t^5 / 5 - ...; what is left out is below 2^-56 of it for
-/// 0 <= t <= tan(pi / 16).
+/// The arctangent's series, t - t^3 / 3 + t^5 / 5 - ...; the relative truncation error is below
+/// 2^-56 for 0 <= t <= tan(pi / 16).
 double arctangent_of_small(double t) {
   const double square = t * t;
   double sum = 0.0;
@@ -41,7 +41,7 @@ double angle_between(const Point3& a, const Point3& b) {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
-/// Cosines that differ by more are those of different angles, in the same order.
+/// Cosines that differ by more belong to different angles, in the same order.
 constexpr double kNearlyEqual = 1e-12;
 
 }  // namespace

@@ -37,7 +37,7 @@ class CreaseAngle {
 
  private:
   double least_;   // radians
-  double cosine_;  // of it
+  double cosine_;  // of that angle
 };
 
 }  // namespace displayfile

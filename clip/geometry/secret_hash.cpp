@@ -13,8 +13,8 @@ std::uint64_t scrambled(std::uint64_t h) {
   return h ^ (h >> 31);
 }
 
-/// From when the process first asks, to the nanosecond, and where the system has put its stack and
-/// its data.
+/// A seed from the time of the first call, in nanoseconds, and from the addresses of the stack and
+/// of static data.
 std::uint64_t drawn() {
   static const char here = 0;
   const char there = 0;

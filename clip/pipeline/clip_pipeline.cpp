@@ -22,13 +22,13 @@ concept HasValue = requires(const V& v) {
 
 /// The point where an edge leaves the volume through `plane`.
 ///
-/// It is found from the end that is nearer along the edge, so that the other, however far away,
-/// leaves it the digits of this one; and W, which is above 0 at both ends once the stages in front
-/// of the eye are done, is above 0 there.
+/// It is computed from the end that is nearer along the edge, so that the other end, however far
+/// away, does not cost it precision; and so that W, which is above 0 at both ends after the stages
+/// in front of the eye, is above 0 there.
 ///
-/// Rounding may not put the point outside of a plane that both ends are inside of: then a
-/// polygon that runs that plane's stage would cut the edge again and its neighbour, which
-/// does not, would keep it.
+/// Rounding may not put the point outside of a plane that has both ends inside: a polygon that runs
+/// that plane's stage would then cut the edge again, while its neighbour, which does not run it,
+/// would keep the point.
 template <class V>
 V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   const double d_in = volume_.inside_distance(plane, inside.position);
@@ -44,7 +44,7 @@ V ClipPipeline::cut(const V& inside, const V& outside, ClipPlane plane) const {
   }
   if constexpr (HasValue<V>) {
     v.value = inside.value;
-    if (outside.value != inside.value) {  // then both ends are in front of the eye
+    if (outside.value != inside.value) {  // both ends are in front of the eye
       const double t_in_picture = t * outside.position.w / v.position.w;
       v.value += (outside.value - inside.value) * t_in_picture;
     }
@@ -110,7 +110,7 @@ ClippedPolygon ClipPipeline::in_device_coordinates(std::span<const V> clipped) {
   vertices_.resize(clipped.size());
   visible_.resize(clipped.size());
   for (std::size_t i = 0; i < clipped.size(); ++i) {
-    assert(clipped[i].position.w > 0.0);  // also in a parallel view, where it is 1
+    assert(clipped[i].position.w > 0.0);  // also in a parallel view, where W is 1
     vertices_[i] = volume_.to_device(clipped[i].position);
     visible_[i] = clipped[i].edge_visible;
   }

@@ -56,7 +56,7 @@ class ClipPipeline {
   /// outside. From b to a it gives the same two ends, bit for bit.
   bool clip_line(const Point3& a, const Point3& b, Point3& device_a, Point3& device_b);
 
-  /// A polygon with all vertices inside has their device coordinates.
+  /// Transforms a vertex. If all vertices of a polygon are inside, it has their device coordinates.
   PipelineVertex view(const Point3& world) const {
     const HomogeneousPoint p = volume_.transform(world);
     const Outcode outcode = volume_.outcode(p);

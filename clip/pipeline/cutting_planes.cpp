@@ -60,7 +60,8 @@ unsigned CuttingPlanes::outcode(const Point3& world) const {
   return code;
 }
 
-/// A point that is on the plane but for rounding: exactly, if the plane is across an axis.
+/// Moves a point that is on the plane except for rounding exactly onto it, if the plane is
+/// perpendicular to an axis.
 void CuttingPlanes::Plane::snap(Point3& p) const {
   for (int i = 0; i < 3; ++i) {
     if (normal[(i + 1) % 3] == 0.0 && normal[(i + 2) % 3] == 0.0) p[i] = -d / normal[i];
@@ -93,8 +94,8 @@ CuttingPlanes::Place CuttingPlanes::crossing(int n, const Place& inside,
   return v;
 }
 
-/// Where an edge crosses the plane. The cut point is inside of each plane that both ends are inside
-/// of, whatever rounding says: a neighbour that shares the edge may run no stage for that plane.
+/// The point where an edge crosses the plane. It is inside of each plane that has both ends inside,
+/// despite rounding: a neighbour that shares the edge may run no stage for that plane.
 CuttingPlanes::Vertex CuttingPlanes::cut_edge(const Vertex& inside, const Vertex& outside,
                                               int plane) const {
   Vertex v{};

@@ -78,8 +78,8 @@ class CuttingPlanes {
     Point3 normal;
     Point3 entered{0.0};  ///< before the modelling transformation, if needed
   };
-  /// Where the edge crosses plane n, between a vertex inside and one outside or on it: the point
-  /// that `cut` makes there, bit for bit.
+  /// The point where the edge crosses plane n, between a vertex inside and one outside or on it:
+  /// the one that `cut` makes there, bit for bit.
   Place crossing(int n, const Place& inside, const Place& outside) const;
 
  private:

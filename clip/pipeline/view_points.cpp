@@ -23,7 +23,7 @@ constexpr DoubleTag kDoubles{};
 constexpr hn::RebindToUnsigned<DoubleTag> kBits{};
 using Bits = hn::Vec<decltype(kBits)>;
 
-/// A view volume's numbers, each in all lanes; its functions give what those of ViewVolume do.
+/// The numbers of a view volume, each in all lanes; results are those of ViewVolume's functions.
 class VolumeInVectors {
  public:
   explicit VolumeInVectors(const ViewVolume& volume)
@@ -35,7 +35,7 @@ class VolumeInVectors {
     }
   }
 
-  /// As many points as a vector has doubles.
+  /// Transforms as many points as a vector has doubles.
   HWY_INLINE void view(const double* world, double* device, std::uint8_t* outcodes) const {
     Doubles x, y, z;
     hn::LoadInterleaved3(kDoubles, world, x, y, z);

@@ -11,31 +11,31 @@ namespace displayfile {
 
 /// Creates a file, to read and write; -1 if it exists or cannot be created.
 int create_file(const std::string& path);
-/// Creates a file without a name in a folder (empty: the working folder), and sets `path` to one by
-/// which it may be opened. -1 where the system or the file system has no such files.
+/// Creates a file without a name in a folder (empty: the working folder), and sets `path` to a path
+/// by which it can be opened. -1 if the system or the file system has no such files.
 int create_nameless_file(const std::filesystem::path& folder, std::string& path);
-/// Gives that file a name; false if it cannot have that one.
+/// Names that file; false if it cannot have that name.
 bool name_nameless_file(int descriptor, const std::string& name);
 /// Empties an existing file, device or pipe, to write; -1 if it cannot be opened.
 int open_emptied(const std::string& path);
-/// That of standard output.
+/// The descriptor of standard output.
 int standard_output();
 void close_file(int descriptor);
-/// Gives a file another name, also that of another, which it replaces at once.
+/// Renames a file, and atomically replaces an existing file of the new name.
 bool rename_file(const std::string& from, const std::string& to);
 
 /// False for a file that this process may not write to.
 bool may_write(const std::string& path);
 /// False for a descriptor that is closed or open for reading alone.
 bool can_write(int descriptor);
-/// Where the system has permissions of that kind.
+/// Sets the file's permissions, if the system has permissions of that kind.
 void set_permissions(int descriptor, std::filesystem::perms permissions);
 
 /// False if not all could be written.
 bool write_all(int descriptor, const char* bytes, std::size_t count);
-/// The number of bytes read; 0 at the end, negative for a failure.
+/// Returns the number of bytes read; 0 at the end, negative for a failure.
 std::ptrdiff_t read_some(int descriptor, char* bytes, std::size_t count);
-/// The next read is of the first byte.
+/// Moves to the file's first byte.
 void rewind_file(int descriptor);
 
 /// Waits until the file's data is on the disk. False if that fails; true for file systems without
@@ -45,19 +45,18 @@ bool put_on_disk(int descriptor);
 /// may not be opened: its contents may be usable all the same.
 bool put_names_on_disk(const std::filesystem::path& folder);
 
-// A folder that is held can be found again after it has been moved; where the system has none such,
-// every folder is kNotHeld, and paths start from where the process is.
+// A held folder can be found again after it has been moved. Where the system does not support this,
+// every folder is kNotHeld, and paths start from the working folder.
 
 inline constexpr int kNotHeld = -1;
 
 /// A number for the folder; kNotHeld if it cannot be held.
 int hold_folder(const std::filesystem::path& folder);
 void release_folder(int held);
-/// Removes the folder, by its path from a held one, if nothing is in it.
+/// Removes the folder, by its path from a held one, if it is empty.
 void remove_empty_folder(int held, const std::filesystem::path& path);
 
-/// Removes a file, or a folder in which nothing is; false if neither could be removed. For signal
-/// handlers too.
+/// Removes a file or an empty folder; false if neither could be removed. For signal handlers too.
 bool remove_path(const char* path) noexcept;
 
 /// Called at process start: standard input, output and error that are closed stay closed for

@@ -6,8 +6,8 @@
 
 namespace displayfile {
 
-/// During its lifetime no signal interrupts this thread; where the system stops a program by
-/// another thread, nothing does anyway.
+/// Blocks signals on this thread during its lifetime; no effect where the system stops a program on
+/// another thread.
 class HeldSignals {
  public:
   HeldSignals();
@@ -34,13 +34,13 @@ void call_when_stopped(void (*last)() noexcept);
 /// at most 255 bytes, written to standard error, and the exit status is 2. No more than one at a
 /// time.
 void end_process_after(double seconds, const std::string& message, void (*last)() noexcept);
-/// Takes that back.
+/// Cancels end_process_after.
 void end_process_no_more();
 
 /// From now on an interrupt from the keyboard (SIGINT) calls `first`, and then the handler that the
 /// process had. False, without an effect, if it had none or ignored it.
 bool call_at_interrupts(void (*first)() noexcept);
-/// That handler alone is called again.
+/// Restores that handler.
 void call_at_interrupts_no_more();
 
 }  // namespace displayfile

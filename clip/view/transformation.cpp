@@ -36,9 +36,9 @@ TwoDoubles one_minus(const TwoDoubles& a) {
   return {high, ((1.0 - high) - a.high) - a.low};
 }
 
-/// The sum of 1 - x^2 / ((p+1)(p+2)) (1 - x^2 / ((p+3)(p+4)) (...)): the cosine of x for power
-/// p = 0, and for p = 1 its sine divided by x. What is left out is below 2^-106 of it for
-/// |x| <= pi / 4.
+/// The sum of 1 - x^2 / ((p+1)(p+2)) (1 - x^2 / ((p+3)(p+4)) (...)): the cosine of x for power p =
+/// 0, and for p = 1 its sine divided by x. The relative truncation error is below 2^-106 for |x| <=
+/// pi / 4.
 TwoDoubles series(double x, int power) {
   const TwoDoubles square = product({x, 0.0}, {x, 0.0});
   TwoDoubles sum{1.0, 0.0};
@@ -161,7 +161,7 @@ bool ModellingTransformation::mirrors() const {
 
 Point3 ModellingTransformation::apply_to_normal(const Point3& n) const {
   if (identity_) return n;
-  double largest = 0.0;  // scaled by it, no product overflows
+  double largest = 0.0;  // dividing by it keeps products from overflowing
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(matrix_[column][row]));
   }

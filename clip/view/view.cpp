@@ -95,7 +95,7 @@ void View::set_viewport(const Rectangle& device) {
 
 View look_at(const Point3& eye, const Point3& target, const Point3& up, double angle_of_view) {
   constexpr double kAlongUp = 1e-9;        // the sine of an angle
-  constexpr double kBeforeTarget = 0.999;  // of the front plane, in the eye's distance
+  constexpr double kBeforeTarget = 0.999;  // the front plane's distance, as a fraction of the eye's
   const RoundToNearest nearest;
   require_in_range(eye, "eye");
   View view;

@@ -17,8 +17,9 @@ namespace {
 /// the centre of projection over that of the view plane, falls to this.
 constexpr double kNearestToEye = 1e-6;
 
-/// With front clipping on it is clipped where W falls to this part of the front plane's: there is
-/// nothing left by then, unless coordinates are so large that W is lost in their rounding.
+/// With front clipping on, a perspective view is clipped where W falls to this fraction of W at the
+/// front plane: nothing is left there, unless coordinates are so large that W is lost in their
+/// rounding.
 constexpr double kPartOfFront = 0.5;
 
 /// Two directions closer than this (the sine of the angle between them) count as parallel.

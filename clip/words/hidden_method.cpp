@@ -48,7 +48,8 @@ constexpr std::string_view kColourRuleBy = "colour-rule=";
 bool is_any(const HiddenMethodEntry&) { return true; }
 bool is_of_surfaces(const HiddenMethodEntry& entry) { return !shows_lines_only(entry.method); }
 
-/// The method of that name among those that may be named in its place; `whose` is said before.
+/// The method of that name among the allowed ones; throws Error for any other name. `whose`
+/// precedes the name in the message.
 HiddenMethod method_among(bool (*may_be)(const HiddenMethodEntry&), std::string_view name,
                           std::string_view whose) {
   std::vector<std::string_view> known;

@@ -16,7 +16,7 @@ namespace displayfile {
 
 namespace {
 
-/// To the bit.
+/// True if the points are equal bit for bit.
 bool are_equal(const PointRow& a, const PointRow& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Point3)) == 0;
 }
@@ -79,7 +79,7 @@ void EnteredPolygons::enter_shared(std::span<const Point3> vertices,
   if (corners.size() > 3) note_if_bent({vertices, corners}, modelling);
 }
 
-/// The next of the retained ones.
+/// Enters the next polygon of the retained scene.
 void EnteredPolygons::enter_again(const PointRow& points, const Matrix* modelling) {
   assert(are_equal(points, retained_.points(entered_again_)));
   begin_modelling(modelling);
@@ -87,13 +87,13 @@ void EnteredPolygons::enter_again(const PointRow& points, const Matrix* modellin
   note_if_bent(points, modelling);
 }
 
-/// The polygon that was entered last.
+/// Records the polygon entered last if it is not planar.
 void EnteredPolygons::note_if_bent(const PointRow& points, const Matrix* modelling) {
   if (points.size() <= 3 || !is_bent({points.row(), modelling}, largest_)) return;
   bent_.push_back(static_cast<std::uint32_t>(size() - 1));
 }
 
-/// At least twice the room there is, so that many small calls cost no more than one.
+/// Reserves at least twice the present capacity, so that many small calls cost no more than one.
 void EnteredPolygons::reserve_more(std::size_t polygons, std::size_t corners) {
   const auto make_room = [](auto& array, std::size_t more) {
     const std::size_t size = array.size() + more;
@@ -141,7 +141,7 @@ void EnteredPolygons::begin_retained(const RetainedPolygons& retained) {
   are_retained_ = true;
 }
 
-/// More are entered.
+/// Copies the retained polygons into arrays of this object, so that more can be entered.
 void EnteredPolygons::keep_by_themselves() {
   if (!are_retained_) return;
   const RetainedPolygons retained = std::exchange(retained_, {});

@@ -53,7 +53,7 @@ void Instructions::set_style(const TextStyle& text) {
   text_style_ = text;
 }
 
-/// A run is begun where one more than the last identifier comes, unless polygons have each
+/// Begins a run where the identifier is one more than the last, unless polygons have each
 /// identifier several times, as triangles of one polygon do.
 void Instructions::enter_pick() {
   if (!pick_) return;
@@ -165,7 +165,7 @@ std::size_t Instructions::bytes() const {
          annotations_.size() * sizeof(annotations_[0]) + (as_entered_ ? as_entered_->bytes() : 0);
 }
 
-/// At least twice the room there is, so that many small calls cost no more than one.
+/// Reserves at least twice the present capacity, so that many small calls cost no more than one.
 void Instructions::reserve_more(std::size_t codes, std::size_t points, std::size_t fills) {
   const auto make_room = [](auto& array, std::size_t size) {
     if (size > array.capacity()) array.reserve(std::max(size, 2 * array.capacity()));

@@ -134,8 +134,8 @@ class Instructions {
   ///   polygon(span<const Point3> vertices, span<const int32_t> sides) - sides holds op::line
   ///   or op::move for the edge that ends at the vertex of the same index - and, if the visitor
   ///   has them, before a shaded polygon intensities(span<const double>) or
-  ///   normals(span<const Point3>, const Light&), and before one of whose sides it was asked what
-  ///   kinds of lines they are side_kinds(span<const LineKinds>), 0 of those that are not drawn;
+  ///   normals(span<const Point3>, const Light&), and before a polygon with known line kinds
+  ///   side_kinds(span<const LineKinds>), one per side, 0 for sides that are not drawn;
   ///   all these spans stay until the walk is over; line_pick(int), of the lines
   ///   that follow, and text_style(TextStyle), text(Point3 anchor, string_view), in the colour of
   ///   the line style. A text does not move the pen. Last, annotation(const KeptAnnotation&).

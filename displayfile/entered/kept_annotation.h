@@ -22,7 +22,7 @@ struct KeptAnnotation {
   AnnotationStyle style;
   Colour colour;
   /// For leaders and balloons: from the point to the end of the line beside the text, or to the
-  /// circle's centre, in the style's unit. Of a list: the signs of its corner, from the picture's
+  /// circle's centre, in the style's unit. For a list: the signs of its corner, from the picture's
   /// middle.
   Point2 offset;
   /// First the points of the model, then those of the drawing:

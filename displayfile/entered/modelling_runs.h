@@ -24,7 +24,7 @@ class ModellingRuns {
   bool empty() const { return runs_.empty(); }
   const std::vector<Run>& runs() const { return runs_; }
 
-  /// The matrix of those from `first` on; null: the identity.
+  /// Sets the matrix of the points or polygons from `first` on; null: the identity.
   void begin(std::size_t first, const Matrix* matrix) {
     if (matrix == nullptr && runs_.empty()) return;
     static constexpr Matrix kIdentity(1.0);

@@ -29,7 +29,7 @@ void orient(std::span<Point3> normals, const Point3& own) {
   for (Point3& n : normals) n = n == Point3(0.0) ? own : sign * n;
 }
 
-/// Which side is seen is known when the polygon is clipped; a back face that is not removed is
+/// The visible side is known when the polygon is clipped; a back face that is not removed is
 /// clipped again with the other side's intensities.
 ClippedPolygon GouraudLighting::clip(ClipPipeline& pipeline, std::span<const Point3> world,
                                      std::span<const std::uint8_t> edge_visible,

@@ -11,8 +11,8 @@ namespace displayfile {
 
 inline constexpr int kHeightColours = 64;
 
-/// Colours that grow lighter evenly from a dark violet over blue-green to yellow, so that they tell
-/// heights in grey and to the colour-blind too. `part` of the way, in [0,1].
+/// Colours that grow lighter evenly from a dark violet over blue-green to yellow, so that heights
+/// can be told apart in grey and by the colour-blind too. `part` of the way, in [0,1].
 inline Colour height_colour(double part) {
   // Even steps in lightness (CIE L* 16 to 91), chosen for this.
   static const std::array<Colour, 7> kColours{Colour{0.23, 0.06, 0.36}, Colour{0.24, 0.22, 0.52},

@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// Which side is seen is known when the polygon is clipped. A cut normal is the same turned round:
-/// the sum of what was turned round.
+/// The visible side is known when the polygon is clipped. Reversing normals commutes with
+/// interpolating them at cuts: a cut normal is a sum of reversed ones.
 ClippedPolygon PhongNormals::clip(ClipPipeline& pipeline, std::span<const Point3> world,
                                   std::span<const std::uint8_t> edge_visible,
                                   std::span<const Point3> normals) {
@@ -26,7 +26,7 @@ ClippedPolygon PhongNormals::clip(ClipPipeline& pipeline, std::span<const Point3
   return clipped;
 }
 
-/// Where no vertex sees the light, no normal between them does.
+/// If no vertex faces the light, no interpolated normal does.
 FillStyle phong_fill(const FillStyle& fill, const Light& light, ClippedPolygon& clipped) {
   const bool all_dark = std::ranges::all_of(
       clipped.normals, [&](const Point3& n) { return glm::dot(n, light.toward) <= 0.0; });

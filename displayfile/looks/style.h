@@ -91,13 +91,13 @@ struct LineKindStyle {
   bool operator==(const LineKindStyle&) const = default;
 };
 
-/// The style of a polygon's side, or of a line of intersection, of these kinds: `line` with what
-/// the first of its kinds has instead. A side whose kinds were not determined counts as `all`.
+/// The style of a polygon's side, or of a line of intersection, of these kinds: `line`, overridden
+/// by the style of the first of the kinds. A side whose kinds were not determined counts as `all`.
 LineStyle side_line_style(const LineStyle& line, LineKinds kinds);
 
-/// The style of the hidden parts of a line: what `hidden` has in `line.of_kinds`, by default
-/// following drafting practice: dashed, half as wide but at least half a pixel, in the line's
-/// colour. Dashes have the lengths of `line`, scaled by the width if that is more than a pixel.
+/// The style of the hidden parts of a line: as set for `hidden` in `line.of_kinds`; by default, by
+/// drafting practice, dashed, half as wide but at least half a pixel, in the line's colour. Dashes
+/// have the lengths of `line`, scaled by the width if that is more than a pixel.
 LineStyle hidden_line_style(const LineStyle& line);
 
 /// How texts are drawn: in the system's "sans-serif" font and the line style's colour, black if the
@@ -115,8 +115,8 @@ struct TextStyle {
 TextStyle::Alignment alignment(std::string_view text);
 std::string_view name_of(TextStyle::Alignment alignment);
 
-/// How annotation is drawn, which is always seen, over the figure, in the line style's colour,
-/// black if the line style is none (interp/annotation/README.md).
+/// How annotation is drawn: always visible, over the figure, in the line style's colour, black if
+/// the line style is none (interp/annotation/README.md).
 struct AnnotationStyle {
   enum class Unit { millimetres, pixels };
   enum class Ends { arrow, dot };

@@ -62,8 +62,8 @@ class FlatObject {
   double area() const { return area_; }
   std::span<const std::size_t> numbers() const { return numbers_; }  ///< of the section's loops
 
-  /// Whether what is within its outlines is material of the other one, all of it: no hole of the
-  /// other is in it.
+  /// True if all that is inside this object's outlines is material of the other one, without holes
+  /// of the other.
   bool is_within(const FlatObject& other) const {
     if (numbers_.empty() || glm::any(glm::lessThan(low_, other.low_)) ||
         glm::any(glm::greaterThan(high_, other.high_))) {
@@ -74,13 +74,14 @@ class FlatObject {
   }
 
  private:
-  /// Even-odd.
+  /// By the even-odd rule.
   bool has_inside(const Point2& p) const {
     return std::ranges::count_if(loops_, [&](auto* of) { return is_inside(p, of->points); }) % 2 ==
            1;
   }
-  /// Whether most of the loop's vertices and middles of sides are inside. Where the loop touches an
-  /// outline some of them are on it; where it runs along it all the way either answer will do.
+  /// True if most of the loop's vertices and midpoints of sides are inside. Some of them are on the
+  /// outline where the loop touches it; if the loop runs along the outline all the way, either
+  /// answer is valid.
   bool has_inside(const FlatLoop& loop) const {
     std::size_t inside = 0;
     Point2 from = loop.points.back();

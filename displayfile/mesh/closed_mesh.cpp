@@ -18,9 +18,9 @@ namespace {
 
 double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// False only if the faces leave a hole: those of a closed surface have a sum of area vectors of 0.
-/// Sides whose ends are within reach of each other are apart by an area of their length times that;
-/// the rest is rounding, of products and of their sum.
+/// False only if the faces leave a hole: the area vectors of a closed surface sum to 0. Sides whose
+/// ends are within reach of each other differ by an area of at most their length times the reach;
+/// the rest of the tolerance is for rounding, of products and of their sum.
 bool area_may_be_closed(const Mesh& mesh, double reach) {
   Point3 twice_area(0.0);
   double lengths = 0.0, products = 0.0;
@@ -47,7 +47,7 @@ bool area_may_be_closed(const Mesh& mesh, double reach) {
 /// True if every edge is used exactly twice, once in each direction.
 bool edges_pair_up(const WeldedFaces& faces) {
   const std::size_t vertices = faces.vertices.size();
-  std::vector<std::size_t> end(vertices + 1, 0);  // of the edges whose lower end each vertex is
+  std::vector<std::size_t> end(vertices + 1, 0);  // of the edges with this lower end
   for_each_edge(faces,
                 [&](std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
@@ -101,7 +101,7 @@ bool pair_up_and_bound(const WeldedFaces& faces) {
   return edges_pair_up(faces) && volumes_are_positive(faces);
 }
 
-/// Also where the ends of some edges lie along others.
+/// As pair_up_and_bound, but the ends of some edges may also lie along others.
 bool bounds_solids(const WeldedFaces& faces, double reach) {
   if (pair_up_and_bound(faces)) return true;
   const SidesWithVertices sides(faces, reach);

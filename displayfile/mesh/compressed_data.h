@@ -9,7 +9,7 @@ namespace displayfile {
 /// True if data begin as those compressed by gzip (RFC 1952) or Zstandard (RFC 8878).
 bool begins_compressed(std::string_view beginning);
 
-/// The name without .gz or .zst, in either case, or as it is.
+/// The name without .gz or .zst, in either case; other names are unchanged.
 std::filesystem::path name_uncompressed(const std::filesystem::path& path);
 
 /// The content of a compressed file; several compressed parts in a row are one content. The
@@ -23,13 +23,13 @@ class ExpandedData {
  public:
   ExpandedData(const std::string& path, std::size_t compressed_bytes);
 
-  /// Room for more, after what is kept.
+  /// Free room after the kept content.
   struct Room {
     char* data;
     std::size_t bytes;
   };
   Room room();
-  /// Keeps so many bytes of the room.
+  /// Keeps the first `bytes` of the room.
   void keep(std::size_t bytes) { kept_ += bytes; }
   std::string take() &&;
 
@@ -41,7 +41,7 @@ class ExpandedData {
   std::string content_;
 };
 
-/// These are `uncompressed` by zlib and by libzstd.
+/// `uncompressed` by zlib and by libzstd.
 std::string uncompressed_gzip(const std::string& path, std::string_view data);
 std::string uncompressed_zstd(const std::string& path, std::string_view data);
 

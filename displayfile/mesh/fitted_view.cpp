@@ -31,15 +31,15 @@ constexpr double kNearestFront = 1e-3;    // of the front plane to the eye, in t
 constexpr double kParallelToUp = 1e-9;    // the sine of an angle
 constexpr double kFreeAtEachSide = 0.05;  // of a picture with an angle of view
 
-/// Where the eye is, from what it looks at.
+/// Position of the eye relative to its target.
 struct Sight {
   Point3 toward_eye;      ///< a unit vector
-  Point3 upright;         ///< that appears so
+  Point3 upright;         ///< the direction that appears upright
   double distance = 0.0;  ///< 0 if it is not known yet
 };
 
-/// The direction of the eye and, where that is up or down, what appears upright then: the limit of
-/// what does so as the eye rises.
+/// The direction of the eye and the upright direction. If the eye is exactly above or below, the
+/// latter is its limit as the eye rises.
 Sight from_direction(const EyeDirection& eye, const Upright& world) {
   const auto [across, along] = sine_cosine_of_degrees(eye.azimuth);
   const auto [rise, level] = sine_cosine_of_degrees(eye.elevation);
@@ -62,7 +62,7 @@ Sight from_position(const Point3& eye, const Point3& at, const Upright& world) {
   return {toward, upright, distance};
 }
 
-/// Half of the height that is seen at a distance of 1.
+/// Half of the height visible at a distance of 1.
 double slope_of(double angle_of_view) {
   if (!(angle_of_view > 0.0 && angle_of_view < 180.0)) {
     throw Error(fmt::format("angle of view {}: expected degrees, more than 0 and less than 180",
@@ -76,8 +76,8 @@ Rectangle about_the_middle(double half_height, double aspect) {
   return {-aspect * half_height, aspect * half_height, -half_height, half_height};
 }
 
-/// The points, and where they are as they turn about the axis that is up: at so many places that
-/// between two of them none goes farther out by more than a hundredth of its way.
+/// The points at kPlaces positions of a turn about the up axis, enough that between two of them no
+/// point reaches farther out by more than a hundredth of its distance from the axis.
 std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
                            const Upright& upright) {
   constexpr int kPlaces = 32;
@@ -95,15 +95,15 @@ std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
   return all;
 }
 
-/// What of the points is needed to fit a view to them, in the view plane's coordinates.
+/// The data of the points needed to fit a view to them, in the view plane's coordinates.
 class FittedCamera {
  public:
-  /// By the camera. Without an aspect ratio no window is fitted.
+  /// Fits by the camera. Without an aspect ratio no window is fitted.
   FittedCamera(std::span<const Point3> world, std::optional<double> aspect, const Camera& camera);
-  /// Only the window and the depth of a view whose camera was set.
+  /// Fits only the window and the depth of a view whose camera was set.
   FittedCamera(std::span<const Point3> world, double aspect, const View& set_before);
   const View& view() const { return view_; }
-  /// The window at that scale around what the view shows, where it is fitted.
+  /// Sets the window at that scale around the visible scene, if a window is fitted.
   void set_scale(const ExactScale& scale, const Rectangle& viewport);
 
  private:
@@ -209,8 +209,8 @@ void FittedCamera::place_eye(double distance) {
   }
 }
 
-/// Moves the eye, and what it looks at unless that is given, to where the points just fill the
-/// angle of view: a point is seen as long as the eye is so far in front of it.
+/// Moves the eye, and its target unless that is given, so that the points just fill the angle of
+/// view. A point is visible if the eye is far enough in front of it.
 void FittedCamera::stand_back(double slope) {
   const double free = 1.0 - 2.0 * kFreeAtEachSide;
   const Point2 slopes(slope * aspect_ * free, slope * free);
@@ -263,7 +263,7 @@ void FittedCamera::set_scale(const ExactScale& scale, const Rectangle& viewport)
   view_.set_window(window_at_scale(scale, view_.projection, *shown_, viewport, aspect));
 }
 
-/// The front plane stays before the eye.
+/// Encloses the points between the front and back planes, the front plane in front of the eye.
 void FittedCamera::enclose_depth() {
   double front = -HUGE_VAL, back = HUGE_VAL;
   for (const Point3& p : points_) {

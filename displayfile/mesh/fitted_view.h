@@ -15,11 +15,11 @@ namespace displayfile {
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world);
 
-/// The view settings of an application before a mesh.
+/// The application's view settings before a mesh is viewed.
 struct CameraAsSet {
   View view;
   ExplicitSettings settings;  ///< the parts set explicitly
-  /// Where a window was set and no camera, sets the camera beside it. Otherwise nothing changes.
+  /// If a window was set but no camera, sets the camera beside it. Otherwise nothing changes.
   bool camera_beside_window = false;
   bool operator==(const CameraAsSet&) const = default;
 };
@@ -28,11 +28,11 @@ struct CameraAsSet {
 /// front, a little from the right and above; with the window fitted to the projection with a small
 /// margin, in the aspect ratio of the system's pictures, and the view depth enclosing the points.
 ///
-/// View settings are kept, those of the system or those of `set`, for a program that is yet to be
-/// replayed: the window is made for the viewport, depth and clipping are kept, and with a set
-/// camera only the window is fitted. If a window was set nothing changes, unless
-/// CameraAsSet::camera_beside_window is set. At an exact scale (SystemInside::set_scale) the window
-/// has that. A camera without an up axis uses y.
+/// View settings of the system are kept, or those of `set`, for a program that is replayed later:
+/// the window is made for the viewport, depth and clipping are kept, and with a set camera only the
+/// window is fitted. If a window was set nothing changes, unless CameraAsSet::camera_beside_window
+/// is set. At an exact scale (SystemInside::set_scale) the window has that scale. A camera without
+/// an up axis uses y.
 ///
 /// Throws Error, with no view set, if there are no points, a segment is open, or the camera is
 /// invalid: an eye at its target, an angle of view out of range, or, when fitting, points that are
@@ -43,7 +43,7 @@ void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camer
 /// The view that fit_view sets, or none if nothing changes; Errors as there.
 std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSystem& system,
                                 const Camera& camera, const CameraAsSet& set);
-/// Sets it, except for what was set.
+/// Sets the view, except for the parts that the application has set.
 void set_fitted_view(const View& view, GraphicsSystem& system, const CameraAsSet& set);
 /// The same for meshes, with the modelling transformation in force and the meshes' up axis where
 /// the camera has none.

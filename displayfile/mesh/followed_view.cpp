@@ -46,7 +46,7 @@ std::array<Point3, 8> corners_of(const Bounds& box) {
   return corners;
 }
 
-/// With nothing in it: no points to fit a view to.
+/// The bounding box of a ball of radius 1, used where there are no points to fit a view to.
 Bounds unit_ball_at(const Point3& middle) {
   Bounds box;
   box.include(middle - Point3(1.0));
@@ -54,7 +54,7 @@ Bounds unit_ball_at(const Point3& middle) {
   return box;
 }
 
-/// Empty, just opened, and as open_segment leaves it.
+/// True if the segment is empty and as open_segment leaves it.
 bool is_fresh(const Segment& segment) {
   return segment.polygons() == 0 && segment.lines() == 0 && !segment.has_texts() &&
          !segment.has_annotations() && segment.title().empty() && segment.visible &&
@@ -83,7 +83,8 @@ std::vector<std::uint32_t> FollowedView::followed(const RetainedScene& scene) co
   return opened;
 }
 
-/// The settings of the application, and the part of the picture that is left for the scene.
+/// The settings of the application, with the part of the picture left for the scene as the viewport
+/// unless that is set.
 CameraAsSet FollowedView::as_set(const GraphicsSystem& system) const {
   CameraAsSet set{system.view(), system.explicit_settings()};
   if (set.settings.contains(Setting::viewport)) return set;
@@ -92,7 +93,7 @@ CameraAsSet FollowedView::as_set(const GraphicsSystem& system) const {
   return set;
 }
 
-/// None if there is nothing to fit to.
+/// The view fitted to the followed segments; none if there is nothing to fit to.
 std::optional<View> FollowedView::view_of(const GraphicsSystem& system,
                                           const Camera& camera) const {
   if (system.retained() == nullptr) return std::nullopt;
@@ -105,7 +106,7 @@ std::optional<View> FollowedView::view_of(const GraphicsSystem& system,
   return fitted_view(points, system, camera, as_set(system));
 }
 
-/// That of a ball of radius 1 where nothing is entered yet; or fitted to a box around what is.
+/// The view of a ball of radius 1 if nothing is entered yet; otherwise fitted to the bounding box.
 View FollowedView::view_before_fit(const GraphicsSystem& system) const {
   const CameraAsSet set = as_set(system);
   Camera camera = *camera_;
@@ -190,7 +191,7 @@ void FollowedView::begin_by_default(GraphicsSystem& system) {
   const RoundToNearest nearest;
   if (!would_begin(system)) return;
   const auto open = system.open_segment_name();
-  if (open) {  // what is open was not retained: it is opened again
+  if (open) {  // the open segment was not retained: it is opened again
     system.close_segment();
     system.delete_segment(*open);
   }
@@ -317,7 +318,7 @@ void FollowedView::enter_beside(GraphicsSystem& system, double width,
 
 namespace {
 
-/// A line that sets a light, as a recorder writes it, if it sets one of these.
+/// True if the line, as a recorder writes it, sets one of these lights.
 bool sets_light_of(std::string_view line, std::span<const Point3> lights) {
   std::istringstream words{std::string(line)};
   std::string routine;
@@ -334,7 +335,8 @@ bool sets_light_of(std::string_view line, std::span<const Point3> lights) {
 
 }  // namespace
 
-/// Where the light was turned, that of the program is the one that it was turned to.
+/// The program in the fitted view. If the default light was replaced, each earlier default light in
+/// the program becomes the last one.
 std::string FollowedView::recorded(std::string_view program) const {
   if (!fitted_) return std::string(program);
   std::string viewed = program_in_views(program, [&](int opened) -> const View& {

@@ -16,10 +16,10 @@
 
 namespace displayfile {
 
-/// A camera that follows what a system holds: for bindings, whose callers enter arrays of any size
+/// A camera that follows a system's contents: for bindings, whose callers enter arrays of any size
 /// anywhere and set the camera before or after. The primitives are retained, and viewed on demand,
-/// in a view that is fitted to all of them (fitted_view.h). It ends where the application sets a
-/// view parameter itself, which acts on later segments alone.
+/// in a view that is fitted to all of them (fitted_view.h). Following ends when the application
+/// itself sets a view parameter, which acts on later segments alone.
 ///
 /// The caller owns both; one FollowedView belongs to one system.
 class FollowedView {
@@ -31,18 +31,19 @@ class FollowedView {
 
   /// True if the application has set no view, and nothing is entered that was not followed.
   bool would_begin(const GraphicsSystem& system) const;
-  /// To be called before primitives of arrays are entered: if it would begin, a default camera
+  /// Must be called before primitives of arrays are entered: if would_begin, a default camera
   /// begins to follow, with z up.
   void begin_by_default(GraphicsSystem& system);
 
   bool follows() const { return camera_.has_value(); }
-  /// To be called where something else changed on which the view depends, as the aspect ratio.
+  /// Must be called when something else changed on which the view depends, such as the aspect
+  /// ratio.
   void changed() { viewed_.reset(); }
 
-  /// To be called before a segment is opened: sets the view for it, as far as it is known, for what
-  /// is placed by the view in force, such as axes_3.
+  /// Must be called before a segment is opened: sets the view for it, as far as it is known, for
+  /// primitives that are placed by the view in force, such as axes_3.
   void place(GraphicsSystem& system);
-  /// The same within a segment, for what is entered so far, before axes_3 is called.
+  /// The same within a segment, for the primitives entered so far; called before axes_3.
   void place_in_segment(GraphicsSystem& system);
 
   /// Fits the view to all that is entered, for pictures with that aspect ratio, and views it; the
@@ -50,26 +51,26 @@ class FollowedView {
   /// changed. Throws Error as fit_view does, and as close_segment.
   void bring_up_to_date(GraphicsSystem& system, std::optional<double> aspect = std::nullopt);
 
-  /// Calls run(), which may call any routine, with all viewed that is entered. If it sets the
-  /// camera or the window, or `sets_view` and something is entered, this has ended afterwards: what
-  /// is entered keeps its view.
+  /// Calls run(), which may call any routine, with everything entered so far viewed. If it sets the
+  /// camera or the window, or `sets_view` and something is entered, following ends afterwards: the
+  /// primitives entered keep their view.
   void running(GraphicsSystem& system, bool sets_view, const std::function<void()>& run);
 
   /// Calls enter(), which opens and closes one segment, in a view of its own, whatever the camera:
   /// along z, of x from 0 to `width` and y from 0 to 1, in the middle of a column at the right of
-  /// the picture, of at least that width in the picture's. Where the camera follows what is
-  /// entered, that is to the left of the column from then on. The light in force leaves colours as
-  /// they are. Errors: no room beside other columns; a modelling transformation or cutting planes
-  /// in force.
+  /// the picture, of at least that width in the picture's. If the camera follows, the followed
+  /// scene is to the left of the column from then on. The light in force leaves colours as they
+  /// are. Errors: no room beside other columns; a modelling transformation or cutting planes in
+  /// force.
   void enter_beside(GraphicsSystem& system, double width, const std::function<void()>& enter);
   /// True for a segment entered by it.
   bool is_beside(const RetainedScene::Segment& segment) const;
 
   const std::optional<Camera>& camera() const { return camera_; }
-  /// The fitted view in which all is that it follows, after bring_up_to_date.
+  /// The fitted view of all followed segments, after bring_up_to_date.
   const std::optional<View>& view() const { return fitted_; }
 
-  /// The program that a recorder wrote since it began, in the fitted view.
+  /// The program that a recorder wrote since following began, in the fitted view.
   std::string recorded(std::string_view program) const;
 
  private:

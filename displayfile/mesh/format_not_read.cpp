@@ -42,7 +42,7 @@ constexpr OtherFormat kOtherFormats[] = {{".3dm", "a Rhino model"},
                                          {".x_b", "a Parasolid file"},
                                          {".x_t", "a Parasolid file"}};
 
-/// What the file begins with, as far as a STEP header reaches as a rule.
+/// The beginning of the file, long enough for a usual STEP header.
 std::string beginning_of(const std::string& path) {
   constexpr std::size_t kBytes = std::size_t{1} << 16;
   std::string beginning(kBytes, '\0');
@@ -52,7 +52,8 @@ std::string beginning_of(const std::string& path) {
   return beginning;
 }
 
-/// ISO 10303-21: the header's FILE_SCHEMA names what the data are of, IFC2X3 for a building.
+/// ISO 10303-21: the header's FILE_SCHEMA names the schema of the data, such as IFC2X3 for a
+/// building.
 bool is_building(std::string_view beginning) {
   const std::size_t schema = beginning.find("FILE_SCHEMA");
   if (schema == beginning.npos) return false;

@@ -14,7 +14,7 @@
 
 namespace displayfile {
 
-/// A type of components: its code, its size in bytes, the largest of normalized integers.
+/// A component type: its code, its size in bytes, and the largest value of normalized integers.
 struct GltfAccessors::Type {
   std::size_t code, bytes;
   double largest;
@@ -37,7 +37,7 @@ struct ElementType {
 constexpr ElementType kElements[] = {
     {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
 
-/// RFC 4648, section 4. Nothing if it is not of these characters.
+/// Decodes base64 (RFC 4648, section 4). Nothing if the text has other characters.
 std::optional<std::string> base64_decoded(std::string_view text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -151,7 +151,7 @@ void GltfAccessors::read(const Json& reference, const Place& place, const Type& 
   }
 }
 
-/// Elements that are given in the place of others.
+/// Reads sparse elements, which replace others.
 void GltfAccessors::read_sparse(const Json& sparse, const Type& type, GltfValues& to) {
   const std::size_t count = whole_number_in(sparse, "count", 0);
   const Json& indices = member(sparse, "indices");

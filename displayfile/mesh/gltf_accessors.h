@@ -12,13 +12,13 @@
 
 namespace displayfile {
 
-/// An accessor's elements, each of so many components, in the order of the file. Normalized
+/// An accessor's elements, each of `components` components, in the order of the file. Normalized
 /// integers are parts of 1.
 struct GltfValues {
   std::size_t count = 0, components = 0;
   std::vector<double> values;
   bool are_floats = true;  ///< in single precision; else whole numbers or parts of 1
-  double unit = 0.0;       ///< of whole numbers: 1, or what 1 is as a part of 1
+  double unit = 0.0;       ///< of whole numbers: 1, or 1 over the largest if normalized
 
   const double* operator[](std::size_t i) const { return &values[components * i]; }
 };
@@ -36,13 +36,14 @@ class GltfAccessors {
   GltfValues values(const Json& reference, std::size_t components) {
     return values(reference, components, components);
   }
-  /// The same of whole numbers that are not negative.
+  /// The same for non-negative whole numbers.
   std::vector<std::uint32_t> indices(const Json& reference);
 
  private:
   struct Type;
 
-  /// `from` bytes into the buffer view, elements of so many bytes, `stride` apart if it is not 0.
+  /// Position of elements: `from` bytes into the buffer view, `bytes` bytes each, `stride` apart if
+  /// it is not 0.
   struct Place {
     std::size_t from, bytes, count;
   };

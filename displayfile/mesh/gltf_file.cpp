@@ -29,7 +29,7 @@ constexpr const char* kInstances = "EXT_mesh_gpu_instancing";
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr const char* kSpecularGlossiness = "KHR_materials_pbrSpecularGlossiness";
 
-/// Those that are read, and those that change nothing of faces and their base colours.
+/// True for extensions that are read, or that change neither faces nor their base colours.
 bool is_read(std::string_view extension) {
   constexpr std::string_view kRead[] = {kDraco,
                                         kInstances,
@@ -71,7 +71,7 @@ bool is_read_by_import_library(const Json& file) {
   });
 }
 
-/// A material, and whether the opacity of vertices counts.
+/// A material, and whether vertex opacity applies to it.
 struct GltfMaterial {
   Mesh::Material material{Colour(1.0)};
   bool is_blended = false;
@@ -152,7 +152,7 @@ class GltfReader {
     }
   }
 
-  /// Weights of a mesh's morph targets, in a node.
+  /// Weights of a mesh's morph targets in a node.
   static std::vector<double> weights_of(const Json& node, const Json& mesh) {
     const Json& own = array_in(node, "weights");
     const Json& in_force = own.is_null() ? array_in(mesh, "weights") : own;
@@ -161,7 +161,7 @@ class GltfReader {
     return weights;
   }
 
-  /// From a node's mesh to the world, by the joints of its skin.
+  /// For each joint of the node's skin, the transformation from the mesh to the world.
   std::vector<glm::dmat4> joints_of(const Json& node) {
     std::vector<glm::dmat4> joints;
     const Json& skin = referred(array_in(json_, "skins"), member(node, "skin"));
@@ -192,7 +192,7 @@ class GltfReader {
     return joints;
   }
 
-  /// Where a node's mesh stands in the world, once or as often as it has instances.
+  /// The transformations of a node's mesh to the world: one, or one for each instance.
   std::vector<glm::dmat4> places_of(const Json& node, std::size_t number) {
     const glm::dmat4& to_world = scene_.to_world(number);
     const Json& attributes = object_in(extension(node, kInstances), "attributes");
@@ -268,7 +268,7 @@ class GltfReader {
   GltfAccessors accessors_;
   GltfScene scene_;
   MeshBuilder mesh_;
-  std::vector<GltfMaterial> materials_;  // the last for what has none
+  std::vector<GltfMaterial> materials_;  // the last for primitives without any
   std::size_t material_ = 0;             // of the part that is added
   std::size_t without_positions_ = 0;    // primitives
 };

@@ -18,7 +18,7 @@ namespace displayfile {
 
 namespace {
 
-/// The bytes that follow a length and a type of chunk, as many as the length announces and the
+/// The data of a chunk, after its length and type: as many bytes as the length announces and the
 /// file has.
 std::string_view chunk_at(std::string_view file, std::size_t at) {
   constexpr std::size_t kHead = 8;

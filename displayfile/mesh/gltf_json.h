@@ -28,7 +28,8 @@ GltfFile gltf_file(const std::string& path);
 
 /// A member of an object; null if there is none. Iterating over null gives nothing.
 const Json& member(const Json& object, const char* name);
-/// What a number refers to in an array, or in glTF 1.0 a name in an object; null if nothing.
+/// The element that a number refers to in an array, or in glTF 1.0 a name in an object; null if
+/// none.
 const Json& referred(const Json& among, const Json& reference);
 /// A non-negative whole number; nothing if it is none.
 std::optional<std::size_t> whole_number(const Json& value);
@@ -44,7 +45,7 @@ const Json& object_in(const Json& object, const char* name);
 const Json& array_in(const Json& object, const char* name);
 std::size_t whole_number_in(const Json& object, const char* name, std::size_t if_missing);
 double number_in(const Json& object, const char* name, double if_missing);
-/// The numbers of an array, which has as many; none if it is missing.
+/// The numbers of an array, which must have `expected` elements; none if it is missing.
 std::vector<double> numbers_in(const Json& object, const char* name, std::size_t expected);
 template <std::size_t N>
 std::array<double, N> numbers_in(const Json& object, const char* name,
@@ -55,8 +56,8 @@ std::array<double, N> numbers_in(const Json& object, const char* name,
   return all;
 }
 
-/// Names of buffers' files, as written and as meant, where these differ. Throws Error for one that
-/// is not percent-encoded as it should be.
+/// Names of buffers' files, as written and as meant, where these differ. Throws Error for an
+/// invalid percent-encoded name.
 std::map<std::string, std::string> meant_names(const std::string& path, const Json& file);
 
 /// Throws Error if the file requires an extension for which `is_read` is false, as the

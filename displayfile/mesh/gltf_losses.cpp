@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// That Assimp 5.2 reads, or that change nothing of faces and their base colours.
+/// Extensions that Assimp 5.2 reads, or that change neither faces nor their base colours.
 constexpr std::array<std::string_view, 11> kReadExtensions{"KHR_draco_mesh_compression",
                                                            "KHR_lights_punctual",
                                                            "KHR_materials_clearcoat",
@@ -31,7 +31,8 @@ bool is_read_by_library(std::string_view extension) {
   return std::ranges::find(kReadExtensions, extension) != kReadExtensions.end();
 }
 
-/// The library takes the bytes of integers for those of single precision.
+/// Throws Error unless positions and normals are floats: the library would read integers' bytes as
+/// floats.
 void require_floats(const std::string& path, const Json& file) {
   constexpr int kFloat = 5126;
   for (const Json& mesh : member(file, "meshes")) {
@@ -53,7 +54,7 @@ bool has_other_than_zero(const Json& weights) {
   return std::ranges::any_of(weights, [](const Json& w) { return w.is_number() && w != 0; });
 }
 
-/// Whether the node's mesh has morph targets, which move its vertices before any animation.
+/// True if the node's mesh has morph targets that move its vertices before any animation.
 bool is_morphed(const Json& node, const Json& mesh) {
   const Json& own = member(node, "weights");
   if (!has_other_than_zero(own.is_null() ? member(mesh, "weights") : own)) return false;

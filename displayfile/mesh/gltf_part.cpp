@@ -31,7 +31,7 @@ void require_count(std::size_t count, std::size_t expected, const char* what) {
       fmt::format("glTF: {} {} for {} vertices: expected one each", count, what, expected));
 }
 
-/// Adds a target's differences in their weight.
+/// Adds a morph target's differences, times its weight.
 void add_target(const Json& difference, double weight, const char* what, GltfAccessors& accessors,
                 std::vector<Point3>& to) {
   if (difference.is_null() || to.empty()) return;
@@ -56,7 +56,7 @@ std::vector<Rgba> colours_of(const Json& reference, GltfAccessors& accessors) {
 /// Modes of primitives; those before triangles are of points and lines.
 constexpr std::size_t kPoints = 0, kLines = 1, kLoop = 2, kTriangles = 4, kStrip = 5, kFan = 6;
 
-/// Corners of the triangles that the vertices in this order are.
+/// Corners of the triangles that vertices in this order form.
 std::vector<std::uint32_t> corners_of(std::size_t mode, std::vector<std::uint32_t> order) {
   if (mode == kTriangles) {
     order.resize(order.size() / 3 * 3);
@@ -97,7 +97,7 @@ std::vector<std::uint32_t> order_of(const Json& primitive, std::size_t vertices,
   return order;
 }
 
-/// The normals that belong to positions which a matrix moves.
+/// The matrix that transforms normals when `m` transforms positions.
 glm::dmat3 cofactors(const glm::dmat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }

@@ -20,7 +20,7 @@ struct GltfPart {
   double rounding = 0.0;                   ///< of its coordinates, for which 1 is 1
 };
 
-/// Reads a primitive, with its morph targets in these weights. Throws Error as GltfAccessors does,
+/// Reads a primitive, with its morph targets at these weights. Throws Error as GltfAccessors does,
 /// and if an index is out of range or the mode is unknown.
 GltfPart read_gltf_part(const Json& primitive, std::span<const double> weights, bool with_normals,
                         GltfAccessors& accessors);

@@ -13,7 +13,7 @@ namespace {
 
 const Json& nodes_of(const Json& file) { return array_in(file, "nodes"); }
 
-/// A node's transformation in its parent.
+/// A node's transformation to its parent.
 glm::dmat4 local(const Json& node) {
   if (!member(node, "matrix").is_null()) {
     const std::vector<double> m = numbers_in(node, "matrix", 16);
@@ -33,7 +33,7 @@ glm::dmat4 gltf_placement(const std::array<double, 3>& translation,
                           const std::array<double, 3>& scale) {
   const auto [x, y, z, w] = rotation;
   const double square = x * x + y * y + z * z + w * w;
-  const double n = square > 0.0 ? 2.0 / square : 0.0;  // division by it is what keeps turns exact
+  const double n = square > 0.0 ? 2.0 / square : 0.0;  // dividing by it keeps turns exact
   const glm::dmat3 turn(1.0 - n * (y * y + z * z), n * (x * y + w * z), n * (x * z - w * y),
                         n * (x * y - w * z), 1.0 - n * (x * x + z * z), n * (y * z + w * x),
                         n * (x * z + w * y), n * (y * z - w * x), 1.0 - n * (x * x + y * y));

@@ -55,7 +55,7 @@ class Inflater {
   ~Inflater() { zlib_.End(&stream_); }
 
   bool is_at_end() const { return rest_.empty(); }
-  /// Zeros may follow the last part, as tapes have them.
+  /// True if only zeros follow, as after the last part on tapes.
   bool only_zeros_follow() const { return rest_.find_first_not_of('\0') == rest_.npos; }
   void begin_part() { zlib_.Reset(&stream_); }
 

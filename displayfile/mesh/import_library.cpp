@@ -71,7 +71,7 @@ struct ImportLibrary {
   decltype(&aiGetVersionPatch) patch =
       library.function<decltype(&aiGetVersionPatch)>("aiGetVersionPatch");
 
-  /// Loaded on the first call. Throws Error if it cannot be.
+  /// The library, loaded on the first call. Throws Error if it cannot be loaded.
   static const ImportLibrary& get() {
     static const ImportLibrary loaded;
     return loaded;
@@ -97,11 +97,11 @@ Scene import_scene(const ImportLibrary& library, const std::string& path,
   const NeighbourFiles neighbours(path);
   const OpenFiles open_files{neighbours, losses.meant_names};
   aiFileIO files = files_among(open_files);
-  // The library keeps the message of what failed last in one place for all threads.
+  // The library keeps the message of the last failure in one place for all threads.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   Scene scene(library.import_file(path.c_str(), 0, &files, properties.get()), library.release);
-  // Where there is a scene, the message is that of a file before.
+  // If there is a scene, the message is that of an earlier file.
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw Error(fmt::format("{}: not a mesh that can be read: {}", path,
                             scene == nullptr ? library.error() : "it is empty"));
@@ -127,8 +127,8 @@ std::vector<MeshNode> nodes_in_order(const aiScene& scene) {
   return order;
 }
 
-/// The axis that is up in the scene: as the file says, after the root's transformation, by which
-/// the library turns some files to y up. Nothing if the library does not tell what the file says.
+/// The up axis of the scene: the file's, after the root's transformation, by which
+/// the library turns some files to y up. Nothing if the library does not report the file's axis.
 std::optional<Upright> upright_of_file(const aiScene& scene) {
   std::int32_t axis = -1, sign = 1;
   if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UpAxis", axis)) return std::nullopt;
@@ -139,7 +139,8 @@ std::optional<Upright> upright_of_file(const aiScene& scene) {
   return nearest_upright(glm::dmat3(matrix(scene.mRootNode->mTransformation)) * up);
 }
 
-/// What the library tells of a material. One that it made up for faces without any tells nothing.
+/// Reads a material as the library reports it. Materials that the library makes up for faces
+/// without any have no properties.
 class MaterialReader {
  public:
   MaterialReader(const ImportLibrary& library, const aiMaterial& material)
@@ -197,13 +198,13 @@ class AssimpReader {
     mesh_.set_single_precision();
   }
 
-  /// Before any node.
+  /// Must be called before any node is added.
   void add_materials(const ImportLibrary& library, const aiScene& scene) {
     std::vector<Mesh::Material> materials;
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
       materials.push_back(MaterialReader(library, *scene.mMaterials[i]).read());
     }
-    // The library's readers leave black what a file says nothing of.
+    // The library's readers report black where a file states no colour.
     const auto says_nothing = [](const Mesh::Material& material) {
       return material.colour.value_or(Colour(0.0)) == Colour(0.0);
     };
@@ -227,7 +228,7 @@ class AssimpReader {
     }
   }
 
-  /// With a warning of each of these, and of detail that was lost.
+  /// Returns the mesh with these warnings, and one of lost detail, if any.
   Mesh take(std::vector<std::string> warnings) && {
     if (auto lost = lost_detail_.sentence()) warnings.push_back(std::move(*lost));
     for (const std::string& warning : warnings) mesh_.warn(warning);
@@ -265,7 +266,8 @@ class AssimpReader {
     }
   }
 
-  /// Nothing but zeros, alpha too, is what some of the library's readers leave where there is none.
+  /// False for zeros only, alpha included: some of the library's readers leave these where there
+  /// are no colours.
   static bool says_colours(const aiMesh& part) {
     if (part.mColors[0] == nullptr) return false;
     return std::any_of(part.mColors[0], part.mColors[0] + part.mNumVertices, [](const auto& c) {
@@ -294,7 +296,7 @@ class AssimpReader {
     mesh_.note_rounding(kUnitOfSingles * largest * longest);
   }
 
-  /// Its opacity is not known: the library makes one up where the file has none.
+  /// The vertex's opacity is unknown: the library makes one up where the file has none.
   void add_colour(unsigned vertex, const aiColor4D& c) {
     const Rgba colour(c.r, c.g, c.b, kOpaque);
     if (!in_range(Point3(colour))) {
@@ -304,7 +306,7 @@ class AssimpReader {
     mesh_.add_vertex_colour(colour);
   }
 
-  /// Before the node's transformation, which is in double precision here.
+  /// Uses coordinates before the node's transformation, which is in double precision here.
   void note_lost_detail(const aiMesh& part, const aiFace& face) {
     const auto corner = [&](unsigned k) {
       const aiVector3D& v = part.mVertices[face.mIndices[k]];
@@ -316,7 +318,7 @@ class AssimpReader {
     }
   }
 
-  /// They stay outward when the node's transformation mirrors, as the faces do.
+  /// Normals stay outward when the node's transformation mirrors, as the faces do.
   void add_normals(const aiMesh& part, const glm::dmat3& m) {
     if (!part.HasNormals()) return;
     const double outward = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
@@ -340,7 +342,7 @@ class AssimpReader {
   MeshBuilder mesh_;
 };
 
-/// `by_extension`: that of the file's name is one that the library knows.
+/// `by_extension`: the library supports the extension of the file's name.
 Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_normals,
              bool by_extension) {
   const ForeignFormat format = foreign_format(path, by_extension);
@@ -364,8 +366,8 @@ Mesh read_by(const ImportLibrary& library, const std::string& path, bool with_no
 
 }  // namespace
 
-/// A file whose extension is unknown goes to the first reader that takes it by how it begins, which
-/// may be a wrong one: then what that says of it is about another format.
+/// A file with an unknown extension is read by the first reader that recognises its beginning. That
+/// may be the wrong one: then its message is about another format.
 Mesh read_by_import_library(const std::string& path, bool with_normals) {
   const ImportLibrary& library = library_for(path);
   const std::string extension = extension_of(path);

@@ -20,11 +20,11 @@ Mesh read_by_import_library(const std::string& path, bool with_normals);
 /// Loads the library in advance. Throws Error, naming the path, if it cannot be loaded.
 void load_import_library(const std::string& path);
 
-/// The version of the library, which is loaded; nothing if there is none.
+/// The version of the library, which it loads; nothing if there is none.
 std::optional<std::string> import_library_version();
 
-/// The extensions that the library reads, with their dots, unordered; it is loaded. Empty if there
-/// is none.
+/// The extensions that the library reads, with their dots, unordered. Loads the library; empty if
+/// there is none.
 std::vector<std::string> import_library_extensions();
 
 }  // namespace displayfile

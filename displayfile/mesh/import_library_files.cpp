@@ -10,7 +10,7 @@ namespace {
 
 std::FILE* file_of(aiFile* file) { return reinterpret_cast<std::FILE*>(file->UserData); }
 
-// The library's wrapper knows no more than these of a file; exceptions must not cross it.
+// The library's file access knows only these of a file; exceptions must not cross it.
 
 extern "C" {
 
@@ -42,8 +42,8 @@ static aiReturn seek_in_neighbour(aiFile* file, size_t offset, aiOrigin origin) 
 
 static void flush_nothing(aiFile*) {}
 
-/// A neighbour's path as the library asks for it, or what it means; nothing if it may not be
-/// opened.
+/// A neighbour's path as the library requests it, or the path that an alias stands for; nothing if
+/// it may not be opened.
 static std::optional<std::string> path_of_neighbour(const OpenFiles& files,
                                                     const std::string& path) {
   for (const auto& [written, meant] : files.meant_names) {

@@ -33,7 +33,7 @@ ForeignFormat foreign_format(const std::string& path, bool by_extension) {
 
 namespace {
 
-/// Between neighbouring numbers of single precision.
+/// The distance between neighbouring single-precision numbers of that size.
 double distance_between_floats(double size) {
   const auto f = static_cast<float>(size);
   return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::infinity())) -

@@ -44,8 +44,8 @@ void require_limits(const std::string& path, const ImportLimits& limits) {
                           path, limits.memory, limits.seconds));
 }
 
-/// What a reader wrote, which may be words of the file: nothing but lines of characters reach a
-/// terminal.
+/// A reader's output, which may contain text of the file, restricted to drawable characters and
+/// line ends, so that nothing else reaches a terminal.
 std::string lines_drawable(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -57,7 +57,7 @@ std::string lines_drawable(std::string_view text) {
   return result;
 }
 
-/// As `--import-memory` takes it, too.
+/// The number of bytes with its unit, in a form that `--import-memory` also accepts.
 std::string in_words(std::size_t bytes) {
   constexpr std::array<std::pair<int, const char*>, 3> kUnits{
       {{30, "GiB"}, {20, "MiB"}, {10, "KiB"}}};
@@ -75,7 +75,7 @@ Error too_slow(const std::string& path, const ImportLimits& limits) {
                   path, limits.seconds));
 }
 
-/// `lent` is what it had, which is less than its own limit where the process may not have more.
+/// `lent`: the memory that the process had, less than its own limit if no more was available.
 Error too_hungry(const std::string& path, const ImportLimits& limits, std::size_t lent) {
   return Error(fmt::format(
       "{}: the import library (Assimp) reached the limit of {} of memory: {} sets another", path,
@@ -96,10 +96,10 @@ std::string name_of_signal(int number) {
   }
 }
 
-/// Where something else in this process waits for all of its children.
+/// The exit status is unknown because something else in this process waits for all of its children.
 constexpr int kUnknownStatus = -1;
 
-/// What to say of a process that did not answer.
+/// The error for a process that did not answer.
 Error without_answer(const std::string& path, const ImportLimits& limits, std::size_t lent,
                      int status) {
   const auto failed = [&](const std::string& how) {
@@ -146,7 +146,8 @@ struct Pipe {
   Descriptor read_end, write_end;
 };
 
-/// Out of the way of those that the other process gets, and closed where it is not handed over.
+/// Moves a descriptor above the numbers that the other process uses; it is closed on exec unless it
+/// is passed on.
 Descriptor moved_up(Descriptor descriptor) {
   constexpr int kFirst = 10;
   return Descriptor(fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kFirst));
@@ -183,9 +184,9 @@ std::string import_program(const std::string& path) {
                   path, looked_at, std::strerror(why)));
 }
 
-/// What the program inherits: three descriptors, no blocked signal, and none ignored that tells of
-/// a crash or a limit, or that nobody listens. One that ends both if somebody sends it stays
-/// ignored.
+/// The environment that the program inherits: three descriptors, no blocked signals, and default
+/// handling of the signals for crashes, limits and broken pipes. Other signals that are ignored,
+/// such as those sent to end both processes, stay ignored.
 class Inheritance {
  public:
   Inheritance(int reply, int messages) {
@@ -235,7 +236,7 @@ int spawn(std::vector<std::string>& words, int reply, int messages) {
 
 // ---- The process -----------------------------------------------------------------------
 
-/// It ended, or closed its end, before its answer was whole.
+/// Thrown if the process ended, or closed its end of the pipe, before its answer was complete.
 struct NoAnswer {};
 
 class ImportProcess {
@@ -247,7 +248,7 @@ class ImportProcess {
         Clock::now() + std::chrono::duration_cast<Clock::duration>(
                            std::chrono::duration<double>(std::min(limits.seconds, kMostSeconds)));
     Pipe reply = make_pipe(path), messages = make_pipe(path);
-    constexpr int kPipeBytes = 1 << 20;  // fewer turns; the system may have its own opinion
+    constexpr int kPipeBytes = 1 << 20;  // fewer reads; the system may limit it
     fcntl(reply.write_end.number(), F_SETPIPE_SZ, kPipeBytes);
     start(with_normals, reply.write_end, messages.write_end);
     reply_ = std::move(reply.read_end);
@@ -257,8 +258,8 @@ class ImportProcess {
   ImportProcess& operator=(const ImportProcess&) = delete;
   ~ImportProcess() { end(); }
 
-  /// Waits for so many bytes of the answer, as long as the budget in force allows it. Throws Error
-  /// at a limit, NoAnswer if they do not come.
+  /// Waits until `bytes` is filled from the answer, as long as the budget in force allows it.
+  /// Throws Error at a limit, and NoAnswer if the bytes do not arrive.
   void fill(std::span<std::byte> bytes) {
     while (!bytes.empty()) {
       ask_budget();
@@ -274,12 +275,12 @@ class ImportProcess {
     }
   }
 
-  std::size_t memory() const { return memory_.bytes(); }  ///< that it may have
+  std::size_t memory() const { return memory_.bytes(); }  ///< available to the process
 
-  /// Ends it, if it has not ended, and tells what it said. Returns its status.
+  /// Ends the process, if it has not ended, and prints its messages. Returns its status.
   int end() {
     if (child_ <= 0) return status_;
-    kill(child_, SIGKILL);  // what has ended already keeps its status
+    kill(child_, SIGKILL);  // a process that has ended keeps its status
     while (waitpid(child_, &status_, 0) < 0) {
       if (errno == EINTR) continue;
       status_ = kUnknownStatus;
@@ -323,7 +324,7 @@ class ImportProcess {
     }
   }
 
-  /// What it has written so far. It may write more than is told of it.
+  /// Reads the messages written so far; only the first kMostOfMessage bytes are kept.
   void take_messages() {
     std::array<char, 4096> part;
     for (std::size_t taken = 0; messages_.number() >= 0 && taken < kMostOfMessage;) {

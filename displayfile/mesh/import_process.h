@@ -24,7 +24,7 @@ class NotRead : public Error {
 /// be started. The limits must be more than zero.
 Mesh read_by_import_process(const std::string& path, bool with_normals, const ImportLimits& limits);
 
-/// Starts the import program with these words, the first of which is its path, and with the
+/// Starts the import program with these arguments, the first of which is its path, and with the
 /// descriptors for its reply and messages; returns the process, or minus the errno.
 using ImportStarter = std::function<int(std::vector<std::string>& words, int reply, int messages)>;
 

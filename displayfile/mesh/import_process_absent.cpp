@@ -5,8 +5,8 @@
 
 namespace displayfile {
 
-/// On systems whose processes cannot be limited as import_process.cpp limits them: the library runs
-/// in this process, on the formats that are allowed.
+/// For systems that cannot limit processes as import_process.cpp does: the library runs in this
+/// process, for the allowed formats.
 Mesh read_by_import_process(const std::string& path, bool with_normals,
                             const ImportLimits& limits) {
   if (!limits.any_format) require_allowed_format(path);

@@ -11,10 +11,11 @@ namespace displayfile {
 inline constexpr const char* kImportProtocol =
     sizeof(void*) == 8 ? "displayfile-import-1-64" : "displayfile-import-1-32";
 
-/// Its arguments: the protocol, the waiting process, bytes, seconds, 1 for normals, the path.
+/// The program's arguments: the protocol, the waiting process, bytes, seconds, 1 for normals, the
+/// path.
 inline constexpr int kImportArguments = 6;
 
-/// The descriptor on which it answers.
+/// The descriptor for the program's reply.
 inline constexpr int kReplyDescriptor = 3;
 
 // Exit statuses without a reply.

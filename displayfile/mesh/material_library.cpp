@@ -37,7 +37,7 @@ class MaterialReader {
       has_dissolve_ = true;
     } else if (keyword == "Tr" && !has_dissolve_) {
       const double transparency = part(text_.field());
-      // Some programs write 1 for what is opaque.
+      // Some programs write 1 for opaque.
       material_->transparent = transparency > 0.0 && transparency < 1.0;
     } else if (keyword == "map_Kd" || keyword == "map_kd") {
       material_->textured = true;
@@ -51,7 +51,8 @@ class MaterialReader {
     if (material.textured && material.colour == Colour(0.0)) material.colour.reset();
   }
 
-  /// r g b, or r for all three; what is given by a spectrum or as CIE XYZ is not known.
+  /// Reads r g b, or r for all three; the colour stays unknown if it is given by a spectrum or as
+  /// CIE XYZ.
   void read_colour(std::string_view red) {
     if (red == "spectral" || red == "xyz") return;
     Colour colour(part(red));
@@ -71,7 +72,7 @@ class MaterialReader {
 
   TextCursor text_;
   MaterialLibrary library_;
-  Mesh::Material* material_ = nullptr;  // that the statements are of
+  Mesh::Material* material_ = nullptr;  // to which the statements apply
   bool has_dissolve_ = false;
 };
 

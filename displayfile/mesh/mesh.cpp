@@ -53,7 +53,7 @@ std::int64_t name_after_all_in_use(const DisplayFile& display_file) {
   return largest + 1;
 }
 
-/// The name of the mesh's first segment: they follow all that are there.
+/// The name of the mesh's first segment, after all names in use.
 int first_segment_name(const Mesh& mesh, const GraphicsSystem& system) {
   const std::int64_t name = name_after_all_in_use(system.display_file());
   require_free_names(mesh, system, name);
@@ -62,8 +62,8 @@ int first_segment_name(const Mesh& mesh, const GraphicsSystem& system) {
 
 FillStyle solid(const Colour& colour) { return {FillStyle::Kind::solid, colour}; }
 
-/// What the faces of an object are filled in: nothing if all are in the style in force, one style
-/// for all, or one for each.
+/// The fill styles of an object's faces: empty if all have the style in force, one style for all,
+/// or one for each.
 std::vector<FillStyle> fills_of(const Mesh& mesh, const Mesh::Object& object,
                                 const FillStyle& in_force, const MeshOptions& options) {
   if (options.colour) return {solid(*options.colour)};
@@ -82,8 +82,8 @@ std::vector<FillStyle> fills_of(const Mesh& mesh, const Mesh::Object& object,
   return fills;
 }
 
-/// Its faces the other way round, from the same corner on, which is their own way where the
-/// modelling transformation mirrors.
+/// The mesh with its faces reversed, each from the same first corner, for modelling transformations
+/// that mirror.
 Mesh turned_over(const Mesh& mesh) {
   Mesh turned = mesh;
   const auto reverse = [&](std::vector<std::uint32_t>& of_corners, std::size_t i) {
@@ -100,7 +100,7 @@ Mesh turned_over(const Mesh& mesh) {
   return turned;
 }
 
-/// One polygon after another, each with its normals if there are some.
+/// Enters one polygon after another, each with its normals if there are any.
 void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
                       std::span<const FillStyle> fills, GraphicsSystem& system) {
   std::vector<Point3> polygon, normals;
@@ -122,7 +122,7 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
   }
 }
 
-/// Each side of its faces is used as often in one direction as in the other.
+/// True if each side of the object's faces is used equally often in both directions.
 bool is_closed(const Mesh& mesh, const Mesh::Object& object) {
   std::vector<std::uint32_t> corners, sides;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
@@ -133,8 +133,8 @@ bool is_closed(const Mesh& mesh, const Mesh::Object& object) {
   return !open_side(mesh.vertices, corners, sides);
 }
 
-/// The polygons at once, of those vertices between the first and the last that the object has. An
-/// object whose few vertices lie far apart among all is entered one by one instead.
+/// Enters the polygons in one call, with the range of vertices from the object's first to its last.
+/// An object whose few vertices are far apart in the array is entered one by one instead.
 void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const FillStyle> fills,
                   GraphicsSystem& system) {
   const std::size_t begin = mesh.first_corner[object.first_face];
@@ -188,7 +188,7 @@ double entered_reach(const Mesh& mesh) {
 
 namespace {
 
-/// The object's name as far as it can be drawn.
+/// The object's name as far as its characters can be drawn.
 std::string title_of(const Mesh::Object& object) {
   return drawable(std::string_view(object.name).substr(0, GraphicsSystem::kLongestText));
 }
@@ -226,8 +226,8 @@ void enter_mesh(const Mesh& as_read, GraphicsSystem& system, int first_segment_n
 
 namespace {
 
-/// With so much from all around that no face that is seen is nearly black, and the three of a cube
-/// that are seen differ.
+/// Ambient light: enough that no visible face is nearly black, and the three visible faces of a
+/// cube differ.
 constexpr double kAmbient = 0.45;
 
 Point3 over_left_shoulder(const GraphicsSystem& system) {
@@ -236,7 +236,7 @@ Point3 over_left_shoulder(const GraphicsSystem& system) {
   return Point3(axes[2]) + 0.55 * Point3(axes[1]) - 0.45 * Point3(axes[0]);
 }
 
-/// Removed faces would hide no light, and have no sides that are drawn where they are hidden.
+/// True if back faces are needed: removed faces cast no shadows, and have no hidden sides to draw.
 bool needs_back_faces(const GraphicsSystem& system, const MeshOptions& options) {
   return system.looks().attributes.shadows || options.hidden_sides_drawn ||
          system.hidden_surfaces().hidden_lines != HiddenLines::none;
@@ -266,7 +266,7 @@ void restore_styles(GraphicsSystem& system, const Attributes& before) {
                            [&] { system.set_line_style(before.line); });
 }
 
-/// Sets what the application did not say.
+/// Sets the defaults of settings that the application has not set.
 void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   bring_light(system);
   bring_styles(system, options);

@@ -33,11 +33,11 @@ namespace {
 
 // ---- Colours ---------------------------------------------------------------------------
 
-/// Stands for a vertex whose colour is not known.
+/// Marks a vertex of unknown colour.
 constexpr Rgba kNoColour(-1.0);
 
-/// Some programs write colours to 1, some to 255, whatever the type of the numbers: where one part
-/// of one colour is larger than this, all are of the latter.
+/// Some programs write colours up to 1, some up to 255, whatever the type of the numbers: if a
+/// component of any colour is larger than this, all are up to 255.
 constexpr double kMostOfUnitRange = 2.0;
 
 void bring_to_unit_range(std::span<Rgba> colours) {
@@ -221,7 +221,7 @@ void MeshBuilder::give_faces_materials() {
   }
 }
 
-/// A face that has a colour of its own keeps it.
+/// A face with a colour of its own keeps it.
 void MeshBuilder::mix_in_colours_of_vertices() {
   if (vertex_colours_.empty()) return;
   bring_to_unit_range(vertex_colours_);

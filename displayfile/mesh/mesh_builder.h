@@ -16,8 +16,8 @@
 namespace displayfile {
 
 /// Indexed values in order of first occurrence, with few duplicates: a repeated value finds its
-/// index unless another with the same hash slot came in between. So few values stay few, and many
-/// cost no search.
+/// index unless another with the same hash slot came in between. Thus few distinct values stay few,
+/// and many need no search.
 template <class Value>
 class Palette {
  public:

@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::uint64_t kMesh = 0x3148534d46444449, kRefusal = 0x3152524546444449;
 
-/// What comes first.
+/// The beginning of a reply.
 struct Beginning {
   std::uint64_t kind = kMesh;
-  std::uint64_t message_bytes = 0;  ///< of a refusal, which follow
+  std::uint64_t message_bytes = 0;  ///< of the error message that follows
 };
 
-/// What comes next of a mesh: how many of everything that follows, in this order.
+/// Follows the beginning of a mesh: the sizes of all that comes after, in this order.
 struct Counts {
   std::uint64_t vertices = 0, normals = 0, corners = 0, faces = 0, corner_normals = 0;
   std::uint64_t face_materials = 0, materials = 0, objects = 0, warnings = 0, text_bytes = 0;
@@ -56,7 +56,7 @@ void require(bool holds, std::string_view what) {
 
 // ---- Receiving -------------------------------------------------------------------------
 
-/// Asks for memory as bytes come: twice as much as are there, or this much.
+/// Memory is allocated as bytes arrive: twice as much as has arrived, or this much.
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16;
 
 template <class Value>
@@ -67,7 +67,7 @@ Value receive_one(const ByteSource& source) {
   return value;
 }
 
-/// What the source does not fill costs no memory: it is reserved, and not touched.
+/// Memory that the source does not fill is reserved but not touched, so it costs nothing.
 template <class Values>
 void receive(Values& values, std::uint64_t count, const ByteSource& source) {
   static_assert(std::is_trivially_copyable_v<typename Values::value_type>);
@@ -80,7 +80,7 @@ void receive(Values& values, std::uint64_t count, const ByteSource& source) {
   }
 }
 
-/// Bytes of all that the counts announce; nothing if that is more than `most`.
+/// Bytes of everything the counts announce; nothing if that is more than `most`.
 std::optional<std::uint64_t> bytes_of(const Counts& counts, std::uint64_t most) {
   const std::pair<std::uint64_t, std::size_t> parts[] = {
       {counts.vertices, sizeof(Point3)},
@@ -112,7 +112,8 @@ void require_indices(const std::vector<std::uint32_t>& indices, std::size_t coun
   require(all, what);
 }
 
-/// As MeshBuilder keeps faces: of three corners and more, at three different positions or more.
+/// Requires faces that MeshBuilder could make: three or more corners, at three or more different
+/// positions.
 void require_faces(const Mesh& mesh) {
   require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corners.size(),
           "faces that do not match the corners");
@@ -138,7 +139,7 @@ Mesh::Material received(const MaterialOnTheWay& m) {
   return material;
 }
 
-/// Texts stand one after the other.
+/// Takes the texts, which are stored one after the other.
 class Texts {
  public:
   explicit Texts(const std::string& all) : rest_(all) {}

@@ -28,7 +28,7 @@ class ObjIndices {
 
   void define(Kind kind) { ++defined_[kind]; }
 
-  /// A field's index, counted from 0; what it names may be still to come.
+  /// A field's index, counted from 0; its element may follow later.
   std::uint32_t resolved(Kind kind, std::string_view field, const TextCursor& text) {
     return resolved(kind, text.integer(field, "an index"), text.offset(field), text);
   }
@@ -41,7 +41,7 @@ class ObjIndices {
     return static_cast<std::uint32_t>(index - 1);
   }
 
-  /// Texture coordinates are not drawn: one that is not there makes no bad file.
+  /// Texture coordinates are not drawn: a missing one is not an error.
   void note_texture(std::string_view field, const TextCursor& text) {
     const std::int64_t index = text.integer(field, "an index");
     if (index > defined_[texture]) {
@@ -61,7 +61,7 @@ class ObjIndices {
     }
   }
 
-  /// Where the first texture coordinate is named that is not there, and what to say of it.
+  /// The position of the first reference to a missing texture coordinate, and the message about it.
   std::optional<std::string> missing_texture(const TextCursor& text) const {
     std::optional<Missing> first = missing_texture_;
     for (const auto& [index, at] : ahead_[texture]) {
@@ -83,7 +83,7 @@ class ObjIndices {
     std::string what;
   };
 
-  /// Only an index larger than all before it can be the first error.
+  /// Records only an index larger than all before it: no other can be the first error.
   void look_ahead(Kind kind, std::int64_t index, std::size_t at) {
     auto& ahead = ahead_[kind];
     if (ahead.empty() || index > ahead.back().index) ahead.push_back({index, at});
@@ -103,10 +103,11 @@ class ObjIndices {
 
   std::array<std::int64_t, 3> defined_{};
   std::array<std::vector<Ahead>, 3> ahead_;
-  std::optional<Missing> missing_texture_;  // one that no later one can stand for
+  std::optional<Missing> missing_texture_;  // one that no later texture coordinate can define
 };
 
-/// Statements that say nothing of where polygons are, and parts of those of curves and surfaces.
+/// Statements that do not affect the positions of polygons, and parts of those of curves and
+/// surfaces.
 constexpr std::string_view kOfNoPolygons[] = {
     "s",         "vp",     "mg",     "bevel",  "c_interp", "d_interp", "lod",   "shadow_obj",
     "trace_obj", "usemap", "maplib", "cstype", "deg",      "bmat",     "step",  "parm",
@@ -170,7 +171,7 @@ class ObjReader {
     }
   }
 
-  /// What there was that a mesh does not have.
+  /// Warns of contents that a mesh does not have.
   void warn() {
     mesh_.warn_left_out(curves_, "{} curve or surface", "{} curves and surfaces");
     if (unknown_ > 0) {
@@ -190,7 +191,7 @@ class ObjReader {
     if (!corners_.empty()) mesh_.add_face(corners_, normals_);
   }
 
-  /// x y z, then nothing, a weight w, or a colour r g b.
+  /// Reads x y z, then nothing, a weight w, or a colour r g b.
   void read_vertex() {
     const Point3 p = text_.position();
     std::array<std::string_view, 5> fields;
@@ -223,7 +224,7 @@ class ObjReader {
     }
   }
 
-  /// vertex, vertex/texture, vertex//normal or vertex/texture/normal.
+  /// Reads vertex, vertex/texture, vertex//normal or vertex/texture/normal.
   void read_corner(std::string_view corner) {
     if (with_normals_) normals_.push_back(Mesh::kNoNormal);
     for (const auto kind : {ObjIndices::vertex, ObjIndices::texture, ObjIndices::normal}) {
@@ -244,13 +245,13 @@ class ObjReader {
     text_.fail(corner, "expected at most three indices, vertex/texture/normal");
   }
 
-  /// No name is no material.
+  /// An empty name stands for no material.
   void use_material(std::string_view name_as_written) {
     const std::string_view name = without_quotation_marks(name_as_written);
     mesh_.use_material(name.empty() ? Mesh::kNoMaterial : materials_.named(name, mesh_));
   }
 
-  /// An object that is named again goes on.
+  /// An object whose name is repeated is continued.
   void begin_object(std::string_view name) {
     if (name.empty()) return;
     group_.clear();
@@ -262,7 +263,7 @@ class ObjReader {
     }
   }
 
-  /// A group of another name begins an object, one that is named again too.
+  /// A group with a name other than the current one begins an object, even if the name is repeated.
   void begin_group(std::string_view name) {
     if (name == group_) return;
     group_ = name;
@@ -278,7 +279,7 @@ class ObjReader {
   std::map<std::string, std::size_t> objects_;    // the first of each name
   std::string group_;
   std::size_t curves_ = 0, unknown_ = 0;
-  std::string_view first_unknown_, extra_;  // extra words behind a vertex
+  std::string_view first_unknown_, extra_;  // extra words after a vertex
 };
 
 }  // namespace

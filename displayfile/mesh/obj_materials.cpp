@@ -36,7 +36,7 @@ std::vector<NamePart> names_of(std::string_view list) {
   }
 }
 
-/// Whether a word ends a name that may hold blanks: by the extension of material libraries.
+/// True if a word ends a name that may hold blanks: it has the extension of material libraries.
 bool ends_name(std::string_view word) {
   const std::string_view end = word.substr(word.size() - std::min<std::size_t>(word.size(), 4));
   return std::ranges::equal(end, std::string_view(".mtl"), [](char c, char lower) {
@@ -44,7 +44,7 @@ bool ends_name(std::string_view word) {
   });
 }
 
-/// How many words the first name takes: one in quotation marks, or all to one that ends it.
+/// The number of words of the first name: one in quotation marks, or all up to one that ends it.
 std::size_t words_of_name(std::span<const NamePart> words) {
   if (words[0].quoted) return 1;
   std::size_t n = 1;
@@ -52,7 +52,7 @@ std::size_t words_of_name(std::span<const NamePart> words) {
   return n;
 }
 
-/// The first of the names, and how many others there are.
+/// The first of the names, and the number of others.
 std::string listed(const std::vector<std::string>& names) {
   std::string text = TextCursor::quoted(names.front());
   if (names.size() > 1) text += fmt::format(" and {} more", names.size() - 1);
@@ -97,7 +97,7 @@ bool ObjMaterials::read_library(std::string_view name) {
   return false;
 }
 
-/// What an OBJ file names is no reason to open anything elsewhere.
+/// True if an OBJ file may refer to the path; it cannot cause a file elsewhere to be opened.
 bool ObjMaterials::is_neighbour(const std::filesystem::path& path) {
   if (!neighbours_) neighbours_.emplace(path_.string());
   return neighbours_->allows(path.string());

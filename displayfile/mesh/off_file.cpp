@@ -16,7 +16,7 @@ namespace displayfile {
 
 namespace {
 
-/// What a vertex line begins with.
+/// The contents of a vertex line.
 struct OffVertex {
   int dimension = 3;
   bool homogeneous = false, normal = false, colour = false, texture = false;
@@ -24,7 +24,7 @@ struct OffVertex {
   int numbers() const { return dimension + (homogeneous ? 1 : 0); }
 };
 
-/// Takes a letter of the header's keyword, if it stands there.
+/// Removes letters of the header's keyword if it begins with them.
 bool take(std::string_view& keyword, std::string_view letters) {
   if (!keyword.starts_with(letters)) return false;
   keyword.remove_prefix(letters.size());
@@ -52,7 +52,7 @@ OffVertex off_header(TextCursor& text) {
   return vertex;
 }
 
-/// Whether three numbers may be a normal's.
+/// True if three numbers may be a unit normal.
 bool is_unit(const Rgba& c) {
   constexpr double kRounded = 1e-3;
   return std::abs(c.r * c.r + c.g * c.g + c.b * c.b - 1.0) < kRounded;
@@ -114,15 +114,15 @@ class OffReader {
 
   using Fields = std::span<const std::string_view>;
 
-  /// What of the fields behind a vertex's position and normal is not its texture coordinates.
+  /// The fields after a vertex's position and normal, without its texture coordinates.
   static Fields before_texture(Fields fields, const OffVertex& vertex) {
     return vertex.texture ? fields.first(fields.size() - std::min<std::size_t>(2, fields.size()))
                           : fields;
   }
 
-  /// Some programs write colours of vertices under a keyword without the C. What stands behind each
-  /// vertex is one, if it is three or four numbers from 0 up. Three numbers that are all of length
-  /// 1 may be normals.
+  /// Some programs write colours of vertices under a keyword without the C. The fields after each
+  /// vertex are a colour if they are three or four numbers not below 0. If they are three
+  /// numbers of length 1 at all vertices, they may be normals.
   static bool has_unannounced_colours(TextCursor text, const OffVertex& vertex, std::int64_t n) {
     if (vertex.colour) return false;
     bool may_be_normals = !vertex.normal;
@@ -174,7 +174,7 @@ class OffReader {
     mesh_.add_face(corners_);
   }
 
-  /// One number is an index into a map of colours that the file does not have.
+  /// A single number is an index into a colour map that the file does not have.
   void read_colour_of_face() {
     std::array<std::string_view, 5> room;
     const auto fields = text_.fields(room);
@@ -189,7 +189,7 @@ class OffReader {
   MeshBuilder mesh_;
   bool with_normals_;
   std::vector<std::uint32_t> corners_;  // of the face that is read
-  // How many have something that is left out:
+  // Counts of elements with skipped contents:
   std::size_t more_behind_vertices_ = 0, other_colours_of_vertices_ = 0;
   std::size_t indexed_faces_ = 0, other_colours_of_faces_ = 0;
 };

@@ -27,7 +27,8 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 constexpr std::array<std::size_t, 8> kPlySizes = {1, 1, 2, 2, 4, 4, 4, 8};  // bytes
 
-/// What stands for all of a colour's part. Programs that write parts of four bytes mean 0 to 255.
+/// The value of a full colour component, by type. Programs that write components of four bytes mean
+/// 0 to 255.
 constexpr std::array<double, 8> kPlyWholeParts = {127, 255, 32767, 65535, 255, 255, 1, 1};
 
 constexpr double whole_part(PlyType type) { return kPlyWholeParts[static_cast<std::size_t>(type)]; }
@@ -51,8 +52,8 @@ struct PlyHeader {
   std::string_view format;
   std::vector<PlyElement> elements;
   std::size_t textures = 0;  ///< that comments name
-  /// Lines before the first element that are none of the format's, and the place of the first: some
-  /// programs tell there who they are.
+  /// Lines before the first element that are not of the format, and the place of the first: some
+  /// programs write their own names there.
   std::size_t other_lines = 0;
   std::string first_other;
 };
@@ -141,7 +142,7 @@ PlyHeader ply_header(TextCursor& text) {
 
 // ---- Values ----------------------------------------------------------------------------
 
-/// Where the values stand: the element that is read, and its number.
+/// Position of a value: the element being read, and its number.
 struct PlyPlace {
   const PlyElement& element;
   std::int64_t number = 0;
@@ -152,7 +153,7 @@ struct PlyPlace {
                                           place.element.count, place.element.name, place.number));
 }
 
-/// The values of an ascii file, one field each, however the lines are parted.
+/// The values of an ascii file, one field each, regardless of line ends.
 class PlyText {
  public:
   explicit PlyText(const TextCursor& text) : text_(text) {}
@@ -168,7 +169,7 @@ class PlyText {
   }
   void skip(PlyType, const PlyPlace& place) { next(place); }
   std::size_t lines_left() { return text_.count_filled_lines(); }
-  /// Throws Error about the value that was read last.
+  /// Throws Error about the value read last.
   [[noreturn]] void fail(const PlyPlace&, const std::string& what) const {
     text_.fail(last_, what);
   }
@@ -251,7 +252,7 @@ class PlyBinary {
 
 // ---- Elements --------------------------------------------------------------------------
 
-/// The colour that an element has: where its parts stand among the properties, and what they are.
+/// The colour of an element: which properties are its components, and their values.
 class PlyColour {
  public:
   explicit PlyColour(const PlyElement& element) {
@@ -273,7 +274,7 @@ class PlyColour {
   const Rgba& value() const { return value_; }
 
  private:
-  std::vector<std::size_t> parts_;  // which each property is; 4 if none
+  std::vector<std::size_t> parts_;  // component of each property; 4 if none
   bool is_there_ = false;
   Rgba value_{kOpaque};
 };
@@ -327,7 +328,7 @@ class PlyReader {
                            element.count == 1 ? "is 1" : fmt::format("are {}", element.count)));
   }
 
-  /// Texture coordinates are not among them: a texture that a file does not name cannot be drawn.
+  /// Texture coordinates are excluded: a texture that a file does not name cannot be drawn.
   void warn_of_properties(const PlyElement& element, const std::vector<std::string_view>& others) {
     constexpr std::array<std::string_view, 9> kOfTextures = {
         "s", "t", "u", "v", "texture_u", "texture_v", "texcoord", "texnumber", "flags"};
@@ -342,7 +343,7 @@ class PlyReader {
   }
 
   void skip(const PlyElement& element) {
-    if (element.properties.empty()) return;  // however many are announced
+    if (element.properties.empty()) return;  // whatever the announced count
     for (PlyPlace place{element}; place.number < element.count; ++place.number) {
       for (const PlyProperty& property : element.properties) skip(property, place);
     }
@@ -354,7 +355,7 @@ class PlyReader {
 
   void read_vertices(const PlyElement& element) {
     constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
-    std::vector<std::size_t> parts;  // of kNames, what each property is
+    std::vector<std::size_t> parts;  // index in kNames of each property
     for (const PlyProperty& p : element.properties) {
       const auto* const name = p.count ? kNames.end() : std::ranges::find(kNames, p.name);
       parts.push_back(static_cast<std::size_t>(name - kNames.begin()));
@@ -385,7 +386,7 @@ class PlyReader {
     }
   }
 
-  /// A property that is a part of a colour, or is passed over.
+  /// Reads a property that is a colour component, or skips it.
   void read_other(PlyColour& colour, std::size_t property, const PlyPlace& place) {
     const PlyProperty& p = place.element.properties[property];
     if (!colour.has(property)) return skip(p, place);
@@ -396,7 +397,7 @@ class PlyReader {
     colour.set(property, part / whole_part(p.type));
   }
 
-  /// That of a face follows from its corners.
+  /// True for normals' components; a face's normal follows from its corners.
   static bool is_part_of_normal(std::string_view name) {
     return name == "nx" || name == "ny" || name == "nz";
   }
@@ -483,7 +484,8 @@ class PlyReader {
   std::int64_t vertices_ = 0;  // that the header announces
 };
 
-/// What an element takes at least of the bytes that follow the header.
+/// Checks the announced counts against the least size of each element and the bytes after the
+/// header.
 template <class Values>
 void check_room(const PlyHeader& header, const TextCursor& text) {
   for (const PlyElement& element : header.elements) {
@@ -507,7 +509,7 @@ Mesh read_values(const MeshFile& file, const PlyHeader& header, const TextCursor
 }  // namespace
 
 Mesh read_ply(const MeshFile& file) {
-  // What follows the header may be no text: its lines end as the first one.
+  // The data after the header may be binary: line ends are determined by the first one.
   TextCursor text(file.path, file.data, LineBreaks::as_first);
   if (text.field() != "ply") text.fail(std::size_t{0}, "expected ply");
   const PlyHeader header = ply_header(text);

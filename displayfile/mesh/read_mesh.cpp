@@ -41,7 +41,7 @@ constexpr Format kFormats[] = {
     {".stl", "", read_stl},
 };
 
-/// The format that is read here: a file tells by how it begins, or else by its name.
+/// The built-in format of a file, by its beginning, or otherwise by its name.
 const Format* format_of(const std::string& path, std::string_view beginning) {
   const std::string extension = extension_of(path);
   for (const Format& format : kFormats) {
@@ -51,7 +51,7 @@ const Format* format_of(const std::string& path, std::string_view beginning) {
   return named == std::end(kFormats) ? nullptr : named;
 }
 
-/// Reads a file from its beginning, or goes on with it.
+/// Reads a file from its beginning in several steps.
 class InputFile {
  public:
   explicit InputFile(const std::string& path) : path_(path) {
@@ -74,7 +74,7 @@ class InputFile {
 
   std::size_t size() const { return size_; }
 
-  /// Reads until `data` holds so many bytes.
+  /// Reads until `data` holds `bytes` bytes.
   void read_to(std::string& data, std::size_t bytes) {
     const std::size_t had = data.size();
     data.resize(bytes);
@@ -89,8 +89,9 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
-/// Some of the import library's readers may take texts in UTF-16; none of those here does. What
-/// they say of one that they do not take is about bytes that its author never saw.
+/// Some of the import library's readers may read UTF-16 text; no built-in reader does. The message
+/// of one that does not is replaced, since it would refer to bytes that the author of the text
+/// never saw.
 Mesh read_utf16(const std::string& path, bool with_normals, const ImportLimits& limits,
                 const Format* format) {
   try {

@@ -25,7 +25,7 @@ namespace displayfile {
 
 namespace {
 
-/// normal . p - distance: its sign is exact, its value good to some 30 digits of its terms.
+/// normal . p - distance: its sign is exact, its value accurate to about 30 digits of its terms.
 class CuttingPlane {
  public:
   explicit CuttingPlane(const SectionPlane& plane) : plane_(plane) {}
@@ -45,7 +45,7 @@ class CuttingPlane {
     for (int k = 0; k < 3; ++k) sum = sum + exact_product(plane_.normal[k], p[k]);
     return sum;
   }
-  /// The axis that the plane is at right angles to, or -1.
+  /// The coordinate axis perpendicular to the plane, or -1.
   int own_axis() const {
     for (int k = 0; k < 3; ++k) {
       if (plane_.normal[(k + 1) % 3] == 0.0 && plane_.normal[(k + 2) % 3] == 0.0) return k;
@@ -82,15 +82,15 @@ CutPoint cut_point(const CuttingPlane& plane, const Point3& behind, const Point3
 
 Point3 rounded_point(const CutPoint& p) { return {p[0].high, p[1].high, p[2].high}; }
 
-/// The edges that the plane cuts, each once, from its end behind the plane to the one before.
+/// The edges that the plane cuts, each once, from the end behind the plane to the end in front.
 class CutEdges {
  public:
   CutEdges(const CuttingPlane& plane, const WeldedFaces& faces, const std::vector<bool>& is_before,
            double reach)
       : plane_(plane), faces_(faces), is_before_(is_before), sides_(faces, reach) {}
 
-  /// Where vertices lie along the edge it is cut between two of them, as the edges of the
-  /// neighbours that end there are.
+  /// The number of a cut edge. If vertices lie along the edge, it is cut between two of them, as
+  /// are the neighbours' edges that end there.
   std::uint32_t number(std::uint32_t behind, std::uint32_t before) {
     for (const std::uint32_t vertex : sides_.along(behind, before)) {
       (is_before_[vertex] ? before : behind) = vertex;
@@ -122,32 +122,34 @@ class CutEdges {
   std::unordered_map<std::uint64_t, std::uint32_t, SecretHash> numbers_;
 };
 
-/// From one cut edge to another, through a face.
+/// A link from one cut edge to another, through a face.
 struct Link {
   std::uint32_t from, to;
 };
 
-/// A vertex of a face, or a cut edge, and what the side that ends there is (Section::side_of).
+/// A vertex of a face, or a cut edge, and the origin of the side that ends there
+/// (Section::side_of).
 struct Corner {
   std::uint32_t vertex;
   std::size_t side;
 };
 
-/// A stretch of a face's outline that is behind the plane, between two cut edges.
+/// A part of a face's outline behind the plane, between two cut edges.
 struct Chain {
   std::uint32_t enters, leaves;  ///< the cut edges
-  std::size_t last_side;         ///< that leaves
-  std::vector<Corner> kept;      ///< what is between them
-  std::size_t next = 0;          ///< the chain that follows along the plane
+  std::size_t last_side;         ///< the side that leaves
+  std::vector<Corner> kept;      ///< corners between them
+  std::size_t next = 0;          ///< the next chain along the plane
 };
 
-/// Cuts one face that the plane meets often, as one that is concave or has holes.
+/// Cuts one face whose outline crosses the plane more than once, such as a concave one or one with
+/// holes.
 class FaceCutter {
  public:
   FaceCutter(CutEdges& edges, const std::vector<bool>& is_before)
       : edges_(edges), is_before_(is_before) {}
 
-  /// The chains of a face whose outline the plane meets, each followed by another.
+  /// The chains of a face whose outline crosses the plane, each linked to the next.
   std::span<const Chain> chains(std::span<const Corner> face) {
     find_chains(face);
     put_ends_in_order();
@@ -193,7 +195,7 @@ class FaceCutter {
     chains_[leaves.chain].next = enters.chain;
   }
 
-  /// Along the line in which the face meets the plane.
+  /// Sorts the ends along the line in which the face meets the plane.
   void put_ends_in_order() {
     ends_.clear();
     for (std::size_t k = 0; k < chains_.size(); ++k) {
@@ -219,10 +221,10 @@ class FaceCutter {
     });
   }
 
-  /// A bridge leaves what is behind and comes back to it in one cut edge: of the plane it takes
-  /// nothing, wherever it runs.
+  /// Joins the ends of bridges. A bridge enters and leaves in one cut edge, so it takes nothing of
+  /// the plane, wherever it runs.
   void join_ends_of_bridges() {
-    std::size_t left = 0;  // ends that are none of a bridge's, moved to the front
+    std::size_t left = 0;  // ends that are not of bridges, moved to the front
     for (const End end : ends_) {
       const End* const last = left > 0 ? &ends_[left - 1] : nullptr;
       if (last != nullptr && edge(*last) == edge(end) && last->enters != end.enters) {
@@ -235,11 +237,10 @@ class FaceCutter {
     ends_.resize(left);
   }
 
-  /// Within the face ends that leave and ends that come back take turns: each waits for the next
-  /// one of the other kind, the one that came first first. Those at one point may stand in any
-  /// order.
+  /// Joins the other ends. Within the face, leaving and entering ends alternate: each waits for the
+  /// next one of the other kind, first come, first served. Ends at one point may be in any order.
   void join_other_ends() {
-    std::size_t first = 0, waiting = 0;  // those that wait, moved to the front
+    std::size_t first = 0, waiting = 0;  // waiting ends, moved to the front
     for (const End end : ends_) {
       if (first == waiting || ends_[first].enters == end.enters) {
         ends_[waiting++] = end;
@@ -255,7 +256,7 @@ class FaceCutter {
   std::vector<End> ends_;
 };
 
-/// Cuts face after face, and keeps what is behind.
+/// Cuts faces one after another, and keeps the parts behind the plane.
 class Cutter {
  public:
   Cutter(const CuttingPlane& plane, const WeldedFaces& faces, double reach)
@@ -308,7 +309,7 @@ class Cutter {
     }
   }
 
-  /// Has put it into the polygon if it is not.
+  /// True if the face is planar; otherwise its points are in polygon_.
   bool is_flat_face(std::span<const std::uint32_t> face) {
     if (face.size() == 3) return true;
     polygon_.clear();
@@ -316,7 +317,7 @@ class Cutter {
     return is_flat(polygon_);
   }
 
-  /// The triangles of a face that is not flat; it is the polygon.
+  /// Cuts the triangles of a face that is not planar, whose points are in polygon_.
   void cut_triangles() {
     for (const auto& [vertex, edge_visible] : triangulation_.triangulate(polygon_)) {
       std::array<Corner, 3> triangle{};
@@ -345,7 +346,7 @@ class Cutter {
     }
   }
 
-  /// A face whose outline crosses the plane there and back.
+  /// Cuts a face whose outline crosses the plane exactly twice.
   void cut_once(std::span<const Corner> face) {
     Link link{};
     piece_.clear();
@@ -365,8 +366,8 @@ class Cutter {
     keep(piece_);
   }
 
-  /// A face whose outline crosses the plane more often: its chains are closed along the plane to
-  /// loops, which stay one even-odd polygon.
+  /// Cuts a face whose outline crosses the plane more often: its chains are closed along the plane
+  /// into loops, which stay one even-odd polygon.
   void cut_apart() {
     const std::span<const Chain> chains = face_cutter_.chains(corners_);
     std::vector<bool> is_taken(chains.size(), false);
@@ -388,7 +389,8 @@ class Cutter {
     }));
   }
 
-  /// Where a bridge is cut there and back nothing is between along the plane.
+  /// Appends a chain to a loop. Where a bridge is cut in both directions, no side lies along the
+  /// plane.
   void add_to(std::vector<Corner>& loop, const Chain& chain, const Chain& next) {
     const std::uint32_t enters = kOfCutEdge + chain.enters;
     if (loop.empty() || loop.back().vertex != enters) {
@@ -403,27 +405,28 @@ class Cutter {
   std::vector<bool> is_before_;
   Triangulation triangulation_;
   std::vector<Point3> polygon_;
-  std::size_t face_ = 0;         // that is cut
-  std::vector<Corner> corners_;  // its
+  std::size_t face_ = 0;         // the face being cut
+  std::vector<Corner> corners_;  // its corners
   std::vector<Corner> piece_;
   FaceCutter face_cutter_;
 
  public:
   CutEdges edges;
   std::vector<Link> links;
-  std::vector<std::size_t> first_links;  ///< where those of each object begin
+  std::vector<std::size_t> first_links;  ///< where each object's links begin
   Mesh behind;
   std::vector<std::size_t> face_of, side_of;
 };
 
 using Loop = std::vector<std::uint32_t>;
 
-/// Follows links from cut edge to cut edge until they come back to where they began.
+/// Follows links between cut edges until they return to their start.
 class LinkChains {
  public:
   explicit LinkChains(std::size_t edges) : balance_(edges, 0), first_(edges, kNone) {}
 
-  /// Adds the loops of some links; none, and false, if not as many leave each edge as arrive.
+  /// Adds the loops formed by links. Adds none and returns false unless equally many links leave
+  /// and reach each edge.
   bool add_loops(std::span<const Link> links, std::vector<Loop>& loops) {
     if (!come_back(links)) return false;
     next_.assign(links.size(), kNone);
@@ -468,8 +471,8 @@ class LinkChains {
   std::vector<std::uint32_t> next_;   // that leaves the same edge
 };
 
-/// The loops of each object by itself, so that those that touch keep what is between them; of all
-/// those together that do not come back so. False if these do not come back either.
+/// Finds the loops of each object separately, so that touching objects keep the sides between them;
+/// objects not closed by themselves are combined. False if those are not closed either.
 bool find_loops(const Cutter& cut, std::vector<Loop>& loops, std::vector<std::size_t>& object_of) {
   LinkChains chains(cut.edges.points.size());
   std::vector<Link> others;
@@ -499,8 +502,8 @@ DoubleDouble twice_area(std::span<const CutPoint> points, std::span<const std::u
   return sum;
 }
 
-/// The points of a loop, without those that follow themselves, and without stretches there and
-/// back, where the plane touches an edge of the mesh.
+/// The points of a loop, without repeated ones and without parts that run back on themselves, where
+/// the plane touches an edge of the mesh.
 std::vector<Point3> outline(std::span<const CutPoint> cut_points, const Loop& loop) {
   std::vector<Point3> points;
   const auto folds_at_end = [&](const Point3& next) {
@@ -515,7 +518,7 @@ std::vector<Point3> outline(std::span<const CutPoint> cut_points, const Loop& lo
       points.push_back(p);
     }
   }
-  std::size_t first = 0;  // the end is followed by the beginning
+  std::size_t first = 0;  // the last point is followed by the first
   while (points.size() > first + 1) {
     if (folds_at_end(points[first])) {
       points.pop_back();

@@ -17,7 +17,7 @@ struct Section {
   /// In side_of: a side along the plane, and a side that is not part of the mesh's.
   static constexpr std::size_t kInPlane = static_cast<std::size_t>(-1), kNoSide = kInPlane - 1;
 
-  /// Closed polylines in the plane: counterclockwise around what is solid, seen from where the
+  /// Closed polylines in the plane: counterclockwise around solid, seen from where the
   /// normal points, clockwise around holes. Empty if nothing is cut, or the mesh is not closed.
   std::vector<std::vector<Point3>> loops;
   /// The object of each loop; if objects are closed only in combination, the number of all objects.

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// Where the nodes of each name are; of equal names, the first.
+/// The transformations of nodes by name; of nodes with equal names, the first.
 using Places = std::map<std::string_view, const glm::dmat4*>;
 
 Point3 placed(const glm::dmat4& m, const aiVector3D& v) {

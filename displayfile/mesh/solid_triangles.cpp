@@ -22,7 +22,8 @@ namespace {
 using SolidObject = SolidTriangles::Object;
 using CornersOfTriangle = SolidTriangles::Triangle;
 
-/// By their ends, the lower first: sides that run up, less those that run down, in order.
+/// The number of unpaired sides: for each pair of ends, the sides in one direction less those in
+/// the other.
 std::size_t open_sides_of(const std::vector<CornersOfTriangle>& triangles) {
   std::vector<std::tuple<std::uint32_t, std::uint32_t, int>> sides;
   sides.reserve(3 * triangles.size());
@@ -47,7 +48,7 @@ std::size_t open_sides_of(const std::vector<CornersOfTriangle>& triangles) {
   return open;
 }
 
-/// Faces cut into triangles; `first_face` is the first one's number in the mesh.
+/// Triangulates faces; `first_face` is the number of the first one in the mesh.
 SolidObject triangles_of_faces(const WeldedFaces& faces, const Mesh& mesh, std::size_t first_face) {
   SolidObject object;
   object.vertices = faces.vertices;
@@ -62,7 +63,7 @@ SolidObject triangles_of_faces(const WeldedFaces& faces, const Mesh& mesh, std::
     for (const auto& triangle : triangulation.triangulate(polygon)) {
       const CornersOfTriangle t{face[triangle.vertex[0]], face[triangle.vertex[1]],
                                 face[triangle.vertex[2]]};
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // two sides are each other's
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // two sides coincide
       object.triangles.push_back(t);
       object.colours.push_back(colour);
     }
@@ -71,7 +72,7 @@ SolidObject triangles_of_faces(const WeldedFaces& faces, const Mesh& mesh, std::
   return object;
 }
 
-/// The faces with corners where vertices are on their sides.
+/// Triangulates the faces with corners added where vertices are on their sides.
 SolidObject closed_triangles(const WeldedFaces& faces, const Mesh& mesh, std::size_t first_face,
                              double reach) {
   const SidesWithVertices sides(faces, reach);
@@ -79,7 +80,7 @@ SolidObject closed_triangles(const WeldedFaces& faces, const Mesh& mesh, std::si
   return triangles_of_faces(FacesWithCorners(faces, sides).faces(), mesh, first_face);
 }
 
-/// Objects of the faces as they are welded.
+/// The objects of the welded faces.
 std::vector<SolidObject> each_object(const Mesh& mesh, const WeldedFaces& all, double reach) {
   std::vector<SolidObject> objects;
   WeldedObjects faces_of(all);
@@ -101,7 +102,7 @@ void turn_out(SolidObject& object) {
   for (CornersOfTriangle& t : object.triangles) std::swap(t[1], t[2]);
 }
 
-/// Those that no triangle uses are removed.
+/// Removes the vertices that no triangle uses.
 void keep_used(SolidObject& object) {
   std::vector<std::uint32_t> number(object.vertices.size(), SolidTriangles::kNoColour);
   std::vector<Point3> used;
@@ -117,7 +118,7 @@ void keep_used(SolidObject& object) {
   object.vertices = std::move(used);
 }
 
-/// The first of equal colours stands for all of them, in all triangles.
+/// Merges equal colours, in all triangles.
 void share_colours(const Mesh& mesh, SolidTriangles& solid) {
   std::map<std::tuple<double, double, double>, std::uint32_t> known;
   std::vector<std::uint32_t> number;
@@ -139,7 +140,7 @@ void share_colours(const Mesh& mesh, SolidTriangles& solid) {
   }
 }
 
-/// Never inline: where GCC 12 makes vectors of several of them, it drops the conversion.
+/// Must not be inlined: GCC 12 drops the conversion where it vectorizes several of them.
 [[gnu::noinline]] double as_single(double v) {
   const auto rounded = static_cast<double>(static_cast<float>(v));
   return rounded == 0.0 ? 0.0 : rounded;  // not -0

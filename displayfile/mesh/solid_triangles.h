@@ -21,7 +21,7 @@ struct SolidTriangles {
     std::vector<Point3> vertices;  ///< used ones, with distinct positions
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> colours;  ///< of each triangle, an index into all, or kNoColour
-    /// How many more sides run one way between two vertices than the other: 0 if it is closed.
+    /// The number of sides without one in the opposite direction: 0 if it is closed.
     std::size_t open_sides = 0;
   };
   std::vector<Object> objects;  ///< none without triangles

@@ -20,21 +20,21 @@ namespace {
 // Bytes.
 constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50, kNormalBytes = 12, kAttribute = 2;
 
-/// What a binary file says; 0 if it is too short for that.
+/// The number of facets that a binary file announces; 0 if the file is too short.
 std::uint64_t announced_facets(std::string_view data) {
   if (data.size() < kHeader + kCount) return 0;
   return binary_value<std::uint32_t>(data.substr(kHeader), std::endian::little);
 }
 
-/// Words of the text may be in letters of either case.
+/// Compares a word of the text, in letters of either case.
 bool is_word(std::string_view word, std::string_view in_lower_case) {
   return std::equal(
       word.begin(), word.end(), in_lower_case.begin(), in_lower_case.end(),
       [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower; });
 }
 
-/// A binary file may begin with "solid" too: then its size tells, also where some bytes follow its
-/// facets. Where a text has characters in the place of the count, that is more than 150 million.
+/// True if the file is text. A binary file may begin with "solid" too: then its size decides, also
+/// if some bytes follow its facets. Characters of text read as a count are more than 150 million.
 bool is_text(std::string_view data) {
   constexpr std::string_view kSolid = "solid";
   const std::uint64_t size = kHeader + kCount + kFacet * announced_facets(data);
@@ -49,8 +49,8 @@ void add_facet(MeshBuilder& mesh) {
   mesh.add_face(std::array{end - 3, end - 2, end - 1});
 }
 
-/// Programs write colours into the two bytes behind each facet, and one for all into the header.
-/// They disagree about the order of its parts.
+/// Programs write colours into the two bytes after each facet, and one for all into the header.
+/// They disagree about the order of the components.
 void warn_of_colours(std::string_view data, std::size_t facets, MeshBuilder& mesh) {
   std::size_t coloured = 0;
   for (std::size_t i = 0; i < facets; ++i) {
@@ -105,7 +105,7 @@ Mesh read_binary(const MeshFile& file) {
   return std::move(mesh).finish();
 }
 
-/// Words that are not known are left out, facets and solids must be whole.
+/// Reads text. Unknown words are skipped; facets and solids must be complete.
 class StlText {
  public:
   explicit StlText(const MeshFile& file) : text_(text_of(file.path, file.data)), mesh_(file.path) {}
@@ -154,7 +154,7 @@ class StlText {
            is_word(word, "endloop");
   }
 
-  /// A part of a normal, which need not be finite: some programs write -nan(ind).
+  /// True for a component of a normal, which need not be finite: some programs write -nan(ind).
   static bool is_number(std::string_view word) {
     return number<double>(word) || is_word(word.substr(0, 3), "nan") ||
            is_word(word.substr(0, 4), "-nan");
@@ -176,7 +176,7 @@ class StlText {
 
   TextCursor text_;
   MeshBuilder mesh_;
-  int vertices_ = 0;  // of the facet that is read
+  int vertices_ = 0;  // of the current facet
   bool in_solid_ = false, in_facet_ = false;
   std::size_t other_words_ = 0;
   std::string_view first_other_;

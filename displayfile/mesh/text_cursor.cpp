@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// Whether each character ends a field: blanks and line ends of every kind.
+/// For each character, whether it ends a field: blanks and line ends of every kind.
 constexpr std::array<bool, 256> kEndsField = [] {
   std::array<bool, 256> ends{};
   for (const char c : {' ', '\t', '\r', '\n', '\f', '\v'})

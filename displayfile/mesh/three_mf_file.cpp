@@ -22,7 +22,7 @@ namespace displayfile {
 
 namespace {
 
-/// The name of the part that holds the model, without the slash before it; empty if there is none.
+/// The name of the part that holds the model, without the leading slash; empty if there is none.
 std::string model_part(const ZipArchive& archive) {
   constexpr std::string_view kModel =
       "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
@@ -57,7 +57,7 @@ class ThreeMfReader {
   }
 
  private:
-  /// An object that waits to be placed.
+  /// An object waiting to be placed.
   struct Waiting {
     std::string part;
     const ThreeMfModel* model;

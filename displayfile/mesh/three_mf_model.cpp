@@ -24,7 +24,7 @@ constexpr std::string_view kNamespacesRead[] = {
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"};
 
-/// Elements of extensions that add to objects or stand in the place of their meshes.
+/// Elements of extensions that add to objects or replace their meshes.
 constexpr std::pair<std::string_view, std::string_view> kOtherGeometry[] = {
     {"beamlattice", "beam lattice"},
     {"booleanshape", "Boolean shape"},
@@ -51,7 +51,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kXmlBlanks) + 1);
 }
 
-/// The words of a list, which blanks separate.
+/// The words of a list separated by blanks.
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   for (text = without_blanks(text); !text.empty(); text = without_blanks(text)) {
@@ -83,7 +83,7 @@ std::size_t index(std::string_view text, std::size_t end, std::string_view what)
   return static_cast<std::size_t>(*value);
 }
 
-/// Text with the entities of XML that names of objects have.
+/// Text with XML entities replaced, for the names of objects.
 std::string without_entities(std::string_view text) {
   constexpr std::pair<std::string_view, char> kEntities[] = {
       {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}};
@@ -98,7 +98,7 @@ std::string without_entities(std::string_view text) {
   return result;
 }
 
-/// #RRGGBB or #RRGGBBAA.
+/// The material of a colour #RRGGBB or #RRGGBBAA.
 Mesh::Material coloured(std::string_view colour) {
   colour = without_blanks(colour);
   const bool is_whole = colour.starts_with('#') && (colour.size() == 7 || colour.size() == 9);
@@ -114,7 +114,7 @@ Mesh::Material coloured(std::string_view colour) {
   return {Colour(rgb >> 16, rgb >> 8 & 0xFF, rgb & 0xFF) / 255.0, false, is_transparent};
 }
 
-/// Twelve numbers, rows of a matrix by which points, as rows, are multiplied.
+/// Reads twelve numbers, rows of a matrix that is multiplied by points as row vectors.
 glm::dmat4 transformation_of(const XmlTag& tag) {
   glm::dmat4 m(1.0);
   const auto text = tag.value("transform");
@@ -230,7 +230,7 @@ class ModelReader {
     materials_.emplace(group_->back(), material);
   }
 
-  /// The mean of base materials in proportion to these values.
+  /// The mean of the base materials, weighted by these values.
   Mesh::Material mixed_material(const std::vector<std::string_view>& values) const {
     const auto indices = words_of(mixed_indices_);
     Colour sum(0.0);
@@ -293,7 +293,7 @@ class ModelReader {
     object_->triangles.push_back({{corner("v1"), corner("v2"), corner("v3")}, material_of(tag)});
   }
 
-  /// Its own property, or else the object's.
+  /// The triangle's own property, or otherwise the object's.
   std::uint32_t material_of(const XmlTag& triangle) {
     const std::string_view id = triangle.value("pid").value_or(own_group_);
     if (id.empty()) return Mesh::kNoMaterial;
@@ -353,14 +353,14 @@ class ModelReader {
   MeshBuilder& mesh_;
   ThreeMfFindings& findings_;
   ThreeMfModel model_;
-  // Materials of the builder: those of each group, what they are, and means of three.
+  // Materials of the builder: those of each group, their contents, and means of three.
   std::map<std::string, std::vector<std::uint32_t>, std::less<>> groups_;
   std::map<std::uint32_t, Mesh::Material> materials_;
   std::map<std::array<std::uint32_t, 3>, Mean> means_;
   std::vector<const std::vector<std::uint32_t>*> layered_;  // groups of several properties
-  // What is being read:
+  // State of the element being read:
   std::vector<std::uint32_t>* group_ = nullptr;
-  const std::vector<std::uint32_t>* mixed_ = nullptr;  // of what the group's entries are made
+  const std::vector<std::uint32_t>* mixed_ = nullptr;  // the materials mixed in the group's entries
   std::string mixed_indices_;
   ThreeMfObject* object_ = nullptr;
   std::string own_group_, own_index_;  // of the object

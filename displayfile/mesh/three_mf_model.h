@@ -16,7 +16,7 @@
 
 namespace displayfile {
 
-/// What places an object: a component of another object, or an item of the build.
+/// The placement of an object: a component of another object, or an item of the build.
 struct ThreeMfPlacement {
   std::string part;  ///< of the file, where the object is; empty: the same
   std::string object;
@@ -44,7 +44,7 @@ struct ThreeMfModel {
   std::vector<ThreeMfPlacement> build;
 };
 
-/// Numbers of what a file holds and is not drawn, and the precision of its coordinates.
+/// Counts of contents that are not drawn, and the precision of coordinates.
 struct ThreeMfFindings {
   std::size_t varied = 0;   ///< triangles whose corners differ in colour
   std::size_t layered = 0;  ///< triangles with several properties in layers
@@ -54,8 +54,8 @@ struct ThreeMfFindings {
 };
 
 /// Reads the text of a model, whose materials it adds to the builder. Throws std::runtime_error,
-/// with a message to follow the file's name: the text is no whole model, a number is invalid, an
-/// index is out of range, or it requires an extension that is not read.
+/// with a message to follow the file's name: the model is incomplete, a number is invalid, an index
+/// is out of range, or it requires an extension that is not read.
 ThreeMfModel read_three_mf_model(std::string_view text, MeshBuilder& mesh,
                                  ThreeMfFindings& findings);
 

@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// The two words in quotation marks that follow.
+/// The next two words in quotation marks.
 std::array<std::string_view, 2> quoted_words(std::string_view text) {
   std::array<std::string_view, 2> words;
   for (std::string_view& word : words) {
@@ -25,7 +25,7 @@ std::array<std::string_view, 2> quoted_words(std::string_view text) {
   return words;
 }
 
-/// OpenGEX: `Metric (key = "up") {string {"y"}}`; z where there is none.
+/// The up axis of OpenGEX: `Metric (key = "up") {string {"y"}}`; z if missing.
 Upright upright_in_opengex(std::string_view text) {
   constexpr std::string_view kMetric = "Metric";
   for (auto at = text.find(kMetric); at != text.npos; at = text.find(kMetric, at + 1)) {
@@ -35,11 +35,11 @@ Upright upright_in_opengex(std::string_view text) {
   return upright("z");
 }
 
-/// One line a format that is not as the import library gives others, with y up.
+/// One line per format whose up axis differs from the y up of the import library's others.
 struct FormatUpright {
   std::string_view extension;
   std::string_view axis;
-  bool laid_down;  ///< else a custom, which some files follow
+  bool laid_down;  ///< else a convention, which some files follow
   Upright (*read)(std::string_view text) = nullptr;
 };
 constexpr FormatUpright kUprightFormats[] = {

@@ -41,7 +41,7 @@ struct SmoothedFaces {
   const Point3& point(std::size_t corner) const { return welded.vertices[welded.corners[corner]]; }
 };
 
-/// Adds a face's corners but those that repeat the one before.
+/// Adds a face's corners, except those that repeat the one before.
 void add_corners(std::span<const std::uint32_t> face, std::size_t first, SmoothedFaces& kept) {
   std::vector<std::uint32_t>& corners = kept.welded.corners;
   const std::size_t start = corners.size();
@@ -60,7 +60,7 @@ void add_corners(std::span<const std::uint32_t> face, std::size_t first, Smoothe
   kept.first_corner.push_back(corners.size());
 }
 
-/// Keeps the faces that are no needles.
+/// Keeps the faces that are not needles.
 void keep_faces_with_area(WeldedFaces entered, double reach, SmoothedFaces& kept) {
   kept.first_corner.assign(1, 0);
   kept.of_entered.assign(entered.corners.size(), kNoCorner);
@@ -78,7 +78,7 @@ void keep_faces_with_area(WeldedFaces entered, double reach, SmoothedFaces& kept
   kept.welded.first_corner = kept.first_corner;
 }
 
-/// Vertices along sides become corners.
+/// Makes vertices along sides into corners.
 void add_vertices_along_sides(SmoothedFaces& faces, double reach) {
   const SidesWithVertices sides(faces.welded, reach);
   if (!sides.any()) return;
@@ -166,7 +166,8 @@ class CornersJoined {
     });
   }
 
-  /// As CreaseAngle has it.
+  /// The normal of the face, reversed unless it uses the side from low to high, as CreaseAngle
+  /// requires.
   Point3 turned_normal(const SideUse& use) const {
     return use.runs_up ? normals_[use.face] : -normals_[use.face];
   }
@@ -187,8 +188,8 @@ class CornersJoined {
     join_corners(a.at_high, b.at_high);
   }
 
-  /// Where more than two faces share a side, each is compared with the one that it meets at the
-  /// least angle: the one whose turned normal is nearest to the opposite of its own.
+  /// Where more than two faces share a side, compares each with the one that it meets at the
+  /// smallest angle: the one whose turned normal is nearest to the opposite of its own.
   void join_most_level(std::span<const SideUse> uses) {
     const Point3 along = faces_.point(uses[0].at_high) - faces_.point(uses[0].at_low);
     const Point3 right = turned_normal(uses[0]);
@@ -211,7 +212,7 @@ class CornersJoined {
     }
   }
 
-  /// Grows with the angle of its turned normal around the side, 0 to 4 for a whole turn.
+  /// Increases with the angle of the turned normal around the side, from 0 to 4 for a full turn.
   double place_around(const Point3& right, const Point3& up, const SideUse& use) const {
     const Point3 normal = turned_normal(use);
     const double x = glm::dot(normal, right), y = glm::dot(normal, up);
@@ -251,10 +252,10 @@ std::vector<Point3> sums_of_sets(const SmoothedFaces& faces, CornersJoined& join
 }
 
 /// For each corner of the faces, the mean of the normals of the faces around its vertex that are
-/// connected with its own by sides that end there and are no creases, weighted by their angles
-/// there (displayfile/looks/gouraud.md). Faces that run the other way are reversed for it. Sides on
-/// which others end, within reach, are shared with these; needles count for nothing. Of any length;
-/// zero: the face's own normal, also where the mean is within CreaseAngle::kCoplanar of it.
+/// connected with its own by sides that end there and are not creases, weighted by their angles
+/// there (displayfile/looks/gouraud.md). Faces of opposite orientation are reversed for it. Sides
+/// on which others end, within reach, are shared with these; needles count for nothing. Of any
+/// length; zero: the face's own normal, also where the mean is within CreaseAngle::kCoplanar of it.
 std::vector<Point3> crease_normals(WeldedFaces entered, double reach, const CreaseAngle& crease) {
   SmoothedFaces faces;
   keep_faces_with_area(std::move(entered), reach, faces);
@@ -313,7 +314,7 @@ bool has_all_normals(const Mesh& mesh) {
   return true;
 }
 
-/// One for each corner, where the mesh has none.
+/// Sets the normal of each corner for which the mesh has none.
 void add_normals(std::span<const Point3> of_corners, Mesh& mesh) {
   for (std::size_t k = 0; k < mesh.corners.size(); ++k) {
     if (has_normal(mesh, k)) continue;

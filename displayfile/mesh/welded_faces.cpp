@@ -18,7 +18,7 @@ struct Edge {
   std::uint32_t high() const { return std::max(from, to); }
 };
 
-/// Edges that run through two vertices more often one way than the other.
+/// Edges used more often in one direction than in the other.
 std::vector<SideOfPoints> unpaired_edges(const WeldedFaces& faces) {
   std::vector<std::size_t> end(faces.vertices.size() + 1, 0);
   for_each_edge(faces,

@@ -82,7 +82,7 @@ void write_mesh(const SolidTriangles& solid, const std::string& file) {
   written_format(file).write(solid, file);
 }
 
-/// A header that does not begin with "solid", which would stand for a text.
+/// Writes a header that does not begin with "solid", which would mark a text file.
 void write_stl(const SolidTriangles& solid, const std::string& file) {
   constexpr std::size_t kBytesOfHeader = 80;
   OutputFile output(file);
@@ -111,7 +111,7 @@ void write_stl(const SolidTriangles& solid, const std::string& file) {
 
 namespace {
 
-/// A name of an object in OBJ is the rest of a line.
+/// Removes control characters from the name: in OBJ, an object's name is the rest of a line.
 std::string in_one_line(std::string name, const std::string& otherwise) {
   for (char& c : name) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';

@@ -12,7 +12,7 @@ namespace displayfile {
 /// Formats in which triangles are written, by extension, in the order of messages.
 std::vector<std::string_view> written_mesh_formats();
 
-/// The files that write_mesh writes for this one: of an .obj, beside it, one for its colours too.
+/// The files that write_mesh writes for this one: for an .obj, also one for its colours beside it.
 /// Throws Error, naming the file, for an extension that is none of those formats, and for .3mf in a
 /// build without minizip.
 std::vector<std::string> files_of_mesh(const std::string& file);
@@ -28,7 +28,7 @@ std::vector<std::string> files_of_mesh(const std::string& file);
 /// Throws Error, naming the file, if it cannot be written or holds too many triangles.
 void write_mesh(const SolidTriangles& solid, const std::string& file);
 
-/// Those of one format each.
+/// Writers for one format each.
 void write_stl(const SolidTriangles& solid, const std::string& file);
 void write_obj(const SolidTriangles& solid, const std::string& file);
 void write_ply(const SolidTriangles& solid, const std::string& file);

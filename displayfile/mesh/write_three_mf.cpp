@@ -32,7 +32,7 @@ const ZipWriter& zip_writer() {
   return library;
 }
 
-/// A ZIP archive. Its parts have one date, so that equal contents are equal files.
+/// A ZIP archive. All parts have the same date, so that equal contents give equal files.
 class ZipFile {
  public:
   ZipFile(const std::string& path, const std::string& name)
@@ -102,7 +102,7 @@ void append_materials(const SolidTriangles& solid, std::string& out) {
   out += "</basematerials>\n";
 }
 
-/// An object has the colour of its first triangle, and others have their own.
+/// An object has the colour of its first triangle; triangles of other colours have their own.
 void append_object(const SolidTriangles::Object& object, std::size_t id, std::string& out) {
   const auto to = std::back_inserter(out);
   const std::uint32_t colour = object.colours.front();

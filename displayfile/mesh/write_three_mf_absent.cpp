@@ -1,4 +1,4 @@
-// A build without the headers of minizip: no 3MF is written.
+// A build without the headers of minizip, which cannot write 3MF.
 
 #include "clip/base/error.h"
 #include "displayfile/mesh/write_mesh.h"

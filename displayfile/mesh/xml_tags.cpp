@@ -67,7 +67,7 @@ std::string_view XmlTags::take_name() {
   return name;
 }
 
-/// name = "value". False at the end of the tag, or where no attribute stands.
+/// Reads name = "value". False at the end of the tag, or if there is no attribute.
 bool XmlTags::read_attribute() {
   pass_over_blanks();
   const std::string_view name = take_name();

@@ -46,7 +46,7 @@ std::optional<std::string> ZipArchive::content(const std::string& name) const {
   while (status == UNZ_OK) {
     const int bytes = library_->ReadCurrentFile(archive_, part.data(), unsigned{part.size()});
     if (bytes <= 0) {
-      status = bytes == 0 ? library_->CloseCurrentFile(archive_) : bytes;  // that checks the sum
+      status = bytes == 0 ? library_->CloseCurrentFile(archive_) : bytes;  // checks the CRC
       break;
     }
     content.append(part.data(), static_cast<std::size_t>(bytes));

@@ -15,13 +15,13 @@ namespace displayfile {
 
 namespace {
 
-/// Depths are those of one place, but for rounding.
+/// True if the depths are equal up to rounding.
 bool is_as_deep(const Point3& a, const Point3& b) {
   constexpr double kRounding = 0x1p-40;
   return std::abs(a.z - b.z) <= kRounding * (1.0 + std::abs(b.z));
 }
 
-/// The cuts of pieces by their places in the picture, and where they are put.
+/// The cuts of pieces by their positions in the picture, and the positions to which they are moved.
 class CutsInPicture {
  public:
   explicit CutsInPicture(double radius)
@@ -52,8 +52,8 @@ class CutsInPicture {
       }
     }
   }
-  /// Puts each cut that is as close as the radius in x and y at the vertex, unless it has one: the
-  /// first counts, and one of the cut's depth before all others.
+  /// Moves each cut within the radius in x and y to the vertex, unless it is placed already: the
+  /// first vertex counts, but one of the cut's depth takes precedence.
   void take_vertex(const Point3& vertex) {
     if (has_some_[square(vertex.x, vertex.y)] == 0) return;
     for_each_near(vertex, [&](Cut& cut) {
@@ -62,7 +62,7 @@ class CutsInPicture {
       cut.is_placed = true;
     });
   }
-  /// Those that no vertex is close to, at the first of them that others are close to.
+  /// Moves cuts without a near vertex to the first of those near each other.
   void join() {
     for (Cut& cut : all) {
       if (cut.is_placed) continue;
@@ -87,7 +87,8 @@ class CutsInPicture {
     std::uint32_t cut, next;
   };
 
-  /// Squares of the picture in a row; what is outside of it counts to the first row or column.
+  /// A grid of kSquares squares over the picture; positions outside of it count to the first or
+  /// last row or column.
   static constexpr std::size_t kSquares = 256;
   static std::size_t square(double x, double y) {
     const auto of = [](double v) {
@@ -95,7 +96,7 @@ class CutsInPicture {
     };
     return of(x) * kSquares + of(y);
   }
-  /// Towards zero: cells there are twice as wide.
+  /// Rounds towards zero: cells there are twice as wide.
   Cell cell(double x, double y) const {
     constexpr double kMost = 0x1p62;
     return {static_cast<std::int64_t>(std::clamp(x * per_cell_, -kMost, kMost)),
@@ -122,12 +123,12 @@ class CutsInPicture {
   std::vector<InCell> in_cells_;
 };
 
-/// Puts the cuts of pieces where they are to be, one piece after the other.
+/// Moves the cuts of pieces, one piece after the other.
 class MovedPieces {
  public:
   MovedPieces(const CutsInPicture& cuts, SortedPieces& pieces) : cuts_(cuts), pieces_(pieces) {}
 
-  /// To be called for all pieces that were cut, in order. False if nothing is left of a line.
+  /// Must be called for all cut pieces, in order. False if nothing is left of a line.
   bool move(SortedPiece& piece) {
     if (next_ == cuts_.all.size() || cuts_.all[next_].point - piece.first >= piece.sides) {
       return true;  // it has none
@@ -144,8 +145,8 @@ class MovedPieces {
   }
 
  private:
-  /// Writes what was moved, without sides that have lost their length; false if a line has. A
-  /// polygon that has no more than two sides left stays as it is: it may cover a pixel's centre.
+  /// Writes the moved points, without sides that have lost their length; false if a line has. A
+  /// polygon with no more than two sides left stays unchanged: it may cover a pixel's centre.
   bool replace(SortedPiece& piece) {
     kept_.clear();
     for (std::uint32_t k = 0; k < piece.sides; ++k) {
@@ -171,8 +172,8 @@ class MovedPieces {
   std::vector<std::uint32_t> kept_;
 };
 
-/// Those that are no vertices of their own item, bit for bit, nor where the line before ended at
-/// one.
+/// Finds the cuts that are not vertices of their own item, bit for bit, and not where the line
+/// before ended at one.
 void find_cuts(const ViewedScene& scene, const SortedPieces& pieces, CutsInPicture& cuts) {
   const Point3* last = nullptr;  // that is a vertex
   for (const SortedPiece& piece : pieces.pieces) {

@@ -89,7 +89,7 @@ std::vector<VisiblePiece> pieces_of_picture(const ViewedScene& scene, const Foun
                        looks.empty() ? 0 : looks[piece.item],
                        is_line(scene, piece.item) && piece.from == 0.0 && piece.to == 1.0});
   }
-  // Lines that end where others do, and are not looked at themselves.
+  // Lines at which others may end, but which are not examined themselves.
   const auto own = static_cast<std::uint32_t>(strokes.size());
   const std::uint32_t no_look = scene.items();
   for (const VisibleIntersection& piece : found.seen.intersections) {

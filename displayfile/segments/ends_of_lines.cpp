@@ -9,20 +9,20 @@
 #include "hidden/exact/entered_plane.h"
 #include "hidden/exact/eye.h"
 
-// Which ends of lines are within reach of a plane (ViewedScene::places).
+// Finds which ends of lines are within reach of a plane (ViewedScene::places).
 
 namespace displayfile {
 
 namespace {
 
-/// A polygon or a line as it was entered, put into the picture in doubles once more, to tell which
-/// of its sides a line of the picture is, or was before it was clipped.
+/// A polygon or a line as entered, projected into the picture in doubles again, to find which of
+/// its sides a line of the picture is, or was before clipping.
 class SidesInPicture {
  public:
   explicit SidesInPicture(const ViewedScene::EnteredItem& item)
       : item_(item), image_(*item.image), longest_(longest_of(*item.image)) {}
 
-  /// A line of the picture and the side between two vertices.
+  /// How well a line of the picture matches the side between two vertices.
   struct Likeness {
     bool starts = false, ends = false;                     ///< at the same point
     double off = std::numeric_limits<double>::infinity();  ///< of the other ends, in roundings
@@ -44,7 +44,7 @@ class SidesInPicture {
 
  private:
   static constexpr double kRounding = 0x1p-53;
-  /// In the homogeneous unit cube; each coordinate is off by no more than `error`.
+  /// In the homogeneous unit cube; the error of each coordinate is at most `error`.
   struct Vertex {
     HomogeneousPoint at;
     double error;
@@ -70,12 +70,12 @@ class SidesInPicture {
   Point3 in_picture(const HomogeneousPoint& p) const {
     return image_.apply(item_.volume->to_device(p));
   }
-  /// By how much a coordinate there may be off.
+  /// The largest error of a coordinate in the picture.
   double error_in_picture(const Vertex& v, const Point3& at) const {
     const double largest = 1.0 + std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
     return (v.error / v.at.w + 16.0 * kRounding) * largest * longest_;
   }
-  /// As what is not clipped was viewed, bit for bit.
+  /// True if the vertex, viewed as unclipped points are, is at that point bit for bit.
   bool is_exactly_at(std::size_t k, const Point3& seen) const {
     const HomogeneousPoint at = item_.volume->transform(item_.polygon.in_world(k));
     return at.w >= item_.volume->nearest_w() && in_picture(at) == seen;
@@ -86,7 +86,8 @@ class SidesInPicture {
     const Point3 at = in_picture(v.at), off = glm::abs(at - seen);
     return std::max({off.x, off.y, off.z}) <= error_in_picture(v, at);
   }
-  /// How far a point of the picture is from the line of a side, over what may be rounded there.
+  /// The distance of a point of the picture from the line of a side, in units of the possible
+  /// rounding error.
   double off_side(Vertex p, Vertex q, const Point3& seen) const {
     if (!is_in_front(p) && !is_in_front(q)) return std::numeric_limits<double>::infinity();
     if (!is_in_front(p)) p.at = at_the_eye(p.at, q.at);
@@ -98,7 +99,7 @@ class SidesInPicture {
     const double shares = 1.0 + (glm::length(at - a) + glm::length(at - b)) / length;
     return off / (shares * (error_in_picture(p, start) + error_in_picture(q, end)));
   }
-  /// The place of a side from p, which is not in front of the eye, to q where it is just so.
+  /// The first point in front of the eye on the side from p, which is not in front, to q.
   HomogeneousPoint at_the_eye(const HomogeneousPoint& p, const HomogeneousPoint& q) const {
     const double share = (item_.volume->nearest_w() - p.w) / (q.w - p.w);
     return p + std::min(1.0, share * (1.0 + 0x1p-40)) * (q - p);
@@ -109,9 +110,9 @@ class SidesInPicture {
   double longest_;
 };
 
-/// The side of the plane, which goes through that point of the world, from which it is seen: 1
-/// where its normal points, -1, or 0 where it is too nearly edge-on to say. The normal is off by no
-/// more than that error.
+/// The side of the plane through that world point on which the viewer is: 1 where its normal
+/// points, -1 for the other, or 0 if the plane is too nearly edge-on to decide. The error of the
+/// normal is at most `normal_error`.
 int side_of_viewer(const ViewVolume& volume, const Point3& normal, double normal_error,
                    const Point3& at) {
   constexpr double kSure = 0x1p-36;  // far more than is rounded here
@@ -124,7 +125,7 @@ int side_of_viewer(const ViewVolume& volume, const Point3& normal, double normal
   return std::abs(off) > kSure * size ? (off > 0.0 ? 1 : -1) : 0;
 }
 
-/// A plane through three points in doubles, which decides most ends before EnteredPlane is made.
+/// A plane through three points in doubles, which decides most ends before an EnteredPlane is made.
 class RoughPlane {
  public:
   explicit RoughPlane(const EnteredPlane::Corners& corners) : through_(corners[0]) {
@@ -136,10 +137,10 @@ class RoughPlane {
     error_ = kRounded * (1.0 + glm::length(u) * glm::length(v) / length);
   }
   const Point3& normal() const { return normal_; }  ///< of length 1
-  /// Infinite if nothing is known.
+  /// Infinite if unknown.
   double normal_error() const { return error_; }
-  /// 1 where the normal points or -1, farther off than the reach; kOnPlane within it; nothing where
-  /// doubles do not tell.
+  /// 1 where the normal points or -1, beyond the reach; kOnPlane within it; nothing if doubles do
+  /// not decide.
   std::optional<int> side(const Point3& point, const Reach& reach) const {
     const Point3 off = point - through_;
     const double distance = glm::dot(normal_, off), error = error_ * glm::length(off);
@@ -176,7 +177,7 @@ std::optional<ViewedScene::EnteredLine> ViewedScene::entered_line(Item item,
   const auto likeness = [&](std::size_t to) {
     return in_picture.likeness(previous_corner(to, sides), to, a, b);
   };
-  // What was not clipped has its vertices in the same places.
+  // An unclipped item has its vertices at the same indices.
   SidesInPicture::Likeness most;
   std::size_t side = 1;
   if (sides == 2 || seen.size() == sides) {
@@ -205,7 +206,8 @@ EndsAsEntered::Places ViewedScene::places(Item item, std::uint32_t corner, Item 
   const auto support = support_of_entered({points.data(), points.size()});
   if (!support) return kUnknown;
   const auto& [p, q, r] = *support;
-  // Where its polygon's plane is not that of its ends, that plane tells which are before the other.
+  // If its polygon's plane is not that of its ends, that plane decides which are in front of the
+  // other.
   const bool is_moved = plane_of_bent(item) != nullptr || is_off_its_plane(item);
   const auto place = [&](int side, int of_eye, bool is_seen) {
     if (of_eye == 0 || is_moved || !is_seen) return Place::off_plane;

@@ -24,7 +24,7 @@ SortedPieces pieces_of(const ViewedScene& scene, const SurfacePlan& plan) {
   }
   if (plan.method == HiddenMethod::map) return map_in_order(scene, plan);
   Primitives items = scene.primitives();
-  if (!plan.precision.exact) {  // a ROUNDOFF decides what is in one plane
+  if (!plan.precision.exact) {  // a ROUNDOFF decides which polygons are coplanar
     items.planes = {};
     items.plane_rests = {};
     items.touching = 0.0;
@@ -39,12 +39,12 @@ bool sorts(HiddenMethod method) {
   return is_object_space(method) && method != HiddenMethod::map && !finds_lines(method);
 }
 
-/// That the plan and the budget in force set.
+/// The limit set by the plan and the budget in force.
 std::size_t limit_of_pieces(const SurfacePlan& plan) {
   return sorts(plan.method) ? most_pieces_of_sort(plan, 0) : most_pieces_in_force();
 }
 
-/// With the limit that was in force.
+/// The plan to be kept, with the limit that was in force.
 SurfacePlan kept(const SurfacePlan& plan) {
   SurfacePlan kept = plan.kept();
   kept.most_pieces = limit_of_pieces(plan);
@@ -66,7 +66,7 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
       SortedScene{{std::move(ordered)}, image, kept(plan), counts, moved});
 }
 
-/// What `sort` returns, which has every point in its tables at least.
+/// Returns the result of `sort`, which has at least every point in its tables.
 template <class Sort>
 std::shared_ptr<const SortedScene> with_memory_of_sort(std::size_t points, HiddenMethod method,
                                                        Sort&& sort) {
@@ -90,8 +90,8 @@ std::size_t most_pieces_in_force() {
       std::min<std::uint64_t>(most, std::numeric_limits<std::size_t>::max()));
 }
 
-/// A sort may have one piece more for a while than in the end, where it tries a cut. How many a map
-/// or lines had is not kept.
+/// A sort may briefly have one piece more than in the end, when it tries a cut. The number of
+/// pieces of a map or of lines is not kept.
 bool is_within_limit(const SortedScene& sorted, const SurfacePlan& plan) {
   const SurfacePlan now = plan.by(sorted.plan.method);
   const std::size_t limit = limit_of_pieces(now);

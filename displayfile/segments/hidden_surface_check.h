@@ -34,13 +34,13 @@ std::shared_ptr<const SortedScene> hidden_surface_check(
 std::shared_ptr<const SortedScene> hidden_surface_check(std::span<const Segment* const> segments,
                                                         const SurfacePlan& plan);
 
-/// The limit of pieces that is in force for the map, for lines and for all that is no sort: that of
+/// The limit of pieces in force for the map, for lines and for all else that does not sort: that of
 /// the budget, or else the largest number.
 std::size_t most_pieces_in_force();
 
-/// True if hidden_surface_check with this plan, and the budget in force, would come to the end that
-/// this result of it came to, and not to a limit of pieces. False if that is not known: the scene
-/// is to be sorted again.
+/// True if hidden_surface_check with this plan, and the budget in force, would give this result
+/// again rather than reach a limit of pieces. False if unknown: the scene must then be sorted
+/// again.
 bool is_within_limit(const SortedScene& sorted, const SurfacePlan& plan);
 
 }  // namespace displayfile

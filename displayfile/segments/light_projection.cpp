@@ -10,10 +10,10 @@ namespace displayfile {
 
 namespace {
 
-/// The middle of the picture and of the depths.
+/// The middle of the picture and of the depth range.
 constexpr double kMiddle = 0.5;
 
-/// LightAxes of length 1, square to a direction and to each other.
+/// Two unit vectors perpendicular to a direction and to each other.
 struct LightAxes {
   Point3 across, up;
   explicit LightAxes(const Point3& direction) {
@@ -27,8 +27,8 @@ struct LightAxes {
 
 }  // namespace
 
-/// A light whose picture is a point far away, or infinitely far: the directions toward it from the
-/// points of the scene are nearly the same. W vanishes at the light and is 1 in the middle.
+/// A light whose image is a distant point, or at infinity: the directions toward it from the points
+/// of the scene are nearly equal. W vanishes at the light and is 1 in the middle.
 LightProjection LightProjection::from_afar(const HomogeneousPoint& light) {
   const Point3 middle(kMiddle);
   const Point3 toward = Point3(light) - light.w * middle;
@@ -44,8 +44,8 @@ LightProjection LightProjection::from_afar(const HomogeneousPoint& light) {
   return view;
 }
 
-/// For perspective views. What is infinitely far in the world is a plane of equal depth, on which
-/// the light is, and before which everything lies.
+/// For perspective views. World points at infinity are in a plane of constant depth, which contains
+/// the light and has the whole scene before it.
 LightProjection LightProjection::from_nearby(const HomogeneousPoint& light) {
   const Point3 at = Point3(light) / light.w;
   LightProjection view;

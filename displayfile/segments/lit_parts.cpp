@@ -22,8 +22,9 @@ using Item = ViewedScene::Item;
 using Lit = SortedPieces::Lit;
 using PlanePoints = Primitives::PlanePoints;
 
-/// What lies so close to a plane counts as on it, and hides no light from what is: as a part of the
-/// plane's change over the picture. So rays have it (interp/raster/shadows.md).
+/// Points this close to a plane count as on it and hide no light from it: as a fraction of the
+/// plane's change over the picture. The same bound applies to shadow rays
+/// (interp/raster/shadows.md).
 constexpr double kOnPlane = 0x1p-39;
 
 /// The points of a polygon's support plane. False if it is edge-on.
@@ -33,9 +34,9 @@ bool find_plane(const Primitives& items, const Primitives::Item& item, PlanePoin
   return !edge_on;
 }
 
-/// The same plane by points that tell where it is from anywhere. Of a polygon that is edge-on but
-/// for rounding, rounding picked the points of the support plane: these may be nearly in line in
-/// space, and are replaced then.
+/// The same plane by points that determine it well everywhere. If a polygon is edge-on up to
+/// rounding, rounding has picked the points of the support plane: they may be nearly collinear in
+/// space, and are then replaced.
 bool find_plane_in_space(const Primitives& items, const Primitives::Item& item,
                          PlanePoints& points) {
   constexpr double kNearlyInLine = 0x1p-10;
@@ -52,7 +53,7 @@ bool find_plane_in_space(const Primitives& items, const Primitives::Item& item,
   return true;
 }
 
-/// Polygons in one plane, but for rounding, hide no light from each other.
+/// Finds polygons that are coplanar up to rounding, which hide no light from each other.
 class PlanesOfLight {
  public:
   explicit PlanesOfLight(const Primitives& items) : items_(items) {
@@ -74,15 +75,15 @@ class PlanesOfLight {
   bool are_in_one(Item a, Item b) const {
     return planes_[a][0] != Primitives::kOwnPlane && planes_[a] == planes_[b];
   }
-  /// True if one that was entered later lies over it but for rounding, so that the light seems to
-  /// see that one alone, and the viewer may see both.
+  /// True if a polygon entered later lies over it in the same plane up to rounding, so that the
+  /// light seems to reach that one alone, and the viewer may see both.
   bool is_below_another(Item item) const { return below_[item] != 0; }
 
  private:
   struct Lying {
     Item item;
     PlanePoints points;
-    double depth, error;  // of the plane above a point of no meaning
+    double depth, error;  // of the plane at an arbitrary point
     double size;
   };
 
@@ -103,8 +104,8 @@ class PlanesOfLight {
     }
   }
 
-  /// Each is compared with the planes of about its depth there, which are few but for its own. The
-  /// largest polygon of a plane tells where it is.
+  /// Compares each polygon with the planes of similar depth at that point, which are few apart from
+  /// its own. The largest polygon of a plane determines its position.
   void join() {
     std::ranges::sort(lying_, [](const Lying& a, const Lying& b) {
       return a.size != b.size ? a.size > b.size : a.item < b.item;
@@ -128,7 +129,7 @@ class PlanesOfLight {
     }
   }
 
-  /// Those of a plane in order of x, each with those that begin before it ends.
+  /// Sorts the polygons of each plane by x and compares each with those that begin before it ends.
   void find_those_below() {
     below_.assign(planes_.size(), 0);
     std::vector<std::pair<Rectangle, Item>> boxes;
@@ -153,7 +154,7 @@ class PlanesOfLight {
     }
   }
 
-  /// True if the two overlap, and are not in one plane exactly.
+  /// True if the two overlap, and are not exactly coplanar.
   bool lies_over(Item low, Item high) const {
     if (has_a_side_between(low, high) || has_a_side_between(high, low)) return false;
     PlanePoints points;
@@ -197,8 +198,8 @@ class PlanesOfLight {
   std::vector<std::uint8_t> below_;
 };
 
-/// A scene's polygons, and in place of each of which the light reaches a part, that one in shadow
-/// and its lit parts before it, in its plane.
+/// A scene's polygons, where each polygon of which the light reaches a part is replaced by the same
+/// polygon in shadow, with its lit parts before it, in its plane.
 class LitItems {
  public:
   LitItems(const ViewedScene& scene, const Primitives& items)
@@ -206,7 +207,7 @@ class LitItems {
     reached_.assign(items.items.size(), Reached{});
   }
 
-  /// Looks at what that light reaches of the items that show its shadows.
+  /// Finds the parts that this light reaches, of the items that show its shadows.
   void look_from(const HomogeneousPoint& light, const PlanesOfLight& planes,
                  const MapOptions& options) {
     std::vector<Point3> solid;
@@ -222,13 +223,13 @@ class LitItems {
     seen.reserve(items_.points.size());
     for (const Point3& p : items_.points) {
       const Point3 at = (*view)(p);
-      seen.push_back(in_range(at) ? at : Point3(0.0));  // a line's, which hides nothing
+      seen.push_back(in_range(at) ? at : Point3(0.0));  // of a line, which hides nothing
     }
     Primitives lit = items_;
     lit.points = seen;
     lit.visible = {};
     lit.planes = planes.planes();
-    lit.plane_rests = {};  // those are of the picture
+    lit.plane_rests = {};  // valid for the picture only
     const VisibleMap map = visible_map(lit, options);
     const SortedPieces pieces = pieces_of_map(lit, map);
     std::size_t k = 0;
@@ -250,7 +251,7 @@ class LitItems {
     }
   }
 
-  /// Pieces of the map of this scene, as those of the items.
+  /// The pieces of the map of this scene, as pieces of the original items.
   SortedPieces pieces(const MapOptions& options) {
     build();
     const Primitives all{points_, corners_, visible_, all_, planes_};
@@ -288,7 +289,7 @@ class LitItems {
     bool is_part;
   };
 
-  /// What the light sees of an item if others in its plane do not cover it.
+  /// The part of an item that the light reaches if others in its plane do not cover it.
   static SortedPieces not_covered(Item i, const PlanesOfLight& planes, const Primitives& items,
                                   const SortedPieces& pieces, const MapOptions& options) {
     std::vector<Point3> points;
@@ -344,8 +345,8 @@ class LitItems {
     }
   }
 
-  /// The point of a polygon that the light sees there, which is the same combination of three of
-  /// its vertices; or one of its vertices.
+  /// The point of the polygon at that position as seen from the light: one of its vertices, or
+  /// otherwise the corresponding combination of three of them.
   std::uint32_t device_point(const Primitives::Item& item, const PlanePoints& plane,
                              const Point2& at, const std::vector<Point3>& seen,
                              const LightProjection& view) {

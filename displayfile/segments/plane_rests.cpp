@@ -23,8 +23,9 @@ namespace displayfile {
 
 namespace {
 
-/// What the depths of points lack to be in the plane; 0 if it is edge-on, or if one lacks more: the
-/// plane is so steep then that the rounding of x and y alone says where it is.
+/// The amounts to be added to the depths of points so that they are in the plane. 0 if the plane is
+/// edge-on, or if one exceeds `largest`: the plane is then so steep that the rounding of x and y
+/// alone decides its position.
 Point3 rests_in(const PlaneInPicture& plane, const std::array<Point3, 3>& points, double largest) {
   if (plane.is_edge_on()) return Point3(0.0);
   Point3 rest(0.0);
@@ -38,7 +39,7 @@ Point3 rests_in(const PlaneInPicture& plane, const std::array<Point3, 3>& points
   return rest;
 }
 
-/// In the world; 0 of a polygon without a plane.
+/// A polygon's unit normal in world coordinates; 0 if it has no plane.
 Point3 unit_normal(const EnteredPolygon& polygon) {
   const auto support = support_of_entered({polygon.points.data(), polygon.points.size()});
   if (!support) return Point3(0.0);
@@ -47,7 +48,8 @@ Point3 unit_normal(const EnteredPolygon& polygon) {
   return glm::normalize(glm::cross(polygon.in_world(q) - at, polygon.in_world(r) - at));
 }
 
-/// Planes at a larger angle meet close to where they do as entered, however small polygons are.
+/// Planes at a larger angle intersect close to where they do as entered, however small polygons
+/// are.
 bool are_nearly_parallel(const Point3& a, const Point3& b) {
   constexpr double kLargest = 0x1p-20;
   return glm::length(glm::cross(a, b)) <= kLargest;
@@ -59,8 +61,8 @@ Extent box_of(const PointRow& points) {
   return box;
 }
 
-/// True if the line through some side of the first has the first on one of its sides and the second
-/// on the other, but for what lies on it and for rounding: neighbours in a mesh are apart.
+/// True if the line through some side of the first separates the two, except for points on the line
+/// and rounding: neighbours in a mesh are apart.
 bool has_separating_side(const PointRow& a, const PointRow& b) {
   constexpr double kOff = 0x1p-40;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -86,13 +88,13 @@ bool are_apart(const PointRow& a, const PointRow& b) {
   return has_separating_side(a, b) || has_separating_side(b, a);
 }
 
-/// Calls note(a, b) for each two of different planes that lie over each other. False if it gave up,
-/// since to look at pairs takes too long.
+/// Calls note(a, b) for each pair of polygons in different planes that lie over each other. False
+/// if it gave up, since comparing the pairs would take too long.
 template <class Together, class LieOver, class Note>
 bool note_pairs(std::vector<Together>& together, const LieOver& lie_over, const Note& note) {
   constexpr std::size_t kMostCompared = 512;  // of a polygon, on average
   std::ranges::sort(together, {}, [](const Together& a) { return a.box.x_min; });
-  std::vector<const Together*> before;  // those that reach the place along x
+  std::vector<const Together*> before;  // those that reach the current position along x
   std::size_t compared = 0;
   for (const Together& a : together) {
     compared += before.size();
@@ -107,7 +109,7 @@ bool note_pairs(std::vector<Together>& together, const LieOver& lie_over, const 
   return true;
 }
 
-/// The exact views of a scene's items, made once each.
+/// The exact projections of a scene's items, one per view.
 class ExactProjections {
  public:
   EnteredProjection& of(const ViewedScene::EnteredItem& item) {
@@ -149,7 +151,7 @@ std::span<const Point3> ViewedScene::plane_rests() const {
   return planes_->rests;
 }
 
-/// Calls visit(together) for polygons that lie together near one plane, at nearly no angle to it.
+/// Calls visit(together) for polygons that are together near one plane and nearly parallel to it.
 template <class Visit>
 void ViewedScene::visit_near_planes(const Visit& visit) const {
   const TouchingPlanes* const near = near_planes();
@@ -179,8 +181,8 @@ bool ViewedScene::lie_over_each_other(const Together& a, const Together& b) cons
   return !are_apart(points(a.item), points(b.item));
 }
 
-/// By the number of the polygon whose own a plane is, whether it is close to another and not one
-/// with it, at nearly no angle, and polygons of both lie over each other. Empty if none is.
+/// For each polygon number, whether the polygon's own plane is close but not equal to another,
+/// nearly parallel to it, and polygons of both lie over each other. Empty if there are none.
 std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
   std::vector<std::uint8_t> are_close;
   const auto note = [&](std::uint32_t plane) {
@@ -199,8 +201,9 @@ std::vector<std::uint8_t> ViewedScene::find_close_planes() const {
   return are_close;
 }
 
-/// A polygon that is bent out of another's plane does not lie in it, though its own plane may be
-/// the same. To the image space methods depths are equal then.
+/// The planes, with coincident ones united. A polygon that is bent out of another's plane does not
+/// lie in it, though its own plane may coincide with it: image-space methods then find equal
+/// depths.
 std::span<const Primitives::PlanePoints> ViewedScene::planes_where_they_coincide() const {
   const auto all = planes();
   if (bent_.empty()) return all;
@@ -239,7 +242,7 @@ void ViewedScene::unite_coincident(std::vector<Primitives::PlanePoints>& planes)
   for (Primitives::PlanePoints& plane : planes) plane = stands_for(plane);
 }
 
-/// Those of two polygons, exactly.
+/// True if the planes of two polygons coincide exactly.
 bool ViewedScene::do_planes_coincide(std::uint32_t a, std::uint32_t b) const {
   const EnteredPolygon of_a = planes_->polygon_of(a), of_b = planes_->polygon_of(b);
   const auto at = support_of_entered({of_a.points.data(), of_a.points.size()});
@@ -255,7 +258,7 @@ bool ViewedScene::do_planes_coincide(std::uint32_t a, std::uint32_t b) const {
       *other, [&](std::size_t k) { return plane.side(corner(of_b, k), modelling_of_other) == 0; });
 }
 
-/// The plane in which the item's polygon lies with others is seen edge-on.
+/// True if the plane that the item's polygon shares with others is edge-on in the view.
 bool ViewedScene::is_plane_edge_on(Item item) const {
   const EnteredItem of_plane = in_view_of(planes_->founders[item], item);
   if (!of_plane.is_known()) return false;
@@ -270,7 +273,8 @@ std::optional<Primitives::PlanePoints> ViewedScene::plane_points(Item item) cons
   return is_shared ? shared[item] : own_plane_points(item);
 }
 
-/// The items of these polygons, in rising order, get the planes that the polygons have as entered.
+/// Finds the items of these polygons, given in ascending order; they get the planes of the polygons
+/// as entered.
 void ViewedScene::find_bent(std::span<const std::uint32_t> polygons) {
   bent_.clear();
   rests_of_bent_.clear();
@@ -278,7 +282,7 @@ void ViewedScene::find_bent(std::span<const std::uint32_t> polygons) {
   auto next = polygons.begin();
   for (Item item = 0; item < items(); ++item) {
     if (kind(item) == Primitives::Kind::line) continue;
-    const std::uint32_t polygon = entered_number(item);  // rising
+    const std::uint32_t polygon = entered_number(item);  // ascending
     while (next != polygons.end() && *next < polygon) ++next;
     if (next == polygons.end()) return;
     if (*next != polygon) continue;
@@ -286,8 +290,8 @@ void ViewedScene::find_bent(std::span<const std::uint32_t> polygons) {
   }
 }
 
-/// The support vertices as they are viewed, where clipping has left them; else the item's own, with
-/// what their depths lack to be in the plane. Nothing if it is edge-on.
+/// The support vertices as viewed, where clipping has left them; otherwise the item's own points,
+/// with the amounts to be added to their depths to be in the plane. Nothing if it is edge-on.
 std::optional<ViewedScene::Bent> ViewedScene::bent_item(Item item, std::uint32_t polygon) {
   constexpr double kLargest = 0x1p20;
   const EnteredItem entered = in_view_of(polygon, item);
@@ -320,7 +324,7 @@ std::optional<ViewedScene::Bent> ViewedScene::bent_item(Item item, std::uint32_t
   return bent;
 }
 
-/// Once for all items of a plane.
+/// The rests of the items, found once for all items of a plane.
 std::vector<Point3> ViewedScene::find_rests() const {
   const std::vector<std::uint8_t> are_close = find_close_planes();
   if (are_close.empty() && rests_of_bent_.empty() && planes_->are_close) return {};

@@ -16,7 +16,8 @@ StagedPolygon PolygonStage::view_polygon(const WorldPolygon& polygon,
   return view_clipped(clipped, polygon, attributes);
 }
 
-/// With what is interpolated over it; equal normals, whatever their length, need nothing.
+/// Clips a polygon with the values interpolated over it. Equal normals, whatever their length, need
+/// no interpolation.
 ClippedPolygon PolygonStage::clip_smooth(const WorldPolygon& polygon,
                                          const Attributes& attributes) {
   const auto& vertices = polygon.vertices;
@@ -35,7 +36,7 @@ const PointRow& as_entered(const WorldPolygon& polygon) {
   return polygon.modelling == nullptr ? polygon.vertices : polygon.entered;
 }
 
-/// As the application entered it, beside the instruction if one was made of it.
+/// Keeps the polygon as the application entered it, with or without an instruction.
 void keep_entered(const WorldPolygon& polygon, bool is_seen, Segment& segment) {
   EnteredPolygons* const kept = segment.keeping_entered();
   if (kept == nullptr) return;
@@ -157,8 +158,8 @@ StagedPolygon PolygonStage::view_clipped(ClippedPolygon clipped, const WorldPoly
   return {clipped, &lit_, line, &*attributes.light};
 }
 
-/// A hollow polygon that draws none of its sides in this view stays, with invisible sides: what is
-/// in a scene does not depend on the view.
+/// A hollow polygon that draws none of its sides in this view is kept, with invisible sides: the
+/// contents of a scene do not depend on the view.
 const LineStyle& PolygonStage::line_of(const Attributes& attributes, ClippedPolygon& clipped) {
   if (!attributes.dark_line) return attributes.line;
   const bool dark = newell_c(clipped.vertices) < 0.0;
@@ -189,7 +190,8 @@ void PolygonStage::enter_styles(const FillStyle& fill, const LineStyle& line,
   line_entered_ = !attributes.dark_line;
 }
 
-/// The intensities or normals of a polygon that is lit evenly after all are taken away.
+/// Returns the lit fill. If the polygon is evenly lit after all, removes its intensities or
+/// normals.
 FillStyle PolygonStage::lit_fill(const WorldPolygon& polygon, const Attributes& attributes,
                                  ClippedPolygon& clipped) const {
   const Light& light = *attributes.light;

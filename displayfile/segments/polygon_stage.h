@@ -79,7 +79,7 @@ class PolygonStage {
   bool enter_annotation(const KeptAnnotation& annotation, Segment& segment);
 
   ClipPipeline& pipeline() { return pipeline_; }
-  /// The planes outside of which a point of what was entered lay; annotation counts as outside.
+  /// The planes outside of which some entered point was; annotation counts as outside.
   Outcode met() const { return met_ | pipeline_.met(); }
 
  private:

@@ -24,7 +24,7 @@ namespace {
 constexpr Point3 kNoDirection(0.0);
 constexpr std::uint32_t kNotKept = std::numeric_limits<std::uint32_t>::max();
 
-/// True if both are equal but for the colour of the fill.
+/// True if both are equal except for the fill colour.
 bool equal_but_for_colour(const Attributes& a, const Attributes& b) {
   return a.fill.kind == b.fill.kind && a.fill.shadow == b.fill.shadow && a.line == b.line &&
          a.dark_line == b.dark_line && a.text == b.text && a.light == b.light &&
@@ -171,8 +171,8 @@ bool RetainedScene::removes_back_faces(const Segment& segment) const {
   return false;
 }
 
-/// A back face that is removed may leave a side, by which alone a line is drawn: the polygon is
-/// hollow then.
+/// A removed back face may leave a side if a line is drawn by that side alone: the polygon is then
+/// hollow.
 void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, PolygonStage& stage,
                                  const glm::dmat3& lights_turned, displayfile::Segment& segment,
                                  const std::function<void(std::uint32_t)>& is_item) const {
@@ -232,7 +232,7 @@ void RetainedScene::enter_viewed(const Segment& part, const Eye& eye, PolygonSta
   }
 }
 
-/// False if nothing of it is seen.
+/// False if no part of it is visible.
 bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
                                  std::span<const LineKinds> sides, PolygonStage& stage,
                                  displayfile::Segment& segment) const {
@@ -247,7 +247,7 @@ bool RetainedScene::enter_viewed(std::uint32_t i, const Attributes& attributes,
   return stage.enter_polygon(world, attributes, segment);
 }
 
-/// The points of a segment of another scene, as they were entered there too.
+/// Appends the points of a segment of another scene, with the same points as entered.
 void RetainedScene::append_points(const RetainedScene& other, const Segment& segment) {
   const auto points = other.points(segment);
   if (other.modellings_.empty()) {
@@ -266,7 +266,7 @@ void RetainedScene::append_points(const RetainedScene& other, const Segment& seg
   }
 }
 
-/// A segment of another scene, with all its primitives; what they shared they share here.
+/// Appends a segment of another scene with all its primitives; points shared there are shared here.
 void RetainedScene::append(const RetainedScene& other, const Segment& segment) {
   opened_ = segment.opened;  // a segment keeps its number
   open_segment(segment.name, segment.view, segment.touching);
@@ -297,7 +297,8 @@ void RetainedScene::open_segment(int name, const View& view, const Touching& tou
   segments_.back().touching = touching;
 }
 
-/// As arrays are copied for it, only if the segment that they grew for is a good part of the scene.
+/// Frees spare capacity. As this copies the arrays, only if the segment for which they grew is a
+/// large part of the scene.
 void RetainedScene::free_room(const Segment& segment) {
   if (segment.end - segment.first <= size() / 8) return;
   displayfile::free_room(primitives_);
@@ -412,7 +413,8 @@ void RetainedScene::enter_line(const Point3& from, const Point3& to, const Attri
 void RetainedScene::begin_shared(std::size_t vertices, std::size_t polygons, std::size_t corners) {
   number_of_shared_.assign(vertices, kNotKept);
   const auto make_room = [](auto& values, std::size_t more) {
-    // No less than twice of what there was: many calls of few polygons do not copy all each time.
+    // At least doubles the size, so that many calls of few polygons do not copy everything each
+    // time.
     const std::size_t size = values.size() + more;
     if (size > values.capacity()) values.reserve(std::max(size, 2 * values.size()));
   };
@@ -422,7 +424,7 @@ void RetainedScene::begin_shared(std::size_t vertices, std::size_t polygons, std
   make_room(points_, std::min(vertices, corners));
 }
 
-/// A corner of a polygon that is being entered: its vertex is kept if no polygon had it before.
+/// Enters a corner of the current polygon: its vertex is stored if no polygon had it before.
 void RetainedScene::enter_shared_corner(std::uint32_t corner, const Point3& world,
                                         const Point3& entered) {
   std::uint32_t& number = number_of_shared_[corner];
@@ -472,7 +474,7 @@ void RetainedScene::enter_shared_triangles(const SharedVertices& vertices,
   segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
 }
 
-/// From here on corners may share points.
+/// Stores an index for each point; from here on corners may share points.
 void RetainedScene::name_points() {
   if (!corners_.empty()) return;
   for (std::uint32_t point = 0; point < points_.size(); ++point) corners_.push_back(point);
@@ -484,7 +486,7 @@ void RetainedScene::require_room(std::size_t corners) const {
   }
 }
 
-/// Makes sure that there is room for its corners, before anything is changed.
+/// Makes sure that there is room for the primitive's corners before anything is changed.
 void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attributes,
                                     std::int32_t pick) {
   require_room(sides);
@@ -493,7 +495,7 @@ void RetainedScene::begin_primitive(std::size_t sides, const Attributes& attribu
   segments_.back().end = size();
 }
 
-/// Corners with points of their own.
+/// Enters corners with points of their own.
 void RetainedScene::enter_corners(std::span<const Point3> points, std::span<const Point3> entered) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (has_shared()) corners_.push_back(static_cast<std::uint32_t>(points_.size()));
@@ -506,13 +508,13 @@ void RetainedScene::enter_point(const Point3& world, const Point3& entered) {
   if (!modellings_.empty()) entered_.push_back(entered);
 }
 
-/// The matrix of the points that are entered next; null: the identity.
+/// Sets the matrix of the points entered next; null: the identity.
 void RetainedScene::begin_modelling(const ModellingMatrix* matrix) {
   if (matrix != nullptr && modellings_.empty()) entered_ = points_;
   modellings_.begin(points_.size(), matrix);
 }
 
-/// What it has besides its corners, which have been entered.
+/// Adds the primitive's data other than its corners, which have been entered.
 void RetainedScene::finish_primitive(const WorldPolygon& polygon) {
   segments_.back().end_point = static_cast<std::uint32_t>(points_.size());
   const std::size_t corners = all_corners() + polygon.vertices.size();
@@ -544,7 +546,7 @@ void RetainedScene::enter_annotation(KeptAnnotation annotation) {
   ++annotations_;
 }
 
-/// They are numbered anew wherever they change.
+/// Returns the number of the look; a new number whenever the attributes differ from the last ones.
 std::uint32_t RetainedScene::look_of(const Attributes& attributes) {
   const bool others = attributes_.empty() || !equal_but_for_colour(attributes_.back(), attributes);
   if (others) attributes_.push_back(attributes);

@@ -45,7 +45,7 @@ class RetainedScene : public Watched<RetainedScene> {
     std::uint32_t first, end;              ///< of its primitives
     std::uint32_t first_point, end_point;  ///< of their points, all of them used
     std::uint32_t first_text = 0, end_text = 0;
-    /// How many segments the scene had opened before it, removed ones too.
+    /// The number of segments the scene had opened before it, removed ones included.
     std::uint32_t opened = 0;
     /// Which sides are lines; null: all that the line style shows.
     std::shared_ptr<const SideKinds> sides = nullptr;
@@ -200,7 +200,7 @@ class RetainedScene : public Watched<RetainedScene> {
   void rename(int from, int to);
   /// Sets the view of the segment that was opened as the scene's number `opened`.
   void set_view(std::uint32_t opened, const View& view);
-  /// Lights what `light` lights by another one.
+  /// Replaces `light` by another one wherever it lights primitives.
   void replace_light(const Light& light, const Light& other);
   /// Enters into the segment opened last. Throws Error, before entering, for more than 2^32 - 2
   /// points in total.
@@ -227,7 +227,7 @@ class RetainedScene : public Watched<RetainedScene> {
                               std::int32_t pick, std::int32_t step);
   void enter_text(const Point3& anchor, std::string_view characters, const Attributes& attributes);
   void enter_annotation(KeptAnnotation annotation);
-  /// Its cells are entered next.
+  /// Marks a surface whose cells are entered next.
   void mark_surface(const Surface& surface) { segments_.back().surfaces.push_back(surface); }
 
  private:

@@ -15,13 +15,13 @@ namespace displayfile {
 
 namespace {
 
-/// The items, of which those sides are visible that are drawn.
+/// The items with only their drawn sides visible.
 class DrawnItems {
  public:
   explicit DrawnItems(const ViewedScene& scene, bool exact = true)
       : sides_(scene.drawn_sides()), items_(scene.primitives()) {
     items_.visible = sides_;
-    if (exact) return;  // a ROUNDOFF decides what is in one plane
+    if (exact) return;  // a ROUNDOFF decides which polygons are coplanar
     items_.planes = {};
     items_.plane_rests = {};
     items_.touching = 0.0;
@@ -119,7 +119,7 @@ SortedPieces map_in_order(const ViewedScene& scene, const SurfacePlan& plan) {
     put_cuts_at_vertices(scene, fills);
     return fills;
   }
-  // The lines' points stay where their pick identifiers are looked up.
+  // The lines' points come first, at the indices where their pick identifiers are looked up.
   SortedPieces all =
       lines_in_order(scene.primitives(), looks_of_lines(scene), found, plan.hidden_lines);
   const auto before = static_cast<std::uint32_t>(all.points.size());

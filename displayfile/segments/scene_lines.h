@@ -12,8 +12,8 @@ namespace displayfile {
 // sides with a line style.
 
 std::vector<LineToDraw> lines_to_draw(const ViewedScene& scene);
-/// For each item a number of its segment and line style, since one stroke does not join different
-/// ones. Empty if there is one.
+/// For each item a number of its segment and line style, since a stroke does not join different
+/// ones. Empty if all are the same.
 std::vector<std::uint32_t> looks_of_lines(const ViewedScene& scene);
 /// The style of a stroke of an item, not hidden: of a line, or of a polygon's side, or line of
 /// intersection, of these kinds.

@@ -72,7 +72,7 @@ class Segment {
   void keep_entered(const Touching& touching, const ViewVolume& volume) {
     writable().keep_entered(touching, volume);
   }
-  /// To be called after each polygon; null if they are not kept.
+  /// Must be called after each polygon; null if they are not kept.
   EnteredPolygons* keeping_entered() { return entered_->keeping_entered(); }
   /// The same; null also if the instructions are shared, as others may be reading them.
   EnteredPolygons* entered_alone() {

@@ -9,7 +9,7 @@ namespace displayfile {
 
 namespace {
 
-/// Takes in every point that is drawn.
+/// Includes every drawn point in the extent.
 struct ExtentVisitor {
   Extent& extent;
   void fill(const FillStyle&) {}

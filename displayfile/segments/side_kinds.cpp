@@ -35,8 +35,7 @@ Point3 direction_of(const Point3& v) {
   return largest > 0.0 ? glm::normalize(v / largest) : Point3(0.0);
 }
 
-/// True if the polygon turns its light face to the eye; one that is seen edge-on, or has no area,
-/// does not.
+/// True if the polygon's light face is toward the eye; false if it is edge-on or has no area.
 bool faces(const Eye& eye, const PointRow& polygon) {
   if (polygon.size() == 3) return side_of_plane(eye, polygon[0], polygon[1], polygon[2]) > 0;
   const SupportVertices support = spread_vertices(polygon);
@@ -48,7 +47,7 @@ bool faces(const Eye& eye, const PointRow& polygon) {
   return side_of_plane(eye, plane) * (turned ? -1 : 1) > 0;
 }
 
-/// The segment's own primitives, corners and points, as the sorts have them.
+/// The segment's own primitives, corners and points, in the form that sorts use.
 struct OwnPrimitives {
   OwnPrimitives(const RetainedScene& scene, const RetainedScene::Segment& segment) {
     const std::uint32_t first_corner = scene.first_corner(segment);
@@ -70,7 +69,7 @@ struct OwnPrimitives {
 
 }  // namespace
 
-/// Looks at each set of sides that have the same ends.
+/// Examines each set of sides that have the same ends.
 class SideKinds::Finder {
  public:
   Finder(const RetainedScene& scene, const RetainedScene::Segment& segment,
@@ -107,7 +106,7 @@ class SideKinds::Finder {
   bool is_visible(const LineName& side) const {
     return scene_.edge_visible(primitive_of(side), side.corner);
   }
-  /// The points that the side runs from and to, by their numbers.
+  /// The point numbers of the side's start and end.
   SideOfPoints ends_of(const LineName& side) const {
     const Primitives& all = own_.primitives;
     const Primitives::Item& polygon = all.items[side.item];
@@ -120,7 +119,8 @@ class SideKinds::Finder {
   }
   const Point3& point(std::uint32_t number) const { return own_.primitives.points[number]; }
 
-  /// To the bit: then they are one line to the methods of lines too.
+  /// True if the sides have the same ends bit for bit: methods of lines then treat them as one line
+  /// too.
   bool have_the_same_ends(std::span<const SideTable::Side> set) const {
     return std::ranges::all_of(set, [&](const SideTable::Side& side) {
       const auto [from, to] = ends_of(side.name);
@@ -143,7 +143,7 @@ class SideKinds::Finder {
                                [&](const SideTable::Side& side) { return is_needle(side.name); });
   }
 
-  /// A polygon's side, or a stretch of it, and which way it runs there: up, from the vertex of the
+  /// A polygon's side, or a stretch of it, and its direction there: up is from the vertex with the
   /// lower number.
   struct RunningSide {
     LineName name;
@@ -163,7 +163,7 @@ class SideKinds::Finder {
     }
     found_.ends_.push_back(static_cast<std::uint32_t>(found_.shared_.size()));
   }
-  /// To those around the side that are visible.
+  /// Adds kinds to the visible ones of the sides in around_side_.
   void add_fixed(LineKinds kinds) {
     for (const RunningSide& side : around_side_) {
       LineKinds& of_side = found_.fixed_[corner_of(side.name)];
@@ -171,7 +171,7 @@ class SideKinds::Finder {
     }
   }
 
-  /// The kinds that no view changes, of the sides around one, or around a stretch.
+  /// The view-independent kinds of the sides that share a side or a stretch.
   LineKinds fixed_kinds(std::span<const RunningSide> sides) {
     LineKinds kinds = 0;
     const auto add = [&](LineKind kind, bool is_one) {
@@ -183,14 +183,15 @@ class SideKinds::Finder {
     return kinds;
   }
 
-  /// Between two vertices that follow each other along a side.
+  /// A part of a side between two successive vertices along it.
   struct StretchOfSide {
-    std::uint32_t low, high, side;  ///< among the lone ones
+    std::uint32_t low, high, side;  ///< index in lone_
     bool runs_up;
     auto operator<=>(const StretchOfSide&) const = default;
   };
 
-  /// Sides whose ends no other has may have the ends of others along them.
+  /// Divides sides that share their ends with no other: they may have the ends of others along
+  /// them.
   void part(double reach) {
     std::vector<SideOfPoints> sides;
     sides.reserve(lone_.size());
@@ -220,8 +221,8 @@ class SideKinds::Finder {
     if (!shared.empty()) add_parted(std::move(shared));
   }
 
-  /// In order of their vertices. What ends on a side of its own polygon folds back and parts
-  /// nothing.
+  /// The stretches of sides, sorted by their vertices. A vertex of the side's own polygon along the
+  /// side folds back and divides nothing.
   std::vector<StretchOfSide> stretches_along(std::span<const SideOfPoints> sides,
                                              const PartedSides& parted) const {
     std::vector<StretchOfSide> stretches;
@@ -252,14 +253,16 @@ class SideKinds::Finder {
     add_fixed(fixed_kinds(around_side_));
   }
 
-  /// What sides have between the same vertices, and where that is: along which line, and how far.
+  /// The sides with a stretch between the same two vertices, and its position: the line, and the
+  /// start along it.
   struct SharedStretch {
     std::span<const StretchOfSide> sides;
     std::uint32_t line = 0;
     double start = 0.0;
   };
 
-  /// Sides with a stretch in common are of one line.
+  /// Adds stretches and the sides that contain them. Sides with a common stretch belong to one
+  /// line.
   void add_parted(std::vector<SharedStretch> shared) {
     place_on_lines(shared);
     std::ranges::stable_sort(shared, [](const SharedStretch& a, const SharedStretch& b) {
@@ -292,8 +295,8 @@ class SideKinds::Finder {
     });
   }
 
-  /// The polygons around a stretch. Needles are drawn, but turn no way; where there is nothing else
-  /// one stands for all.
+  /// Adds the polygons around a stretch. Needles are drawn, but have no orientation; if there is
+  /// nothing else, one of them represents all.
   void add_around(std::span<const StretchOfSide> sides) {
     around_side_.clear();
     for (const StretchOfSide& s : sides) {
@@ -325,7 +328,7 @@ class SideKinds::Finder {
     }
   }
 
-  /// Lines, and all sides if they are wanted.
+  /// Draws lines, and all sides if these are selected.
   void draw_all() {
     for (std::uint32_t i = segment_.first; i < segment_.end; ++i) {
       for (std::uint32_t k = 0; k < scene_[i].sides; ++k) {
@@ -356,16 +359,16 @@ class SideKinds::Finder {
     }
   }
 
-  /// A polygon's normal, turned so that of two polygons that run through the side in opposite
-  /// directions, as those of one surface do, each has it out of the same face.
+  /// A polygon's normal, reversed unless the side runs up: coplanar polygons of one surface, which
+  /// run through the side in opposite directions, then have opposite normals.
   Point3 turned_normal(const RunningSide& side) const {
     const Point3& normal = normals_[side.name.item];
     return side.runs_up ? normal : -normal;
   }
 
-  /// Two polygons that run through the side in opposite directions meet at the angle of their
-  /// normals: turned as above, that is half a turn less the angle between these. Of more than two
-  /// the smallest angle between them counts, which neighbours around the side have.
+  /// Two polygons that run through the side in opposite directions meet at the angle between their
+  /// normals: with normals reversed as above, half a turn less the angle between these. Of more
+  /// than two, the smallest angle between them counts, which is between neighbours around the side.
   bool is_crease(std::span<const RunningSide> sides) {
     around_.clear();
     for (const RunningSide& side : sides) {
@@ -377,8 +380,8 @@ class SideKinds::Finder {
     return crease_.exceeded(smallest_angle_around());
   }
 
-  /// Normals of polygons that share a side are all across it: directions around a circle. Polygons
-  /// that lie on each other, as where two bodies touch, count once.
+  /// Normals of polygons that share a side are all perpendicular to it: directions around a circle.
+  /// Polygons that lie on each other, such as where two bodies touch, count once.
   double smallest_angle_around() {
     const Point3 right = around_[0];
     Point3 axis(0.0);
@@ -392,7 +395,7 @@ class SideKinds::Finder {
     for (const Point3& v : around_)
       angles_.push_back(std::atan2(glm::dot(v, up), glm::dot(v, right)));
     std::ranges::sort(angles_);
-    constexpr double kOnEachOther = 0.01;  // radians: bodies are rounded each for itself
+    constexpr double kOnEachOther = 0.01;  // radians: each body is rounded by itself
     const auto are_on_each_other = [](double a, double b) { return b - a <= kOnEachOther; };
     angles_.erase(std::unique(angles_.begin(), angles_.end(), are_on_each_other), angles_.end());
     if (angles_.size() > 1 && angles_.front() + 2.0 * kHalfTurn - angles_.back() <= kOnEachOther) {
@@ -414,7 +417,7 @@ class SideKinds::Finder {
   OwnPrimitives own_;
   std::vector<std::uint32_t> vertices_;  // of the points
   std::vector<std::uint8_t> is_needle_;  // of the primitives: within reach of a line
-  std::vector<LineName> lone_;           // sides whose ends no other has, to the bit
+  std::vector<LineName> lone_;           // sides that share their ends with no other, bit for bit
   bool some_share_ends_ = false;         // of these, within reach
   std::vector<RunningSide> around_side_;
   std::vector<Point3> normals_;  // of the primitives, of length 1; or 0
@@ -427,7 +430,7 @@ SideKinds::SideKinds(const RetainedScene& scene, const RetainedScene::Segment& s
   Finder(scene, segment, wanted, *this).find();
 }
 
-/// The primitives that have it.
+/// The primitives that have the stretch.
 std::span<const std::uint32_t> SideKinds::faces_of(std::uint32_t stretch) const {
   assert(stretch < stretches_.size());
   const std::uint32_t first = stretch == 0 ? 0 : stretches_[stretch - 1].end_face;

@@ -25,12 +25,12 @@ bool draw_the_same(const Segment& a, const Segment& b) {
   return a.name() == b.name() && a.entered() == b.entered() && a.image == b.image;
 }
 
-/// How close-segment sorted it, or would have, had the scope not been all.
+/// The plan by which close-segment sorted it, or would have if the scope were not `all`.
 std::optional<SurfacePlan> as_closed(const Segment& segment) {
   return segment.sorted() == nullptr ? segment.put_off : segment.sorted()->plan;
 }
 
-/// One order for all, whose groups do not overlap.
+/// One order for all groups, which do not overlap.
 std::shared_ptr<const SortedScene> joined(
     std::span<const std::shared_ptr<const SortedScene>> groups, const SurfacePlan& plan) {
   auto all = std::make_shared<SortedScene>();
@@ -58,15 +58,15 @@ void require_hidden_lines_found(HiddenLines hidden_lines, HiddenMethod method) {
 
 namespace {
 
-/// By which method an update sorts, and how.
+/// The method and scope by which an update sorts.
 struct SortWanted {
   HiddenMethod method;
   bool is_applications;  ///< the application set the method
-  HiddenScope set;       ///< the scope but for that of the options
+  HiddenScope set;       ///< the scope before that of the options
   HiddenScope scope;     ///< in force
 
   bool together() const { return is_object_space(method) && scope == HiddenScope::all; }
-  /// Each segment by itself, in place of the order that close-segment made.
+  /// True if each segment is sorted by itself, in place of the order that close-segment made.
   bool each_anew() const {
     return is_object_space(method) && !together() &&
            !(is_applications && set == HiddenScope::segment);
@@ -154,7 +154,7 @@ void SortedDisplayFile::sort_segments(const SurfacePlan& plan) {
   for (const Segment* segment : file_.visible_segments()) sort_segment(*segment, plan);
 }
 
-/// Takes the order of the segment itself or of the last update, if one of them will do.
+/// Uses the order of the segment itself or of the last update, if one of them is still valid.
 void SortedDisplayFile::sort_segment(const Segment& segment, const SurfacePlan& set) {
   SurfacePlan plan = set;
   plan.shadows = false;  // other segments hide the light too

@@ -38,7 +38,7 @@ struct SortCounts {
   }
 };
 
-/// In which order strokes that overlap are drawn: the part of a SurfacePlan.
+/// The order in which overlapping strokes are drawn: the part of a SurfacePlan.
 struct StrokeOrder {
   LineOrder order = LineOrder::entry;
   double halo = 0.0;            ///< pixels

@@ -16,7 +16,7 @@
 #include "hidden/exact/eye.h"
 #include "hidden/exact/support_plane.h"
 
-// The polygons of a viewed scene as they were entered, and the planes that they share
+// The polygons of a viewed scene as entered, and the planes that they share
 // (hidden/touching/touching_planes.md).
 
 namespace displayfile {
@@ -60,7 +60,7 @@ std::uint32_t ViewedScene::entered_number(Item item) const {
   return as_entered_->polygons[item];
 }
 
-/// That of the polygon whose plane the item's lies in.
+/// The number of the polygon whose plane contains the item's polygon.
 std::uint32_t ViewedScene::entered_plane(Item item) const {
   planes();
   const bool shares =
@@ -86,7 +86,7 @@ ViewedScene::EnteredItem ViewedScene::in_view_of(std::uint32_t number, Item item
           all.images[look]};
 }
 
-/// The largest of all sources. That of planes is 0 if it is not small.
+/// Sets the radii to the largest of all sources; the planes' radius is 0 if it is not small.
 void ViewedScene::find_radius(Planes& planes) const {
   bool has_images = false;
   for (const Source& source : sources_) {
@@ -121,25 +121,26 @@ bool ViewedScene::may_reach(double reach, const Touching& touching, const ViewVo
   return reach > 0.0 && reach <= kMostOfWindow * width;
 }
 
-/// Where the radius is larger, all planes are looked for at once.
+/// The radius, or 0 if it is larger than small: then all planes are found at once.
 double ViewedScene::small_radius(double radius) {
   constexpr double kLargest = 0x1p-37;  // fills steeper than 4096 are not certain then
   return radius <= kLargest ? radius : 0.0;
 }
 
-/// By how much an image transformation makes a coordinate's error larger, at most; at least 1.
+/// The largest factor by which an image transformation increases a coordinate's error; at least 1.
 double ViewedScene::longest_of(const ImageTransformation& image) {
   return std::max(1.0, std::abs(image.scale.x) + std::abs(image.scale.y));
 }
 
-/// With u = 2^-53: a world point is a sum of products, off by so many u of the sum of their sizes,
-/// and each homogeneous coordinate of a viewed one by 4 u of its own; a plane's points are off it
-/// by the reach too, and by what flat polygons may be bent (kFlatAsEntered, no more than 64 u of
-/// these sums). W is at least what it is at the nearest depth in the scene: depth is A + B / W.
+/// With u = 2^-53: a world point is a sum of products, with an error of `roundings` u of the sum of
+/// their magnitudes, and each homogeneous coordinate of a viewed one has an error of 4 u of its
+/// own; a plane's points are off it by the reach too, and by the deviation allowed for flat
+/// polygons (kFlatAsEntered, at most 64 u of these sums). W is at least its value at the nearest
+/// depth in the scene: depth is A + B / W.
 double ViewedScene::radius_in(const glm::dmat4& view, const InWorld& in_world, double reach,
                               double largest_depth) {
   constexpr double kU = 0x1p-53;
-  constexpr double kCoarsest = 0x1p-10;  // beyond it, or without a bound, nothing can be told
+  constexpr double kCoarsest = 0x1p-10;  // beyond this, or without a bound, nothing is known
   const double largest = in_world.largest;
   const double off = reach + (64.0 + in_world.roundings) * kU * largest;  // each coordinate
   const auto row = [&](int k) {
@@ -149,7 +150,7 @@ double ViewedScene::radius_in(const glm::dmat4& view, const InWorld& in_world, d
     return row(k) * (off + 4.0 * kU * largest) + 4.0 * kU * std::abs(view[3][k]);
   };
   double least_w = 1.0;
-  if (row(3) > 0.0) {  // perspective: the rows of Z and W are the same but for a factor and a sum
+  if (row(3) > 0.0) {  // perspective: the rows of Z and W differ by a factor and a constant only
     int axis = 0;
     for (int k = 1; k < 3; ++k) {
       if (std::abs(view[k][3]) > std::abs(view[axis][3])) axis = k;
@@ -164,8 +165,8 @@ double ViewedScene::radius_in(const glm::dmat4& view, const InWorld& in_world, d
 
 namespace {
 
-/// Twice the area of a polygon as entered, along its normal, and what that may be off by where its
-/// vertices are within a reach of a plane.
+/// Twice the area of a polygon as entered, along its normal, and its error if the vertices are
+/// within a reach of a plane.
 struct Normal {
   Point3 along{0.0};
   double error = 0.0;
@@ -192,9 +193,9 @@ Normal normal_of(const EnteredPolygon& polygon, double reach) {
 
 }  // namespace
 
-/// In one plane of normal n they have normals A n + E and B n + F, with E and F no larger than
-/// their errors, so that the cross product of these is no larger than the sum below. True only if
-/// there is a radius, and the planes were not looked for yet.
+/// Polygons in one plane of normal n have normals A n + E and B n + F, with E and F bounded by
+/// their errors, so that the cross product of these is bounded by the sum below. True only if there
+/// is a radius and the planes have not been found yet.
 bool ViewedScene::is_certainly_apart(Item a, Item b) const {
   if (!(planes_->radius > 0.0) || planes_->are_found.load(std::memory_order_acquire)) return false;
   const auto polygon = [this](Item item) {
@@ -228,7 +229,7 @@ bool ViewedScene::is_edge_on(Item item) const {
   return support_vertices({vertices.data(), vertices.size()}).edge_on;
 }
 
-/// Those that polygons share, and those of polygons that are bent.
+/// Finds the planes that polygons share, and those of bent polygons.
 void ViewedScene::find_planes(Planes& found) const {
   find_shared_planes(found);
   if (bent_.empty()) return;
@@ -292,8 +293,8 @@ void ViewedScene::find_shared_planes(Planes& found) const {
 
 namespace {
 
-/// Where a plane is so steep rounding decides how it lies; far from the polygon that it was taken
-/// from it would be anywhere.
+/// True if a plane is so steep that rounding decides its position: far from the polygon that
+/// defines it, it would be arbitrary.
 bool is_nearly_edge_on(const Plane& plane) {
   constexpr double kSteepest = 0x1p20;
   const Point3 normal = glm::abs(plane.normal);
@@ -302,7 +303,7 @@ bool is_nearly_edge_on(const Plane& plane) {
 
 }  // namespace
 
-/// True only if the plane of the item's own points, as it was entered, is not seen edge-on.
+/// True only if the plane of the item's own points, as entered, is certainly not edge-on.
 bool ViewedScene::is_certainly_seen(Item item) const {
   if (item == kNone || !(viewing_radius() > 0.0)) return false;
   const auto own = own_plane_points(item);
@@ -311,13 +312,14 @@ bool ViewedScene::is_certainly_seen(Item item) const {
   const Point2 a = Point2(points_[(*own)[1]]) - at, b = Point2(points_[(*own)[2]]) - at;
   const double twice_area = std::abs(a.x * b.y - a.y * b.x);
   const double around = std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
-  // A difference of two points is off by twice the radius, and what clipping left a little more.
+  // The error of a difference of two points is twice the radius; that of points left by clipping is
+  // a little more.
   return twice_area > 16.0 * viewing_radius() * (around + viewing_radius());
 }
 
 namespace {
 
-/// True only if it is a triangle whose plane is not seen edge-on.
+/// True only if it is a triangle whose plane is certainly not edge-on.
 bool has_plane_certainly_seen(const ViewedScene::EnteredItem& of_plane) {
   constexpr double kSure = 0x1p-36;  // far more than is rounded here
   if (of_plane.polygon.points.size() != 3 || !of_plane.image->is_identity()) return false;
@@ -345,10 +347,10 @@ std::optional<Primitives::PlanePoints> ViewedScene::own_plane_points(Item item) 
   return plane;
 }
 
-/// Several polygons of a plane are viewed alike, none of them edge-on: the one whose plane it is as
-/// entered stands for it; or else, if that is not in the scene or little of it, from which the
-/// plane would be known badly elsewhere, the one that is seen largest. Where that may be far from
-/// the plane there are rests (find_rests).
+/// Sets the plane shared by several polygons that are viewed alike, none of them edge-on: that of
+/// the polygon whose plane it is as entered; or, if that is not in the scene or only a small part
+/// of it, from which the plane would be inaccurate elsewhere, that of the largest one in the
+/// picture. Where this may be far from the plane there are rests (find_rests).
 void ViewedScene::share_plane(std::span<const std::uint32_t> in_plane, std::uint32_t founder,
                               Planes& found) const {
   const bool is_its_own = in_plane.size() < 2 && (found.are_close || in_plane[0] == founder);

@@ -21,7 +21,7 @@ void require_countable(std::size_t points) {
   }
 }
 
-/// What the item is drawn in: the last run that begins no later.
+/// The item's style: that of the last run that begins no later.
 template <class Runs>
 const auto& style_at(const Runs& runs, std::uint32_t item) {
   if (runs.size() == 1) return runs.front().style;
@@ -113,7 +113,7 @@ struct ViewedScene::Collector {
   }
 
  private:
-  /// That of the polygon of the next instruction.
+  /// The number of the polygon of the next instruction.
   std::uint32_t number_entered() {
     while (!not_seen.empty() && not_seen.front() == next_entered) {
       ++next_entered;
@@ -121,7 +121,7 @@ struct ViewedScene::Collector {
     }
     return first_entered + next_entered++;
   }
-  /// Counts the points, which are in place already, or else takes copies.
+  /// Counts the points, and copies them unless they are in place already.
   void take(std::span<const Point3> more) {
     points += more.size();
     if (!in_place) scene.own_points_.insert(scene.own_points_.end(), more.begin(), more.end());
@@ -212,7 +212,7 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   const auto append_all = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
-  // Numbers that items have of what is stored apart, up to the last item that has one.
+  // Per-item numbers of data stored separately, up to the last item that has some.
   const auto append_numbers = [&](auto& to, const auto& from, std::size_t stored) {
     if (from.empty()) return;
     to.resize(first_item, kNone);
@@ -263,7 +263,8 @@ void ViewedScene::append(const ViewedScene& part, std::size_t corners, std::size
   largest_depth_ = std::max(largest_depth_, part.largest_depth_);
 }
 
-/// Those of another scene, of the same palette, whose items are to come from that one on.
+/// Appends the colours of another scene with the same palette, whose items begin at first_item
+/// here.
 void ViewedScene::append_colours(const ViewedScene& part, Item first_item) {
   const auto shared = static_cast<std::uint32_t>(palette_.size());
   const auto moved_by = static_cast<std::uint32_t>(own_colours_.size());
@@ -350,7 +351,7 @@ void ViewedScene::collect(const std::shared_ptr<const Instructions>& entered,
   entered->walk_transformed(image, collector);
 }
 
-/// That of the first source that is viewed like it.
+/// The number of the first source with the same view.
 std::uint32_t ViewedScene::look_of_source(const EnteredPolygons& kept,
                                           const ImageTransformation& image) const {
   std::uint32_t number = 0;
@@ -364,7 +365,7 @@ std::uint32_t ViewedScene::look_of_source(const EnteredPolygons& kept,
   return number;
 }
 
-/// The arrays have their final places.
+/// Called when the arrays have their final places.
 void ViewedScene::finish(bool in_place) {
   points_ = in_place ? sources_.front().instructions->stored_points() : own_points_;
   if (!entered_of_item_.empty()) {

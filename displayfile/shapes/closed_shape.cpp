@@ -23,7 +23,7 @@ void require_enterable(const GraphicsSystem& system, const ClosedShape& solid) {
   }
 }
 
-/// Its polygons the other way round, from the same corner on.
+/// The shape with its polygons reversed, each from the same first corner.
 ClosedShape turned_over(ClosedShape solid) {
   std::ptrdiff_t first = 0;
   const auto reverse = [&](auto& of_corners, std::ptrdiff_t end) {

@@ -17,7 +17,7 @@ namespace displayfile {
 
 namespace {
 
-/// Twice the area, positive if counterclockwise; about its first point.
+/// Twice the area, computed about the first point; positive if counterclockwise.
 double turning_of_profile(std::span<const Point2> profile) {
   double sum = 0.0;
   for (std::size_t k = 2; k < profile.size(); ++k) {
@@ -88,7 +88,7 @@ class TurnedProfile {
     return ring_[point] + static_cast<std::uint32_t>(place);
   }
 
-  /// The profile's side from point p to the next.
+  /// Adds the profile's side from point p to the next.
   void add_side(std::size_t p) {
     const std::size_t q = next_corner(p, profile_.points.size());
     if (on_axis(p) && on_axis(q)) return;
@@ -110,7 +110,7 @@ class TurnedProfile {
     }
   }
 
-  /// One polygon across the axis; it is seen from above if z grows away from the solid there.
+  /// Adds one polygon across the axis; it faces upward if z grows away from the solid there.
   void add_cap(std::size_t point, bool from_above) {
     for (int j = 0; j < facets_; ++j) {
       solid_.corners.push_back(vertex(point, from_above ? j : facets_ - 1 - j));
@@ -119,7 +119,7 @@ class TurnedProfile {
     solid_.sides.push_back(static_cast<std::uint32_t>(facets_));
   }
 
-  /// Of a corner of the side from p to q.
+  /// Adds the normal of a corner of the side from p to q.
   void add_normal(std::size_t p, std::size_t q, std::size_t point, double facet) {
     if (light_ == TurnedLight::facets) return;
     const Point2 along = profile_.points[q] - profile_.points[p];

@@ -38,7 +38,7 @@ BoundingTriangles triangles_of(const SolidFaces& solid, std::size_t first_face,
     for (const auto& [vertex, edge_visible] : triangulation.triangulate(polygon)) {
       const std::array triangle{number[vertex[0]], number[vertex[1]], number[vertex[2]]};
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
-        continue;  // its two sides are each other's
+        continue;  // its two sides coincide
       }
       result.triangles.push_back(triangle);
       result.source.push_back(static_cast<std::uint32_t>(i));
@@ -56,10 +56,10 @@ struct Side {
   auto place() const { return std::tuple(from, to, source); }
 };
 
-/// Vertices in the order of their positions, those that are rounded to one position made one.
+/// Vertices sorted by position; those rounded to one position are merged.
 struct OrderedVertices {
   std::vector<Point3> vertices;
-  std::vector<std::uint32_t> number;  ///< of each before
+  std::vector<std::uint32_t> number;  ///< of each vertex before
 
   explicit OrderedVertices(std::span<const Point3> given) : number(given.size()) {
     const auto key = [&](std::uint32_t v) {
@@ -76,7 +76,7 @@ struct OrderedVertices {
   }
 };
 
-/// The normal, interpolated over a source's triangle, or the one that all of its corners have.
+/// The normal, interpolated over a source's triangle, or the one that all corners share.
 Point3 normal_at(const Point3& p, const SolidFaces& sources, std::size_t source) {
   const auto corners = sources.loop(sources.first_loop(source));
   if (corners.size() != 3) return corners[0].normal;
@@ -96,7 +96,7 @@ Point3 normal_at(const Point3& p, const SolidFaces& sources, std::size_t source)
   return normal == Point3(0.0) ? corners[0].normal : unit(normal);
 }
 
-/// Puts faces together, source after source.
+/// Assembles faces, source after source.
 class Faces {
  public:
   Faces(const BoundingTriangles& triangles, const SolidFaces& sources) : sources_(sources) {
@@ -119,8 +119,8 @@ class Faces {
         from = to;
       }
     }
-    // Where rounding has made vertices one, sides may be several; their order is not left to
-    // chance.
+    // Where rounding has merged vertices, there may be several equal sides; sorting makes their
+    // order definite.
     std::ranges::sort(sides_, {}, [](const Side& side) {
       return std::tuple(side.from, side.to, side.source, side.is_flat);
     });
@@ -152,7 +152,7 @@ class Faces {
                                     std::ranges::lower_bound(sides_, key, {}, &Side::place));
   }
 
-  /// The side is one of the boundary of its source's face.
+  /// True if the side is on the boundary of its source's face.
   bool is_drawn(const Side& side) const {
     const auto beyond =
         std::ranges::lower_bound(sides_, std::tuple(side.to, side.from, 0u), {}, &Side::place);
@@ -164,7 +164,7 @@ class Faces {
            sources_.attributes[here.attributes] != sources_.attributes[there.attributes];
   }
 
-  /// From the sides of one face, sorted by their ends.
+  /// Adds a face from its sides, sorted by their ends.
   void add_face(std::span<const Side> sides) {
     const std::size_t source = sides[0].source;
     SolidFaces::Face face = sources_.faces[source];
@@ -186,7 +186,7 @@ class Faces {
         const auto next = std::ranges::lower_bound(sides, side.to, {}, &Side::from);
         auto k = static_cast<std::size_t>(next - sides.begin());
         while (k < sides.size() && sides[k].from == side.to && is_used[k]) ++k;
-        if (k == sides.size() || sides[k].from != side.to) break;  // rounding left no way on
+        if (k == sides.size() || sides[k].from != side.to) break;  // rounding left no continuation
         at = k;
       }
       area += newell_normal(positions);
@@ -206,7 +206,7 @@ class Faces {
     result_.add(face);
   }
 
-  /// The light face of what is left of it is the source's dark face.
+  /// True if the light face of the rest of a polygon is the source's dark face.
   bool is_other_way(const Point3& area, std::size_t source) const {
     std::vector<Point3> polygon;
     for (const auto& corner : sources_.loop(sources_.first_loop(source))) {

@@ -15,7 +15,7 @@ namespace displayfile {
 /// Called by the module that combines two solids, at each step of it.
 class CombiningSteps {
  public:
-  /// Throws where the work is to end.
+  /// Throws if the work is to end.
   virtual void step() = 0;
 
  protected:

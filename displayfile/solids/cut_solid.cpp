@@ -21,7 +21,7 @@ using CutCorner = SolidFaces::Corner;
 
 Point3 unit_normal(const Point3& n) { return n == Point3(0.0) ? n : unit(n); }
 
-/// The same faces, their vertices of equal position made one, normals of length 1.
+/// The same faces, with vertices of equal position merged and normals of length 1.
 SolidFaces welded(const SolidFaces& solid) {
   SolidFaces result = solid;
   result.vertices.clear();
@@ -68,10 +68,10 @@ class OnePlane {
   }
 
  private:
-  /// A part of a loop that stays, from where it enters to where it leaves.
+  /// A part of a loop that is kept, from where it enters to where it leaves.
   struct Chain {
     std::vector<CutCorner> corners;
-    std::size_t next;  ///< the chain that follows it along the plane
+    std::size_t next;  ///< the next chain along the plane
   };
   /// An end of a chain, on the plane.
   struct End {
@@ -80,7 +80,7 @@ class OnePlane {
     bool enters;
   };
 
-  /// In the place of whether a side is visible, until the cut face is known.
+  /// Value of edge_visible until the cut face is known.
   static constexpr std::uint8_t kAlongPlane = 2;
 
   static std::size_t corners_and_vertices(const SolidFaces& solid) {
@@ -95,7 +95,7 @@ class OnePlane {
     return {table_.number_of(at.position + Point3(0.0)), kAlongPlane, at.normal};
   }
 
-  /// A loop that the plane does not meet stays or goes; of another there are chains.
+  /// Keeps or removes a loop that the plane does not cross; cuts any other into chains.
   void cut_loop(std::span<const CutCorner> loop) {
     const std::size_t n = loop.size();
     if (n == 0) return;
@@ -121,8 +121,8 @@ class OnePlane {
     }
   }
 
-  /// Chains of one face: where the plane's line is inside of the face, an end that leaves is
-  /// followed by one that enters.
+  /// Joins the chains of one face: where the plane's line is inside of the face, an end that leaves
+  /// is followed by one that enters.
   void join_chains() {
     if (chains_.size() > 1) pair_ends();
     is_joined_.assign(chains_.size(), false);
@@ -145,7 +145,7 @@ class OnePlane {
     }
   }
 
-  /// Sides of no length are left out.
+  /// Omits sides of length 0.
   void add_corner(const CutCorner& corner) {
     if (loop_.empty() || loop_.back().vertex != corner.vertex) loop_.push_back(corner);
   }
@@ -153,9 +153,9 @@ class OnePlane {
     if (from != to) links_.push_back({from, to});
   }
 
-  /// Along the line, every second stretch between two ends is inside of the face: from the one that
-  /// leaves to the one that enters. Where that cannot be (a polygon that crosses itself), chains
-  /// stay by themselves: what is filled even-odd is the same.
+  /// Along the line, every second interval between two ends is inside of the face: from the end
+  /// that leaves to the one that enters. If that is impossible (a polygon that crosses itself),
+  /// each chain is closed by itself: the even-odd fill is the same.
   void pair_ends() {
     Point3 low = position(chains_[0].corners.front()), high = low;
     for (const Chain& chain : chains_) {
@@ -191,9 +191,9 @@ class OnePlane {
   }
   const Point3& position(const CutCorner& corner) const { return points_[corner.vertex]; }
 
-  /// Links that run there and back are none: the solid touches the plane there. The others are
-  /// followed until they come back, as many leave each vertex as arrive; they are returned, if
-  /// there is a cut face.
+  /// Links in both directions cancel: the solid touches the plane there. The others are followed
+  /// until they return, since equally many leave and reach each vertex; they are returned if there
+  /// is a cut face.
   std::vector<CutLink> add_cut_face(std::uint32_t attributes) {
     std::ranges::sort(links_);
     std::vector<CutLink> left;
@@ -240,8 +240,8 @@ class OnePlane {
     return left;
   }
 
-  /// What is a side of the cut face is one of the face beside it, too, in its style: seen where the
-  /// cut face is turned away.
+  /// A side of the cut face is also a side of the face beside it, in the style of that face:
+  /// visible where the cut face is turned away.
   void show_sides_along(const std::vector<CutLink>& of_cut_face, std::size_t loops) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < loops; first = result_.end_corner[i++]) {
@@ -257,7 +257,7 @@ class OnePlane {
     }
   }
 
-  /// What is not closed has no cut face.
+  /// Removes the cut face, as a solid that is not closed has none.
   void drop_cut_face() {
     const std::size_t loops = result_.first_loop(result_.faces.size());
     result_.end_corner.resize(loops);

@@ -23,7 +23,7 @@ const SolidsModule& solids_module() {
   return module;
 }
 
-/// What `work` returns. What the module throws of its own is an Error, after `context`.
+/// Returns the result of `work`. Exceptions of the module's own become an Error, after `context`.
 template <class Work>
 auto by_module(const std::string& context, const Work& work) {
   try {
@@ -37,8 +37,8 @@ auto by_module(const std::string& context, const Work& work) {
   }
 }
 
-/// Faces that a modelling transformation has turned are no longer flat but for rounding, nor are
-/// their diagonals in line with their sides: within the reach of doubles they are
+/// Faces that a modelling transformation has turned are planar only up to rounding, and so are
+/// their diagonals in line with their sides: both hold within the reach of doubles
 /// (clip/surfaces.h).
 double reach_of_doubles(double largest) { return entered_reach(kUnlessSet, largest); }
 

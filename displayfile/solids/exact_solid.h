@@ -27,8 +27,8 @@ struct BoundingTriangles {
   std::vector<std::uint8_t> is_between;
 };
 
-/// A solid whose vertices are where they are, not rounded. Made by the module of solids
-/// (solids_module.h): Error where it is not installed, or was not built (exact_solid_absent.cpp).
+/// A solid with exact vertices, not rounded. Made by the module of solids (solids_module.h): Error
+/// if it is not installed, or was not built (exact_solid_absent.cpp).
 class ExactSolid {
  public:
   struct Body;  ///< the module's

@@ -13,9 +13,9 @@ namespace {
 struct Crossing {
   std::int64_t line;
   double along;
-  int winding;  ///< how much more often the loops wind around what follows on the line
+  int winding;  ///< increase of the loops' winding number along the line
 
-  /// At one place what begins comes first: the line goes on.
+  /// At equal positions, beginnings come first: the line continues.
   bool operator<(const Crossing& other) const {
     return std::tuple(line, along, -winding) < std::tuple(other.line, other.along, -other.winding);
   }

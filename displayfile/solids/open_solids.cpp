@@ -108,14 +108,14 @@ void OpenSolids::discard() {
   const auto [operation, loose_around, faces, first_loose, parts] = std::move(levels_.back());
   levels_.pop_back();
   if (!levels_.empty() && loose_around < faces) {
-    levels_.back().parts.pop_back();  // the polygons before it go on
+    levels_.back().parts.pop_back();  // the polygons before it continue a part
     levels_.back().first_loose = loose_around;
   }
   collected_.faces.resize(faces);
   const std::size_t loops = collected_.first_loop(faces);
   collected_.end_corner.resize(loops);
   const std::size_t corners = loops == 0 ? 0 : collected_.end_corner.back();
-  // Each corner of what is collected has a vertex of its own.
+  // Each collected corner has a vertex of its own.
   collected_.corners.resize(corners);
   collected_.vertices.resize(corners);
 }

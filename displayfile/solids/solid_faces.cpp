@@ -42,7 +42,7 @@ void set_to_face(FacePolygon& polygon, const SolidFaces& solid, std::size_t face
 
 namespace {
 
-/// A directed side as its ends in order, and which way it runs.
+/// A directed side: its ends in order, and its direction.
 struct DirectedSide {
   std::uint32_t low, high;
   bool rises;

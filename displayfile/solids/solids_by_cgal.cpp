@@ -46,7 +46,7 @@ Sources sources_of(ExactMesh& mesh) {
   return mesh.add_property_map<Face, std::uint32_t>(kSource, 0).first;
 }
 
-/// Hands each face's source on to what it is cut into, and to the result; and counts the steps.
+/// Passes each face's source on to the faces it is cut into, and to the result; counts the steps.
 struct SourcesFollow : PMP::Corefinement::Default_visitor<ExactMesh> {
   struct Of {
     const ExactMesh* mesh;
@@ -72,8 +72,8 @@ struct SourcesFollow : PMP::Corefinement::Default_visitor<ExactMesh> {
   }
 };
 
-/// The library draws lots, from a seed that is the time unless this is called: how a face is cut
-/// into triangles would not be the same each time.
+/// Sets the seed of the library's random numbers, which is otherwise the time: faces would be
+/// triangulated differently each time.
 void draw_the_same_lots() { CGAL::get_default_random() = CGAL::Random(1); }
 
 /// A point of a mesh, for a message.
@@ -122,7 +122,7 @@ ExactSurface surface_of(ExactMesh& mesh) {
   return surface;
 }
 
-/// Points of one position are made one. Whether there were any.
+/// Merges points of equal position. True if there were any.
 bool merge_points(ExactSurface& surface) {
   std::vector<std::uint32_t> order(surface.points.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -170,8 +170,8 @@ class Neighbours {
     }
     std::ranges::sort(sides_, {}, &Side::ends);
   }
-  /// Whether the triangle beyond the side lies in the plane of that before it, and on its other
-  /// side. Not where the surface touches itself.
+  /// True if the triangle beyond the side is coplanar with the one before it, and on the other side
+  /// of it. False where the surface touches itself.
   bool is_flat_across(std::uint32_t from, std::uint32_t to) const {
     const auto before = sides(from, to), beyond = sides(to, from);
     if (before.size() != 1 || beyond.size() != 1) return false;
@@ -236,7 +236,8 @@ double largest_of(const ExactSurface& surface) {
   return largest;
 }
 
-/// Whether the foot of v on the segment from p to q lies between these, and v within reach of it.
+/// True if the foot of the perpendicular from v to the segment from p to q is between these, and v
+/// is within reach of it.
 bool is_between(const ExactPoint& v, const ExactPoint& p, const ExactPoint& q, double reach) {
   const auto in_doubles = [](const ExactPoint& from, const ExactPoint& to) {
     return Point3(CGAL::to_double(to.x() - from.x()), CGAL::to_double(to.y() - from.y()),
@@ -247,7 +248,8 @@ bool is_between(const ExactPoint& v, const ExactPoint& p, const ExactPoint& q, d
          glm::length(glm::cross(along, to_v)) <= reach * glm::length(along);
 }
 
-/// Which vertices lie between the other ends of the two boundaries that there are at them.
+/// For each vertex, whether it lies between the other ends of its two boundaries; false if it has
+/// not two.
 std::vector<std::uint8_t> vertices_between(const ExactSurface& surface, double reach) {
   struct Ends {
     std::size_t count = 0;
@@ -287,7 +289,7 @@ struct ExactSolid::Body {
   bool is_empty() const { return !has_mesh() && surface.triangles.empty(); }
   ExactSurface as_surface() const {
     if (!has_mesh()) return surface;
-    ExactMesh copy = mesh;  // the properties of one that may not change are not found by name
+    ExactMesh copy = mesh;  // properties of a const mesh are not found by name
     return surface_of(copy);
   }
 };
@@ -304,7 +306,7 @@ std::shared_ptr<const Body> bounded(const BoundingTriangles& triangles, std::str
   soup.reserve(triangles.triangles.size());
   for (const auto& [a, b, c] : triangles.triangles) soup.push_back({a, b, c});
   draw_the_same_lots();
-  // Where surfaces touch at a vertex or an edge it is made several, which require_simple refuses.
+  // Duplicates vertices and edges where surfaces touch, which require_simple refuses.
   PMP::orient_polygon_soup(points, soup);
   auto body = std::make_shared<Body>();
   ExactMesh& mesh = body->mesh;
@@ -321,9 +323,9 @@ std::shared_ptr<const Body> bounded(const BoundingTriangles& triangles, std::str
   return body;
 }
 
-/// CGAL's corefinement, of meshes that do not touch themselves. Nothing if the result touches
-/// itself along an edge, which CGAL does not make. It may touch itself in points, where it is no
-/// valid mesh.
+/// Combines meshes that do not touch themselves, by CGAL's corefinement. Nothing if the result
+/// touches itself along an edge, which CGAL does not support. The result may touch itself in
+/// points, where it is not a valid mesh.
 std::optional<ExactMesh> corefined(SolidOperation operation, ExactMesh first, ExactMesh second,
                                    CombiningSteps& steps) {
   draw_the_same_lots();

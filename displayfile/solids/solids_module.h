@@ -8,10 +8,10 @@
 
 namespace displayfile {
 
-/// What the module `displayfile-solids` (clip/base/module.h) does: it is compiled with CGAL, which
-/// is under the GPL, and so is not part of the libraries. It uses no state of theirs. Its functions
-/// throw what the steps throw, std::bad_alloc, and other exceptions of the standard library, whose
-/// `what` is a message.
+/// The functions of the module `displayfile-solids` (clip/base/module.h). The module is compiled
+/// with CGAL, which is under the GPL, and so is not part of the libraries. It uses no state of
+/// theirs. The functions throw what the steps throw, std::bad_alloc, and other exceptions of the
+/// standard library, whose `what` is a message.
 struct SolidsModule {
   const char* version;
   /// As ExactSolid's constructor.
@@ -23,8 +23,8 @@ struct SolidsModule {
                                                       const ExactSolid::Body& b,
                                                       CombiningSteps& steps);
   bool (*is_empty)(const ExactSolid::Body& body);
-  /// As ExactSolid::rounded. `reach_of` returns within which distance vertices are in line, by the
-  /// largest magnitude of a coordinate.
+  /// As ExactSolid::rounded. `reach_of` returns the distance within which vertices count as
+  /// collinear, for the largest magnitude of a coordinate.
   BoundingTriangles (*rounded)(const ExactSolid::Body& body, double (*reach_of)(double largest));
 };
 

@@ -1,4 +1,4 @@
-// Solids combined by the arrangement of their triangles. CGAL has the intersections and the
+// Combines solids by the arrangement of their triangles. CGAL provides the intersections and the
 // triangulation in a plane.
 
 #include "displayfile/solids/exact_surface.h"
@@ -57,7 +57,7 @@ class NumberedPoints {
   std::map<ExactPoint, std::uint32_t, ExactKernel::Less_xyz_3> numbers_;
 };
 
-/// From one numbered point to another, or the same for a point alone.
+/// A segment between two numbered points; for a single point, both are the same.
 using Cut = std::pair<std::uint32_t, std::uint32_t>;
 
 // ---- A triangle cut into pieces -----------------------------------------------------------------
@@ -86,7 +86,7 @@ class Plane {
     at[static_cast<std::size_t>(left_out_)] = origin_[left_out_] - rise / normal_[left_out_];
     return {at[0], at[1], at[2]};
   }
-  /// Whether what is counterclockwise in the plane is clockwise in the two coordinates.
+  /// True if counterclockwise in the plane is clockwise in the two coordinates.
   bool is_turned() const { return CGAL::is_negative(normal_[left_out_]); }
 
  private:
@@ -110,7 +110,7 @@ class CutTriangle {
     const auto from = vertex_of(along.first), to = vertex_of(along.second);
     if (from != to) triangulation_.insert_constraint(from, to);
   }
-  /// Turned as the triangle is.
+  /// The pieces, with the triangle's orientation.
   std::vector<Triangle> pieces() {
     for (const auto vertex : triangulation_.finite_vertex_handles()) {
       std::uint32_t& number = vertex->info();  // cuts that cross make vertices without one
@@ -158,13 +158,13 @@ struct Piece {
   std::array<std::uint32_t, 2> source{kNone, kNone};
 };
 
-/// Whether the piece's corners in their order run as those of the triangle do.
+/// True if the piece's corners, in their order, have the triangle's orientation.
 bool runs_alike(const Triangle& sorted, const Triangle& triangle) {
   const auto first = std::ranges::find(triangle, sorted[0]) - triangle.begin();
   return triangle[static_cast<std::size_t>(first + 1) % 3] == sorted[1];
 }
 
-/// The triangles of two solids, cut along all in which those of one meet those of the other.
+/// The triangles of two solids, cut wherever those of one meet those of the other.
 class Arrangement {
  public:
   Arrangement(const ExactSurface& a, const ExactSurface& b, CombiningSteps& steps) : steps_(steps) {
@@ -190,11 +190,11 @@ class Arrangement {
   std::uint32_t patch_of(std::uint32_t piece);
 
   bool is_inside(const ExactPoint& p, std::size_t solid);
-  /// Whether the segment leads through an odd number of the solid's triangles; nothing if it
+  /// True if the segment passes through an odd number of the solid's triangles; nothing if it
   /// passes through a corner or a side.
   std::optional<bool> crosses_oddly(const ExactPoint& from, const ExactPoint& to,
                                     std::size_t solid);
-  /// Whether the solid is in front of the piece, and behind it.
+  /// Whether the solid is in front of the piece, and whether it is behind it.
   std::array<bool, 2> beside(std::uint32_t piece, std::size_t solid);
 
   std::span<const Triangle> triangles_of(std::size_t solid) const {
@@ -211,8 +211,8 @@ class Arrangement {
   std::vector<std::vector<Cut>> cuts_;  ///< of each triangle
   std::vector<Piece> pieces_;
   std::map<Triangle, std::uint32_t> numbers_;  ///< of pieces, by their corners
-  /// A patch is what of a surface hangs together across sides of two pieces: all of it is inside
-  /// the other solid or outside. Each piece leads to another one of its patch, or to itself.
+  /// A patch is a part of a surface that is connected across sides of two pieces: all of it is
+  /// inside the other solid or outside. Each piece leads to another one of its patch, or to itself.
   std::vector<std::uint32_t> patches_;
   std::array<std::map<std::uint32_t, bool>, 2> patch_is_inside_;
   std::mt19937 random_;  ///< with one seed: the same rays each time
@@ -247,8 +247,8 @@ void Arrangement::find_cuts() {
                            [&](const Box& a, const Box& b) { find_cuts(a.info(), b.info()); });
 }
 
-/// A triangle of each solid. What they have in common is cut into triangles in the same way in
-/// both: else pieces that cover each other would not have the same corners.
+/// Cuts a triangle of each solid. Their intersection is triangulated in the same way in both:
+/// otherwise pieces that cover each other would have different corners.
 void Arrangement::find_cuts(std::uint32_t a, std::uint32_t b) {
   steps_.step();
   const auto of = [&](std::uint32_t i) {

@@ -14,7 +14,7 @@ namespace displayfile::routine_calls {
 
 namespace {
 
-/// The two numbers that may stand last.
+/// Takes the two optional numbers at the end.
 std::optional<Point2> take_offset(ProgramLine& line, bool has_offset) {
   if (!has_offset) return std::nullopt;
   return line.take<Point2>();

@@ -12,7 +12,7 @@ unsigned byte(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
 }
 
-/// The character, of that many bytes, at the start of the text.
+/// The character of `length` bytes at the start of the text.
 unsigned character_at_start(std::string_view text, std::size_t length) {
   if (length == 1) return byte(text, 0);
   unsigned character = byte(text, 0) & (0x7Fu >> length);
@@ -20,8 +20,8 @@ unsigned character_at_start(std::string_view text, std::size_t length) {
   return character;
 }
 
-/// Whether it can be written in UTF-8 but not drawn: control characters, and what Unicode says is
-/// no character (which Cairo refuses, and XML in part).
+/// True if a character can be encoded in UTF-8 but not drawn: control characters, and Unicode's
+/// noncharacters (which Cairo refuses, and XML in part).
 bool is_no_character(unsigned character) {
   const auto in = [&](unsigned low, unsigned high) {
     return character >= low && character <= high;

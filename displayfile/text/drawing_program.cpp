@@ -33,11 +33,11 @@ Error error_at(std::string_view file_name, std::string_view text, const char* at
                            message));
 }
 
-/// Printable ASCII, line end, tab.
+/// True for printable ASCII, line ends and tabs.
 bool is_plain(char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t' || c == '\r'; }
 
-/// Length in bytes of the character at the text's start, 0 if it is none that a drawing
-/// program may hold: a control character or not UTF-8.
+/// Length in bytes of the character at the text's start; 0 if a drawing program may not hold it: a
+/// control character or not UTF-8.
 std::size_t character_length(std::string_view text) {
   if (is_plain(text[0])) return 1;
   return static_cast<unsigned char>(text[0]) < 0x80 ? 0 : utf8_length(text);

@@ -20,7 +20,7 @@ namespace displayfile {
 
 namespace {
 
-/// Writes one line an instruction; gathers them in a buffer, as streams are slow.
+/// Writes one line per instruction; collects them in a buffer, as streams are slow.
 class Dumper {
  public:
   Dumper(std::ostream& out, const std::optional<Colour>& fills) : out_(out), fills_(fills) {}
@@ -79,7 +79,7 @@ class Dumper {
     check_line_style();
     write_line(FMT_COMPILE("text {} {} {} {}"), p.x, p.y, p.z, in_quotation_marks(characters));
   }
-  /// Its kind and style, its points and texts.
+  /// Writes an annotation: its kind and style, its points and texts.
   void annotation(const KeptAnnotation& a) {
     const AnnotationStyle& s = a.style;
     components_.clear();
@@ -141,7 +141,7 @@ class Dumper {
       sides[i] == op::line ? line(vertices[i]) : move(vertices[i]);
     }
   }
-  /// As lines after the polygon. The pen returns to its last vertex.
+  /// Writes sides as lines after the polygon. The pen returns to its last vertex.
   void write_sides(const LineStyle& style, std::span<const Point3> vertices,
                    std::span<const std::int32_t> sides) {
     write_style(style);
@@ -175,8 +175,8 @@ class Dumper {
   std::unordered_set<int> met_;  // segments
 };
 
-/// The visible segments in their shared order. One of which nothing is drawn, and the invisible
-/// ones, follow.
+/// Dumps the visible segments in their shared order, followed by those without output and the
+/// invisible ones.
 void dump_sorted_together(const DisplayFile& display_file, Dumper& dumper) {
   display_file.sorted()->walk(dumper);
   for (const Segment& segment : display_file.segments()) {

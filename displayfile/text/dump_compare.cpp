@@ -40,7 +40,7 @@ bool starts_segment(std::string_view line) { return line.starts_with("segment ")
 bool ends_segment(std::string_view line) { return line == "end" || starts_segment(line); }
 std::string_view segment_name(std::string_view line) { return words_of(line)[1]; }
 
-/// What the words of an instruction mean, as messages call them.
+/// The names of an instruction's words in messages.
 struct InstructionFields {
   std::string_view start;  ///< of the instructions meant
   std::span<const std::string_view> fields;
@@ -80,7 +80,7 @@ std::string_view field_name(std::string_view instruction, std::size_t field) {
   return "operand";
 }
 
-/// Two instructions that differ.
+/// The difference between two instructions.
 std::string instruction_difference(std::string_view place, std::string_view actual,
                                    std::string_view expected) {
   const auto a = words_of(actual), e = words_of(expected);
@@ -96,7 +96,8 @@ bool has_segment(std::string_view rest, std::string_view name) {
   return rest.find(fmt::format("\nsegment {} ", name)) != std::string_view::npos;
 }
 
-/// Two lines that differ, one or both of which start or end a segment; the dumps from there.
+/// The difference between two lines, one or both of which start or end a segment; the rests are the
+/// dumps from there.
 std::string segment_difference(std::string_view actual, std::string_view expected,
                                std::string_view actual_rest, std::string_view expected_rest) {
   if (!starts_segment(actual)) return fmt::format("segment {} is missing", segment_name(expected));

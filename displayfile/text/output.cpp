@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// Kept in memory until commit().
+/// Keeps output in memory until commit().
 class StreamOutput : public Output {
  public:
   explicit StreamOutput(const Destination& to) : name_(to.name()), to_(*to.stream()) {}

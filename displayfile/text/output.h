@@ -22,7 +22,7 @@ class Output {
   /// Completes writing, for a file to the disk; called for several outputs before the first is
   /// committed.
   virtual void finish() = 0;
-  /// Calls finish() if necessary and publishes the output. To be called once.
+  /// Calls finish() if necessary and publishes the output. Must be called only once.
   virtual void commit() = 0;
 };
 

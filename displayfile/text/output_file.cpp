@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr int kNamesToTry = 1000;
 constexpr std::size_t kLongestStem = 200;  // of a name of 255 bytes at most
 
-/// A name beside the target, of this process.
+/// A name beside the target, unique to this process.
 std::string temporary_name(const fs::path& target, int attempt) {
   return (target.parent_path() /
           fmt::format(".{}.{}-{}{}", target.stem().string().substr(0, kLongestStem),
@@ -33,7 +33,8 @@ std::string temporary_name(const fs::path& target, int attempt) {
       .string();
 }
 
-/// Which folder that would be is said by one of these, or by none.
+/// The message that there is no folder for temporary files: one of these variables names it, or it
+/// is /tmp.
 std::string no_temporary_folder() {
   for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     if (const char* const folder = std::getenv(variable)) {
@@ -46,8 +47,8 @@ std::string no_temporary_folder() {
 
 }  // namespace
 
-/// By a name that leads to a file, that would be replaced, and nothing that is written there later
-/// would be in it.
+/// True for the names of standard output. A file that such a name leads to would be replaced, and
+/// data written there later would not be in it.
 bool is_standard_output(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
@@ -64,7 +65,7 @@ void OutputFile::fail_to_write() const {
   fail(fmt::format("cannot be written: {}", std::strerror(reason)));
 }
 
-/// With no temporary file left; 0 is no reason.
+/// Removes the temporary file before it throws; reason 0: none.
 void OutputFile::fail_at_the_end(const std::string& what, int reason) {
   remove_temporary();
   fail(fmt::format("{}{}{}", what, reason != 0 ? ": " : "",
@@ -108,7 +109,7 @@ void OutputFile::create_to_be_copied() {
   create_temporary();
 }
 
-/// Without a name where the file system has such files.
+/// Creates the temporary file, without a name where the file system supports that.
 void OutputFile::create_temporary() {
   descriptor_ = create_nameless_file(fs::path(target_).parent_path(), temporary_);
   if (descriptor_ >= 0) return;
@@ -118,7 +119,7 @@ void OutputFile::create_temporary() {
   });
 }
 
-/// Tries one name after the other; `create` says whether it is taken, with the reason in errno.
+/// Tries one name after another; `create` returns true on success, and otherwise sets errno.
 template <class Create>
 void OutputFile::create_named(const Create& create) {
   const UnfinishedPath::Naming naming;
@@ -142,7 +143,7 @@ void OutputFile::name_temporary() {
 }
 
 const std::string& OutputFile::temporary_path() {
-  // A library may look back at what it wrote.
+  // A library may read what it wrote before.
   if (std::exchange(direct_, false)) create_to_be_copied();
   if (!pending_) name_temporary();
   return temporary_;
@@ -216,10 +217,10 @@ void OutputFile::replace_target() {
   pending_ = false;
 }
 
-/// True if there was no target, and the nameless file is it now.
+/// True if there was no target, and the nameless file has become the target.
 bool OutputFile::link_to_target() const { return name_nameless_file(descriptor_, target_); }
 
-/// The temporary file has no name any more when the first byte is written: a reader that goes away
+/// The temporary file loses its name before the first byte is written: a reader that closes its end
 /// may end this process.
 void OutputFile::copy_to_target() {
   const int to = standard_output_ ? standard_output() : open_emptied(path_);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kSpaces = " \t\r";
 
-/// The first word, which is then removed.
+/// Removes the first word and returns it.
 std::string_view take_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(kSpaces));
@@ -33,7 +33,7 @@ bool sets_view(std::string_view line) {
   return routine != all.end() && routine->section == "View";
 }
 
-/// The user routines that set it.
+/// The user routines that set the view.
 std::string lines_of(const View& view) {
   CollectedText lines;
   Recorder recorder(lines);
@@ -46,7 +46,7 @@ std::string lines_of(const View& view) {
   return lines.str();
 }
 
-/// The name of the segment that it opens.
+/// The name of the segment that the line opens.
 std::optional<int> segment_opened(std::string_view line) {
   if (take_word(line) != "open-segment") return std::nullopt;
   const std::string_view word = take_word(line);

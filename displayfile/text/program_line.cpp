@@ -15,8 +15,8 @@ namespace displayfile {
 
 namespace {
 
-/// What words are made of: all but blanks and the start of a comment. (Other control characters
-/// are refused before any line is read.) A table, as every byte of a program is looked at.
+/// The characters of words: all but blanks and the start of a comment. (Other control characters
+/// are refused before any line is read.) A table, as every byte of a program is examined.
 constexpr auto kInWord = [] {
   std::array<bool, 256> in_word{};
   for (std::size_t c = 0; c < in_word.size(); ++c) {
@@ -26,15 +26,15 @@ constexpr auto kInWord = [] {
 }();
 bool in_word(char c) { return kInWord[static_cast<unsigned char>(c)]; }
 
-/// Where a word that begins with a quotation mark ends: with the next one that no backslash stands
-/// before, and what follows it up to a blank; or else with the line.
+/// The closing quotation mark of a word that begins with one: the next one without a backslash
+/// before it, or the end of the line. Characters after it belong to the word up to a blank.
 const char* end_of_quoted(const char* p, const char* end) {
   do ++p;
   while (p != end && *p != '"' && (*p != '\\' || ++p != end));
   return p;
 }
 
-/// from_chars, but the whole word and with an optional plus sign.
+/// As from_chars, but reads the whole word and allows a plus sign.
 template <class Number>
 std::errc read(std::string_view word, Number& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);

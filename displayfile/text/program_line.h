@@ -53,7 +53,7 @@ class ProgramLine {
   template <class Point>
   std::span<const Point> take_points();
   std::string_view take_word() { return words_[taken_++]; }
-  /// To be called where the next argument may be a colour. If the words end here with a comment
+  /// Must be called where the next argument may be a colour. If the words end here with a comment
   /// that begins with #rrggbb or #rgb and then a blank or the line's end, that colour becomes a
   /// word, as do the words behind it. Everywhere else `#` begins a comment.
   void expect_colour();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kNumbers = 3;  // of a colour
 
-/// How many words the colour is that begins with the argument: one, or three numbers.
+/// The number of words of the colour that begins with the argument: one, or three numbers.
 std::size_t words_of_colour(ProgramLine& line, std::size_t argument) {
   line.expect_colour();
   if (argument >= line.arguments()) return kNumbers;
@@ -29,7 +29,7 @@ std::size_t words_of_colour(ProgramLine& line, std::size_t argument) {
   return colour_of_word(word) || (is_name && !has_three) ? 1 : kNumbers;
 }
 
-/// `besides`: what else the message about an unknown name says is expected.
+/// `besides`: other expected words, for the message about an unknown name.
 Colour take_colour(ProgramLine& line, std::size_t words, std::string_view besides = "") {
   if (words == kNumbers) return line.take<Point3>();
   const std::string_view word = line.take_word();
@@ -180,9 +180,9 @@ void axes(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   axes_3(system, low, high, {names[0], names[1], names[2]});
 }
 
-/// A height that is unknown is written nan.
+/// An unknown height is written nan.
 void surface(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
-  constexpr std::size_t kBefore = 6;  // what stands before the heights
+  constexpr std::size_t kBefore = 6;  // arguments before the heights
   if (line.arguments() < kBefore) wrong_count(line, routine);
   SurfaceGrid grid{};
   const auto take_range = [&](double& low, double& high, int& points) {

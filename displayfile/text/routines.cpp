@@ -51,8 +51,8 @@ namespace {
 using namespace routine_calls;
 using G = GraphicsSystem;
 
-// Every user routine, by what it is about. They are looked up in this order: those that fill
-// programs come first.
+// Every user routine, by topic. They are looked up in this order: the most frequent in programs
+// come first.
 
 constexpr auto kPrimitives = std::to_array<Routine>({
     varying<points<Point3, &G::polygon_abs_3>>(
@@ -367,7 +367,7 @@ constexpr auto kHiddenSurfaces = std::to_array<Routine>({
         "Whether to draw with the interpreter's z-buffer, whatever the method [off]."),
 });
 
-/// All of them, each with its section.
+/// All routines, each with its section.
 constexpr auto kRoutines = [] {
   constexpr std::size_t kCount = kPrimitives.size() + kShapes.size() + kAttributes.size() +
                                  kAnnotation.size() + kSegments.size() + kTransformation.size() +
@@ -438,7 +438,7 @@ void call_user_routine(GraphicsSystem& system, std::string_view name, std::strin
   try {
     if (line.empty() || line.name() != name) unknown_routine(name);
     call_routine(line, system);
-  } catch (const ErrorAt& error) {  // whose place is in this text
+  } catch (const ErrorAt& error) {  // its position is in this text
     throw named(error.what());
   }
 }

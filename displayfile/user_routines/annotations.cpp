@@ -26,7 +26,7 @@ constexpr double kUsualOffset = 3.0;  // times the annotation's size
 constexpr int kHalvingsOfArc = 5;     // an arc is 2^5 chords
 constexpr double kDegrees = 57.295779513082320877;
 
-/// With at most that many decimals, without trailing zeros.
+/// The measure with at most this many decimals, without trailing zeros.
 std::string measure_text(double measure, int decimals) {
   std::string text = fmt::format("{:.{}f}", measure, decimals);
   if (text.find('.') == std::string::npos) return text;
@@ -35,7 +35,7 @@ std::string measure_text(double measure, int decimals) {
   return text;
 }
 
-/// The square root is rounded correctly everywhere, which a library's hypotenuse is not. The
+/// Uses the square root, which is rounded correctly everywhere, unlike a library's hypot. The
 /// division keeps squares in range.
 double length_of(const Point3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -50,8 +50,8 @@ Point3 unit_direction(const Point3& v, std::string_view what) {
   return v / length;
 }
 
-/// Unit vectors from one to the other, in even steps, by halving: no sine or cosine, which differ
-/// from library to library.
+/// Unit vectors from one to the other, in even steps, by halving: sine and cosine differ between
+/// libraries.
 std::vector<Point3> arc_between(const Point3& from, const Point3& to) {
   std::vector<Point3> arc{from, to};
   for (int k = 0; k < kHalvingsOfArc; ++k) {
@@ -68,14 +68,14 @@ std::vector<Point3> arc_between(const Point3& from, const Point3& to) {
 
 std::string words_of(const Point3& p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
 
-/// Both numbers, after a blank, or nothing.
+/// Both numbers, each after a blank; empty if there are none.
 std::string words_of(const std::optional<Point2>& offset) {
   return offset ? fmt::format(" {} {}", offset->x, offset->y) : std::string();
 }
 
 }  // namespace
 
-/// Makes what a segment keeps of annotation, with the settings in force, and writes the arguments
+/// Makes the annotation that a segment keeps, with the settings in force, and writes the arguments
 /// with which it is recorded.
 struct GraphicsSystem::State::AnnotationEntry {
   using Kind = KeptAnnotation::Kind;

@@ -36,7 +36,7 @@ void require_line_kind_style(const LineKindStyle& style) {
   if (style.colour) require_colour(*style.colour);
 }
 
-/// As set-line-kind-style has it, after the kind.
+/// The arguments of set-line-kind-style after the kind.
 std::string words_of(const LineKindStyle& style) {
   std::string words = style.width ? fmt::format("{}", *style.width) : "same";
   if (style.kind) words += *style.kind == LineStyle::Kind::solid ? " solid" : " dashed";
@@ -70,7 +70,7 @@ void GraphicsSystem::set_line_style(const LineStyle& style) {
   state_->record_line_style("set-line-style", checked);
 }
 
-/// One style has one representation: what has no meaning in its kind is as it is at the start.
+/// Gives each style one representation: members without a meaning in its kind have their defaults.
 LineStyle GraphicsSystem::State::require_line_style(const LineStyle& style) {
   if (style.kind == LineStyle::Kind::none) return {LineStyle::Kind::none};
   require_colour(style.colour);

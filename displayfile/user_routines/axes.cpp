@@ -24,7 +24,7 @@ namespace displayfile {
 
 namespace {
 
-/// Lengths in the size of the texts, as they are seen.
+/// Lengths relative to the size of the texts, as seen.
 constexpr double kTick = 0.4, kGap = 0.45, kCapital = 0.7, kLetterWidth = 0.6;
 constexpr double kBeside = 2.8, kAbove = 1.4;  // from a number to the next in a row, in a column
 constexpr double kNearest = kTick + 2.0 * kGap, kFarthest = 30.0, kFarther = 0.25;  // of names
@@ -49,7 +49,7 @@ double decimal(std::int64_t digits, int exponent) {
   return value;
 }
 
-// ---- Where axes stand ----------------------------------------------------------------------
+// ---- Positions of axes ---------------------------------------------------------------------
 
 struct Label {
   Point3 at;
@@ -57,7 +57,7 @@ struct Label {
   TextStyle::Alignment alignment;
 };
 
-/// Liang and Barsky's test: whether a line comes into a box.
+/// True if a line enters a box, by Liang and Barsky's test.
 bool comes_into(const PaperBox& box, const Point2& from, const Point2& to) {
   double first = 0.0, last = 1.0;
   for (int a = 0; a < 2; ++a) {
@@ -73,7 +73,7 @@ bool comes_into(const PaperBox& box, const Point2& from, const Point2& to) {
   return first < last;
 }
 
-/// What is drawn of all axes.
+/// The drawn parts of all axes.
 struct Axes {
   std::vector<std::array<Point3, 2>> lines;
   std::vector<Label> labels;
@@ -136,8 +136,9 @@ class AxesOfBox {
     }
   }
 
-  /// So far out that it is beside its axis, which it may lie across and be long; farther where
-  /// another number is in the way, and left out where that does not help.
+  /// Appends a number far enough out to be beside its axis and clear of the box, even if it is long
+  /// and across the axis; farther out if another number is in the way, and omitted if that does not
+  /// help.
   void append_number(const Point3& at, const Point2& outward, const std::string& number,
                      Axes& axes) const {
     double distance = kTick + kGap;
@@ -150,10 +151,10 @@ class AxesOfBox {
     }
   }
 
-  /// In the picture beside the middle of its axis, as near to it as there is room beside the box,
-  /// the numbers and the other names; or beside another place of the axis; or beyond its high end,
-  /// or its low one; or the same over the box. Where nothing helps, beside the middle, if it is cut
-  /// off there.
+  /// Appends a name in the picture, beside the middle of its axis, as near to it as there is room
+  /// beside the box, the numbers and the other names; or beside another place of the axis; or
+  /// beyond its high end, or its low one; or the same over the box. If there is no room, beside the
+  /// middle, even if it is cut off there.
   void append_name(const Edge& edge, std::string_view name, Axes& axes) const {
     for (const bool over_box : {false, true}) {
       for (const double t : {0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1}) {
@@ -182,8 +183,8 @@ class AxesOfBox {
     return std::nullopt;
   }
 
-  /// Above or below an end of an axis, as it is seen, where there is room in the picture; moved
-  /// along its line as far as the picture asks for.
+  /// Above or below an end of an axis, as seen, if there is room in the picture; moved along its
+  /// line as far as the picture requires.
   std::optional<Label> beyond(const Edge& edge, bool high, std::string_view name, bool over_box,
                               const Axes& axes) const {
     const Point3& end = high ? edge.to : edge.from;
@@ -211,7 +212,7 @@ class AxesOfBox {
   }
   bool is_in_picture(const Label& label) const { return box_of(label).lies_in(picture()); }
 
-  /// True if the letters come over an edge of the box.
+  /// True if the letters overlap an edge of the box.
   bool meets_box(const Label& label) const {
     const PaperBox letters = box_of(label).widened(Point2(kGap * size_));
     for (int from = 0; from < 8; ++from) {
@@ -231,7 +232,7 @@ class AxesOfBox {
     axes.labels.push_back(std::move(label));
   }
 
-  /// About: fonts differ.
+  /// Approximate, since fonts differ.
   PaperBox box_of(const Label& label) const {
     const double width = kLetterWidth * size_ * static_cast<double>(letters(label.text));
     const double before = label.alignment == TextStyle::Alignment::left    ? 0.0
@@ -241,7 +242,7 @@ class AxesOfBox {
     return {low, low + Point2(width, kCapital * size_)};
   }
 
-  /// Where a point is in the picture, whose height is 1.
+  /// The position of a point in the picture, whose height is 1.
   Point2 seen(const Point3& p) const {
     const std::optional<Point3> device = system_.to_device(p);
     if (!device)
@@ -256,7 +257,8 @@ class AxesOfBox {
     return {ends_[end[0]].x, ends_[end[1]].y, ends_[end[2]].z};
   }
 
-  /// Twice the area of a face as it is seen, with the sign of its turning about its outer side.
+  /// Twice the area of a face as seen, with the sign of its orientation about its outward
+  /// direction.
   double seen_area(int across, int end) const {
     Point2 corners[4];
     for (int k = 0; k < 4; ++k) {
@@ -270,9 +272,8 @@ class AxesOfBox {
     return end == 1 ? area : -area;
   }
 
-  /// The edge along an axis where it is drawn: the lowest, or if they are steep the leftmost, among
-  /// those on the box's outline as it is seen, where one of the two faces that meet is turned to
-  /// the viewer.
+  /// The edge on which an axis is drawn: the lowest, or if they are steep the leftmost, among those
+  /// on the box's outline as seen, where one of the two adjacent faces is turned to the viewer.
   std::optional<Edge> edge_of(int along) const {
     if (ends_[0][along] == ends_[1][along]) return std::nullopt;
     const glm::ivec2 others{(along + 1) % 3, (along + 2) % 3};
@@ -298,8 +299,8 @@ class AxesOfBox {
     return found;
   }
 
-  /// Across an edge as it is seen, of length 1: away from the box's middle; where it goes through
-  /// that, downward, or to the left of a steep one.
+  /// The direction across an edge as seen, of length 1: away from the box's middle; if the edge
+  /// passes through it, downward, or to the left of a steep one.
   Point2 outward_of(const Point2& direction, const Point2& from, bool is_steep) const {
     const Point2 across = Point2(direction.y, -direction.x) / length(direction);
     const double away = dot(from - seen(middle(ends_[0], ends_[1])), across);
@@ -307,8 +308,7 @@ class AxesOfBox {
     return (is_steep ? across.x > 0.0 : across.y > 0.0) ? -across : across;
   }
 
-  /// How a small step along an axis of the box is seen: a perspective view is straight enough
-  /// there.
+  /// A small step along an axis of the box as seen: a perspective view is straight enough there.
   Point2 seen_step(const Point3& p, int along) const {
     Point3 before = p, after = p;
     before[along] -= 0.5 * kStep * unit_[along];
@@ -316,8 +316,8 @@ class AxesOfBox {
     return seen(after) - seen(before);
   }
 
-  /// Ticks go on where another axis of the box ends: where the one of the two that leads outward
-  /// more does.
+  /// The direction of ticks: they continue another axis of the box that ends there, the one of the
+  /// two that leads outward more.
   Point2 ticks_at(const Point3& p, const glm::ivec2& others, const glm::ivec2& end,
                   const Point2& outward) const {
     Point2 best = outward;
@@ -333,8 +333,8 @@ class AxesOfBox {
     return best;
   }
 
-  /// The point that is seen so far from p, in the plane of the two of the box's directions that are
-  /// seen the most apart.
+  /// The point that appears at this offset from p, in the plane of the two directions of the box
+  /// that appear farthest apart.
   Point3 moved(const Point3& p, const Point2& by) const {
     Point2 seen_steps[3];
     for (int a = 0; a < 3; ++a) seen_steps[a] = seen_step(p, a);
@@ -368,8 +368,8 @@ class AxesOfBox {
   const GraphicsSystem& system_;
   Point3 ends_[2];
   double size_;
-  Point3 unit_{};  ///< lengths to measure with: the box's, or its greatest where it has none
-  bool is_turned_[3][2]{};  ///< faces: to the viewer, or all away from him
+  Point3 unit_{};           ///< the box's sizes; its greatest for those that are 0
+  bool is_turned_[3][2]{};  ///< faces: to the viewer, or all away from the viewer
   bool has_faces_ = false;
 };
 
@@ -385,7 +385,7 @@ void require_box(const Point3& low, const Point3& high) {
   if (low == high) throw Error("axes of a point: expected x-min < x-max, or likewise for y or z");
 }
 
-/// Where all is, as seen; throws Error if any of it cannot be entered.
+/// Throws Error if any of the points cannot be entered.
 void require_in_range(const GraphicsSystem& system, const Axes& axes) {
   for (const auto& [from, to] : axes.lines) {
     system.to_device(from);

@@ -20,10 +20,10 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
   state_->record("set-cutting-plane", {n, false});
 }
 
-/// What the cutting planes leave of a polygon. A triangle whose normals differ stays one, or
-/// becomes several about its first vertex, with invisible diagonals: normals are interpolated over
-/// triangles. A polygon that no plane cuts is what it is without them; what is left of others
-/// counts as entered where it is cut, under the same modelling transformation.
+/// Enters the part of a polygon that the cutting planes leave. A triangle whose normals differ
+/// stays one, or becomes several about its first vertex, with invisible diagonals: normals are
+/// interpolated over triangles. A polygon that no plane cuts is entered as without planes; the
+/// points where others are cut count as entered, under the same modelling transformation.
 void GraphicsSystem::State::enter_cut(const WorldPolygon& polygon) {
   if (!cutting_planes_.cut_some(polygon.vertices)) return enter_whole(polygon);
   const CutPolygon cut = cutting_planes_.cut(

@@ -19,7 +19,7 @@ void require_precision(const Precision& precision) {
 
 }  // namespace
 
-/// Throws the Errors of all; retains a scene where one of them needs it.
+/// Throws the Errors of all options; retains a scene if one of them needs it.
 void GraphicsSystem::State::require(const HiddenSurfaceOptions& options) {
   if (options.sets_calls()) {
     throw Error(

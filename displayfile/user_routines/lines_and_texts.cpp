@@ -25,8 +25,8 @@ void GraphicsSystem::State::line_to(const Point3& object) {
   pen_ = end;
 }
 
-/// Whole, in a line style that is not none; into what is retained alone if it is not there in the
-/// view.
+/// Enters a whole line, in a line style that is not none; only into the retained scene if it is not
+/// in the view.
 void GraphicsSystem::State::enter_world_line(const Point3& from, const Point3& to, bool is_there) {
   Segment& segment = display_file_.segment(*open_);
   segment.set_line_pick(pick_);

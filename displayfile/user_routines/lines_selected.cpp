@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// What polygons share is known in world coordinates alone.
+/// Retains a scene: the sides that polygons share are known in world coordinates only.
 void GraphicsSystem::State::retain_for(std::string_view what) {
   if (retained() != nullptr) return;
   if (!display_file_.segments().empty()) {
@@ -30,8 +30,8 @@ void SystemInside::replace_lines(GraphicsSystem& system, const LineSelection& se
   s.explicit_.insert(Setting::lines);
 }
 
-/// The segment is complete, so that it is known which polygons share a side: what was retained is
-/// viewed, with the sides that are selected. Nothing if these are all, and it is viewed already.
+/// Views the retained primitives with the selected sides. The segment is complete, so that it is
+/// known which polygons share a side. Nothing if all sides are selected and it is viewed already.
 std::optional<Segment> GraphicsSystem::State::with_lines_selected(int name) {
   RetainedScene* const scene = retaining();
   const auto select = [&]() -> std::optional<Segment> {

@@ -75,8 +75,9 @@ void GraphicsSystem::polygon_rel_2(PointList<Point2> steps) {
   state_->recorder_->write("polygon-rel-2", state_->object_points_, 2);
 }
 
-/// The way of one polygon: to world coordinates, to triangles if it is not flat or its vertices
-/// have normals that differ, and each piece through the pipeline into the display file.
+/// Enters one polygon: transforms it to world coordinates, cuts it into triangles if it is not flat
+/// or its vertices have normals that differ, and sends each piece through the pipeline into the
+/// display file.
 void GraphicsSystem::State::polygon(std::span<const Point3> object) {
   const RoundToNearest nearest;
   require_open();
@@ -106,7 +107,7 @@ void GraphicsSystem::State::polygon(std::span<const Point3> object) {
   pen_ = {object.back(), world_points_.back()};
 }
 
-/// The normals that the application gave the polygon's vertices, in world coordinates.
+/// The application's normals of the polygon's vertices, in world coordinates.
 std::span<const Point3> GraphicsSystem::State::world_normals(const Point3& own) {
   world_normals_.clear();
   for (const Point3& n : vertex_normals_) world_normals_.push_back(modelling_.apply_to_normal(n));
@@ -114,8 +115,8 @@ std::span<const Point3> GraphicsSystem::State::world_normals(const Point3& own) 
   return world_normals_;
 }
 
-/// Enters triangles of the polygon whose vertices are world_points_; `entered` are the same as the
-/// application entered them.
+/// Enters triangles of the polygon whose vertices are world_points_; `entered` are the same
+/// vertices as the application entered them.
 void GraphicsSystem::State::enter_triangles(std::span<const Point3> entered, const Point3& normal,
                                             std::span<const Point3> vertex_normals, int pick) {
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
@@ -151,7 +152,7 @@ void GraphicsSystem::State::enter_whole(const WorldPolygon& polygon) {
 
 namespace {
 
-/// Checks what polygons_abs_3 is given, but for coordinates, and says how many polygons they are.
+/// Checks the arguments of polygons_abs_3, except coordinates, and returns the number of polygons.
 std::size_t require_polygons(const ManyPolygons& many) {
   std::size_t of_all = 0;
   for (const std::uint32_t n : many.sides) {
@@ -172,7 +173,7 @@ std::size_t require_polygons(const ManyPolygons& many) {
   return many.sides.empty() ? corners / 3 : many.sides.size();
 }
 
-/// Checks what they look like.
+/// Checks the styles, pick identifiers and normals.
 void require_looks(const ManyPolygons& many, std::size_t polygons) {
   if (many.fills.size() > 1 && many.fills.size() != polygons) {
     throw Error(fmt::format("{} fill styles of {} polygons: expected one, or one per polygon",
@@ -195,7 +196,7 @@ void require_looks(const ManyPolygons& many, std::size_t polygons) {
   for (const Point3& n : many.normals) require_finite({n.x, n.y, n.z}, "vertex normal");
 }
 
-/// As set_vertex_normals and polygon_abs_3 enter it; the content of `of_corners` is lost.
+/// Enters a polygon as set_vertex_normals and polygon_abs_3 do; overwrites `of_corners`.
 void enter_with_normals(GraphicsSystem& system, const ManyPolygons& many,
                         std::span<const std::uint32_t> corners, std::vector<Point3>& of_corners) {
   of_corners.clear();
@@ -220,7 +221,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
     throw Error("normals of one polygon's vertices are set: expected none before many polygons");
   }
   require_looks(many, polygons);
-  ask_budget();  // nothing is entered yet, and all is when it is asked again
+  ask_budget();  // before anything is entered; the next check is after everything is
   Segment& segment = state_->display_file_.segment(*state_->open_);
   const std::size_t styles = state_->looks_.attributes.light ? polygons : fills.size();
   bool is_solid = SystemInside::takes_whole_solids(*this);
@@ -300,7 +301,7 @@ void GraphicsSystem::State::make_room_for_shared(const RetainedScene::SharedVert
   segment.reserve_polygons(polygons, corners, fills);
 }
 
-/// One polygon of many.
+/// Enters one polygon of many.
 void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& shared,
                                          std::span<const std::uint32_t> corners, Segment& segment) {
   const std::span world = shared.world;

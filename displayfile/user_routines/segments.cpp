@@ -22,8 +22,8 @@ namespace displayfile {
 
 namespace {
 
-/// Device coordinates stay within what the interpreter's predicates are proven for; so do the
-/// products of a scale and a centre.
+/// Device coordinates stay in the range for which the interpreter's predicates are proven; so do
+/// the products of a scale and a centre.
 constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
 
 void require_no_segments(const DisplayFile& display_file) {
@@ -88,7 +88,7 @@ void GraphicsSystem::State::close(Segment& segment) {
   segment.close();
 }
 
-/// The hidden surfaces of a segment that is complete, by the settings in force; or notes that they
+/// Sorts the hidden surfaces of a complete segment, by the settings in force; or records that they
 /// are to be sorted with those of all others.
 void GraphicsSystem::State::sort(Segment& whole) const {
   const bool each_on_its_own =
@@ -107,7 +107,7 @@ void GraphicsSystem::State::sort(Segment& whole) const {
   }
 }
 
-/// What was entered is in the retained scene too: it stays there alone.
+/// Entered polygons are in the retained scene too: keeps them only there.
 void GraphicsSystem::State::keep_entered_once(Segment& closing) {
   const RetainedScene* const scene = retained();
   if (scene == nullptr || retains_alone_) return;
@@ -116,8 +116,8 @@ void GraphicsSystem::State::keep_entered_once(Segment& closing) {
   follow_retained();
 }
 
-/// Where the scene has other arrays since, as it has more or less in them, its old ones are kept
-/// by no segment.
+/// If the scene's arrays were replaced since, as it has grown or shrunk, makes segments refer to
+/// the new ones, so that none keeps the old ones.
 void GraphicsSystem::State::follow_retained() {
   const RetainedScene* const scene = retained();
   if (scene == nullptr || retains_alone_ || scene->segments().empty()) return;

@@ -62,7 +62,7 @@ void GraphicsSystem::end_solid() {
   const RoundToNearest nearest;
   if (state_->solids_.empty()) throw Error("no solid open: expected begin-solid before");
   const bool is_hatched = state_->solids_.depth() == 1 && state_->hatches_cut_faces();
-  std::optional<OpenSolids> before;  // should there be too many hatching lines
+  std::optional<OpenSolids> before;  // in case there are too many hatching lines
   if (is_hatched) before = state_->solids_;
   std::optional<SolidFaces> whole = state_->solids_.end();
   double spacing = 1.0;
@@ -137,8 +137,8 @@ bool GraphicsSystem::State::hatches_cut_faces() const {
 
 namespace {
 
-/// About how often the outlines of cut faces cross hatching lines, or somewhat less often: each
-/// side of a cut face is in a face of the solid.
+/// An estimate, or a slight overestimate, of the number of crossings of cut faces' outlines and
+/// hatching lines: each side of a cut face is in a face of the solid.
 double hatching_crossings(const SolidFaces& solid, double spacing) {
   double lengths = 0.0;
   for (std::size_t i = 0; i < solid.faces.size(); ++i) {
@@ -155,8 +155,8 @@ double hatching_crossings(const SolidFaces& solid, double spacing) {
 
 }  // namespace
 
-/// Between hatching lines on a solid. Error: there would be too many, or they would be cut into too
-/// many parts.
+/// The spacing of hatching lines on a solid. Error: there would be too many, or they would be cut
+/// into too many parts.
 double GraphicsSystem::State::hatching_spacing(const SolidFaces& solid) const {
   if (solid.corners.empty()) return 1.0;
   Point3 low = solid.vertices[solid.corners.front().vertex], high = low, farthest(0.0);
@@ -187,8 +187,8 @@ double GraphicsSystem::State::hatching_spacing(const SolidFaces& solid) const {
   return spacing;
 }
 
-/// Cut, if its cut faces are to be closed, and its polygons entered, each with what it is drawn
-/// with; what was in force is in force again.
+/// Cuts the solid if its cut faces are to be closed, and enters its polygons, each with its own
+/// attributes; then restores those in force.
 void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing) {
   if (whole.faces.empty()) {
     ++empty_solids_;
@@ -207,8 +207,8 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
     looks_.attributes = in_force;
     attributes_changed();
   };
-  // Back-face removal takes a face that is turned away out of the scene, and its hatching with it;
-  // what is retained has it in other views.
+  // Back-face removal removes a face that is turned away, and its hatching with it; the retained
+  // scene has both for other views.
   const Segment& segment = display_file_.segment(*open_);
   std::vector<bool> is_there;
   try {
@@ -228,7 +228,7 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
   }
 }
 
-/// A face of a solid as a polygon, or as triangles where its normals differ.
+/// Enters a face of a solid as a polygon, or as triangles if its normals differ.
 void GraphicsSystem::State::enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut) {
   const SolidFaces::Face& face = solid.faces[i];
   FacePolygon polygon;
@@ -263,8 +263,8 @@ void GraphicsSystem::State::enter_face(const SolidFaces& solid, std::size_t i, b
 
 namespace {
 
-/// Two directions in a plane, seen from where its normal points: to the right along the level, and
-/// up, as the view has it; in a level plane up is away from the viewer.
+/// Two directions in a plane, seen from where its normal points: right, which is horizontal, and
+/// up, as in the view; in a level plane, up is away from the viewer.
 struct DirectionsInPlane {
   Point3 right, up;
 
@@ -277,9 +277,9 @@ struct DirectionsInPlane {
 
 }  // namespace
 
-/// Lines within the loops of a cut face, filled even-odd, in the line style in force. They are
-/// entered a millionth of the solid's size before it, so that rounding does not hide them behind
-/// it, and end a little before its outline, so that none sticks out where it is seen from aside.
+/// Enters lines within the loops of a cut face, filled even-odd, in the line style in force: a
+/// millionth of the solid's size in front of it, so that rounding does not hide them behind it, and
+/// ending slightly inside its outline, so that none sticks out when seen from the side.
 void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t face,
                                            const Hatching& hatching) {
   if (looks_.attributes.line.kind == LineStyle::Kind::none) return;

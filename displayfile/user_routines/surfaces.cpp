@@ -19,10 +19,10 @@ namespace displayfile {
 
 namespace {
 
-/// Where the height is unknown there is no cell, but the current position may come to be there.
+/// A point with unknown height has no cell, but the current position may be set to it.
 double known_height(double z) { return std::isnan(z) ? 0.0 : z; }
 
-/// The point of that number, as it is entered.
+/// The point with this number, as entered.
 Point3 point_of(const SurfaceGrid& grid, std::size_t k) {
   const auto columns = static_cast<std::size_t>(grid.x_points);
   return {grid.x(static_cast<int>(k % columns)), grid.y(static_cast<int>(k / columns)),
@@ -92,8 +92,8 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
       grid.heights);
 }
 
-/// In the line styles of both sides of the surface; afterwards that of other primitives is in force
-/// again.
+/// Enters cells in the line styles of both sides of the surface; then restores that of other
+/// primitives.
 void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const Point3> world,
                                         Segment& segment) {
   const LineStyle not_drawn{LineStyle::Kind::none};
@@ -122,9 +122,9 @@ void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const
   restore();
 }
 
-/// Row by row; or where the modelling transformation mirrors column by column, which is row by row
-/// with x in the place of y: so the triangles run counterclockwise from above there too. Ordinals
-/// go row by row.
+/// Enters cells row by row; if the modelling transformation mirrors, column by column, which is row
+/// by row with x and y exchanged: so the triangles run counterclockwise from above there too.
+/// Ordinals go row by row.
 void GraphicsSystem::State::enter_cells_in_order(const SurfaceGrid& grid,
                                                  std::span<const Point3> world, Segment& segment) {
   const int columns = grid.x_points - 1, rows = grid.y_points - 1;
@@ -147,7 +147,7 @@ void GraphicsSystem::State::enter_cells_in_order(const SurfaceGrid& grid,
   }
 }
 
-/// All are looked at before any is entered.
+/// The points in world coordinates; all are checked before any cell is entered.
 std::vector<Point3> GraphicsSystem::State::world_points_of(const SurfaceGrid& grid) const {
   std::vector<Point3> world;
   world.reserve(grid.heights.size());
@@ -156,8 +156,8 @@ std::vector<Point3> GraphicsSystem::State::world_points_of(const SurfaceGrid& gr
   return world;
 }
 
-/// Two triangles, counterclockwise from above, with an invisible diagonal from the least corner to
-/// the greatest.
+/// Enters two triangles, counterclockwise from above, with an invisible diagonal from the least
+/// corner to the greatest.
 void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const Point3> world,
                                        const SurfaceCell& cell, Segment& segment) {
   const auto index = [&](int x, int y) {

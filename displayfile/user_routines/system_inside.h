@@ -62,12 +62,12 @@ class SystemInside {
 
   static const CuttingPlanes& cutting_planes(const GraphicsSystem& system);
 
-  /// Moves the segments opened from now on by these in world coordinates, in the order in which
-  /// they are opened, whatever their modelling transformations; those after the last by nothing.
+  /// Moves the segments opened from now on by these offsets in world coordinates, in order of
+  /// opening, regardless of their modelling transformations; those after the last are not moved.
   /// Not recorded.
   static void place_segments(GraphicsSystem& system, std::vector<Point3> places);
   static const std::vector<Point3>& places(const GraphicsSystem& system);
-  /// How many segments were opened, since place_segments was called if it was.
+  /// The number of segments opened, counted from the call of place_segments if there was one.
   static std::size_t segments_opened(const GraphicsSystem& system);
   /// Enters lines in world coordinates as a segment of its own, with the first name above all names
   /// in use: solid, in the colour of the line style in force, `narrower` times as wide. Not
@@ -83,15 +83,15 @@ class SystemInside {
   /// callers that draw views of the scene (displayfile/views/scene_viewer.h), which make a display
   /// file on demand.
   static void retain_alone(GraphicsSystem& system, RetainedScene& scene);
-  /// Whether primitives entered from now on are only in the system's retained scene until
-  /// view_again views them: until then their segments in the display file are empty. Retains a
-  /// scene if none is retained. Errors: a segment is open; those of GraphicsSystem::retain.
+  /// If on, primitives entered from now on are only in the system's retained scene until view_again
+  /// views them: until then their segments in the display file are empty. Retains a scene if none
+  /// is retained. Errors: a segment is open; those of GraphicsSystem::retain.
   static void view_on_demand(GraphicsSystem& system, bool on);
   /// Views the retained segments that were opened as the scene's numbers `opened`, as if the
   /// application had drawn them in this view, and sorts them as close_segment does. The view in
-  /// force, and what the open segment holds, is unchanged. Nothing is recorded. Returns the view,
-  /// with its window as open_segment makes it. Errors: nothing is retained; those of ViewVolume and
-  /// of close_segment; nothing is changed then.
+  /// force and the contents of the open segment are unchanged. Nothing is recorded. Returns the
+  /// view, with its window as open_segment makes it. Errors: nothing is retained; those of
+  /// ViewVolume and of close_segment; nothing is changed then.
   static View view_again(GraphicsSystem& system, const View& view,
                          std::span<const std::uint32_t> opened);
   /// Calls enter(), which opens and closes segments, in another view; that in force is restored.
@@ -99,8 +99,8 @@ class SystemInside {
                             const std::function<void()>& enter);
   /// Replaces the view in force, also while a segment is open, which keeps its own. Not recorded.
   static void replace_view(GraphicsSystem& system, const View& view);
-  /// Turns the light in force, and that of what is retained with its direction, to a unit vector.
-  /// Not recorded. No effect if there is no light.
+  /// Turns the light in force, and retained lights with its direction, to a unit vector. Not
+  /// recorded. No effect if there is no light.
   static void turn_light(GraphicsSystem& system, const Point3& toward);
   /// Calls enter(), which may set line styles, and restores the line style in force, as
   /// keep_fill_style.

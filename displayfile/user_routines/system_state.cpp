@@ -13,7 +13,7 @@ GraphicsSystem::GraphicsSystem(const GraphicsSystem& other)
 GraphicsSystem::GraphicsSystem(GraphicsSystem&& other) noexcept = default;
 GraphicsSystem::~GraphicsSystem() = default;
 
-// In place where there is a state: others may refer to its display file.
+// Assigns in place if there is a state: others may refer to its display file.
 GraphicsSystem& GraphicsSystem::operator=(const GraphicsSystem& other) {
   if (this == &other) return *this;
   return *this = GraphicsSystem(other);

@@ -144,7 +144,7 @@ struct GraphicsSystem::State {
   std::vector<BeforeSolid> before_solids_;  // of each that is open
   std::int64_t empty_solids_ = 0;
   bool has_hatching_ = false;   // since all segments were deleted
-  bool is_all_in_view_ = true;  // as is known without another look
+  bool is_all_in_view_ = true;  // as far as known without a check
   bool touching_replaced_ = false;
   std::int32_t pick_ = -1;
   std::int64_t ordinal_ = 0, triangulated_ = 0;
@@ -153,7 +153,7 @@ struct GraphicsSystem::State {
   unsigned styles_replaced_ = 0;          // a bit for each StyledLines
   std::optional<double> width_replaced_;  // of line styles
   Recorder* recorder_ = nullptr;
-  Recorder* last_recorder_ = nullptr;          // not used but to know another one
+  Recorder* last_recorder_ = nullptr;          // only to detect another one
   AnnotationStyle recorded_annotation_;        // the style that a replay of its recording has
   RetainedScene* retained_ = nullptr;          // the application's
   std::optional<RetainedScene> own_retained_;  // the system's, for world_ray_cast and set_lines

@@ -13,12 +13,13 @@ namespace displayfile {
 
 namespace {
 
-/// What rounding may change, in parts of the largest number on the way. It changes some 1e-15;
-/// where view up lies too near to the normal, so much more that nothing is said.
+/// Bound on the effect of rounding, as a fraction of the largest intermediate number. The effect is
+/// about 1e-15; where view up is too near to the normal, it is so much larger that no bound is
+/// known.
 constexpr double kRounding = 1e-9;
 constexpr double kSteepestUp = 1e-3;  // the sine of the angle
 
-/// A number that depends on the turn t as mean + cosine cos t + sine sin t, but for rounding.
+/// A number that depends on the turn t as mean + cosine cos t + sine sin t, up to rounding.
 struct Swing {
   double mean, cosine, sine, rounding;
 
@@ -40,8 +41,8 @@ class Row {
   Row(const glm::dmat4& matrix, int row)
       : linear_(matrix[0][row], matrix[1][row], matrix[2][row]), constant_(matrix[3][row]) {}
 
-  /// The swing of a point that goes round `centre` by way of two directions; `reach` is how far
-  /// from the origin anything is that its place is calculated from.
+  /// The swing of a point that rotates about `centre` through two directions; `reach` bounds the
+  /// distance from the origin of everything its position is calculated from.
   Swing swing(const Point3& centre, const Point3& out, const Point3& along, double reach) const {
     return {glm::dot(linear_, centre) + constant_, glm::dot(linear_, out), glm::dot(linear_, along),
             kRounding * (std::abs(constant_) + glm::length(linear_) * reach)};
@@ -82,7 +83,7 @@ std::vector<Point3> points_beyond(const TurningPoints& scene, const View& view,
     const Point3 centre = scene.middle + up;
     const Swing x_p = x.swing(centre, out, along, far), y_p = y.swing(centre, out, along, far);
     const Swing w_p = w.swing(centre, out, along, far);
-    // Comparisons with what is no number are false.
+    // Comparisons with NaN are false.
     return w_p.is_always_positive() && (x_p - right * w_p).is_always_negative() &&
            (x_p - left * w_p).is_always_positive() && (y_p - top * w_p).is_always_negative() &&
            (y_p - bottom * w_p).is_always_positive();

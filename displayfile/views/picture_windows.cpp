@@ -13,7 +13,7 @@ namespace {
 
 Point2 sides_of(const Rectangle& r) { return {r.x_max - r.x_min, r.y_max - r.y_min}; }
 
-/// In millimetres; up to rounding.
+/// Throws Error if `shown` exceeds the room by more than rounding. In millimetres.
 void require_room(const ExactScale& scale, const Point2& shown, const Point2& room) {
   constexpr double kRounding = 1e-6;
   const double wide = shown.x - room.x, high = shown.y - room.y;

@@ -20,7 +20,7 @@ struct ExactScale {
 
 /// The window, around the middle of `shown`, that a viewport has at this scale in pictures with
 /// this aspect ratio. Throws Error, beginning with the scale's name, for a projection that is not
-/// parallel, or if what is shown does not fit: by how much.
+/// parallel, or if `shown` does not fit, with the excess.
 Rectangle window_at_scale(const ExactScale& scale, View::Projection projection,
                           const Rectangle& shown, const Rectangle& viewport, double aspect);
 
@@ -35,8 +35,8 @@ class PictureWindows {
   void set_scale(const std::optional<ExactScale>& scale) { scale_ = scale; }
 
   /// A view with its window fitted to the picture. Unless the application sets a fit, a window is
-  /// widened, but stretched if it or the viewport was set. At an exact scale it has that, whatever
-  /// the fit; Error as window_at_scale.
+  /// widened, but stretched if it or the viewport was set. At an exact scale the window has that
+  /// scale, whatever the fit; Error as window_at_scale.
   View in_picture(View view, const ExplicitSettings& set) const;
   /// Records the window of the segment just opened, if it is stretched by default.
   void opened(int segment, const View& view, const ExplicitSettings& set);
@@ -51,8 +51,8 @@ class PictureWindows {
 };
 
 /// The window with this aspect ratio (width over height) around `seen` (view-plane coordinates),
-/// with at least a twentieth of it free at each side; its height is at least what that leaves for
-/// `least_height`.
+/// with at least a twentieth of it free at each side; it is high enough for `least_height` with
+/// these margins.
 inline Rectangle fitted_window(const Bounds& seen, double aspect, double least_height = 0.0) {
   constexpr double kMargin = 0.05;
   const Point3 size = seen.high - seen.low, middle = seen.middle();

@@ -52,7 +52,7 @@ class RetainedViews::Part {
     const SortedPieces& pieces = tree_.pieces();
     return {pieces.pieces.size(), pieces.cuts, pieces.comparisons, pieces.depth};
   }
-  /// The most that the tree had while it was made.
+  /// The largest number of pieces that the tree had while it was built.
   std::uint64_t pieces() const { return items_.size() + tree_.pieces().cuts; }
   const MovingEye& moving_eye() const { return moving_eye_; }
 
@@ -82,7 +82,8 @@ class RetainedViews::Part {
   using Index = WorldTree::Index;
   static constexpr ViewedScene::Item kNotSeen = ~ViewedScene::Item{0};
 
-  /// The sides that the tree's pieces keep are those that are drawn in some view.
+  /// The primitives in world coordinates. The tree's pieces keep the sides that are drawn in some
+  /// view.
   Primitives sorted_in_world() const {
     Primitives world = world_.primitives(items_);
     if (!any_sides_.empty()) world.visible = any_sides_;
@@ -98,7 +99,7 @@ class RetainedViews::Part {
     return planes;
   }
 
-  /// Notes which item of the viewed scene each primitive becomes.
+  /// Enters the whole segments and records which item of the viewed scene each primitive becomes.
   void enter_whole(const Eye& eye, PolygonStage& stage, const glm::dmat3& lights_turned,
                    DisplayFile& file) {
     item_of_.assign(world_.size(), kNotSeen);
@@ -112,8 +113,8 @@ class RetainedViews::Part {
     }
   }
 
-  /// Segments that are sorted together keep points after the image transformation, one by itself
-  /// those before.
+  /// Segments sorted together keep points after the image transformation; a single segment keeps
+  /// those before it.
   ViewedScene scene_of(const DisplayFile& file, std::size_t first) const {
     if (!together_) return {file.segments().back().entered(), ImageTransformation{}};
     std::vector<const Segment*> segments;
@@ -123,7 +124,7 @@ class RetainedViews::Part {
     return ViewedScene(segments);
   }
 
-  /// The most that a boundary of what is seen may be off, after the image transformation.
+  /// The largest error of a visible boundary, after the image transformation.
   double boundary_error(const ViewRounding& rounding, const ViewedScene& scene) const {
     double most = 0.0;
     for (std::uint32_t i = 0; i < world_.size(); ++i) {
@@ -152,8 +153,8 @@ class RetainedViews::Part {
     return pieces;
   }
 
-  /// A piece of a polygon that was cut; of two points a line, or a side of a polygon whose vertices
-  /// are in line.
+  /// Adds a piece of a cut polygon; one with two points is a line, or a side of a polygon with
+  /// collinear vertices.
   void add_clipped(std::uint32_t primitive, const SortedPiece& piece, ClipPipeline& pipeline,
                    SortedPieces& pieces) const {
     const SortedPieces& sorted = tree_.pieces();
@@ -173,7 +174,7 @@ class RetainedViews::Part {
     }
   }
 
-  /// In this view, of a piece.
+  /// The kinds, in this view, of a piece's sides.
   std::vector<LineKinds> sides_of(std::uint32_t primitive, const SortedPiece& piece) const {
     const SortedPieces& sorted = tree_.pieces();
     const auto visible = std::span(sorted.visible).subspan(piece.first, piece.sides);
@@ -232,7 +233,7 @@ bool RetainedViews::take_up(const SurfacePlan& plan) {
   return true;
 }
 
-/// Sorts what is visible now. If it throws, what was taken before stays.
+/// Sorts the visible segments. If it throws, the state before is kept.
 void RetainedViews::take() {
   const RoundToNearest nearest;
   const DisplayFile& attributes = taken_.attributes();

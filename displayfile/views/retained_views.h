@@ -22,7 +22,7 @@ class RetainedViews {
  public:
   /// Prepares for the visible segments of the scene; `attributes` is the display file of the system
   /// that retained them, with their visibility and image transformations. Both may be edited and
-  /// moved: the next view sorts anew. After one is destroyed, views show the last state prepared.
+  /// moved: the next view sorts again. After one is destroyed, views show the last state prepared.
   /// Throws Error for more than 2^32 - 1 points, and if segments with different image
   /// transformations are to be sorted together, since these act after viewing.
   ///

@@ -48,7 +48,7 @@ bool SceneViewer::bring_up_to_date() {
   return true;
 }
 
-/// All that is kept is made anew.
+/// Rebuilds all cached data.
 void SceneViewer::take_up_scene() {
   const RetainedScene& scene = *scene_;
   const Primitives all = scene.primitives({});
@@ -114,7 +114,7 @@ SceneViewer::~SceneViewer() = default;
 SceneViewer::SceneViewer(SceneViewer&&) noexcept = default;
 SceneViewer& SceneViewer::operator=(SceneViewer&&) noexcept = default;
 
-/// Segments share none with each other.
+/// Merges equal vertices; segments share none with each other.
 void SceneViewer::share_equal_vertices() {
   const std::span<const Point3> points = scene_->primitives({}).points;
   EqualPoints equal(welded_, points.size());
@@ -129,8 +129,8 @@ void SceneViewer::share_equal_vertices() {
   points_ = welded_;
 }
 
-/// True if they are drawn with what they were drawn with in the last view. Polygons lie in planes
-/// of visible ones: where others are visible now, planes are found anew.
+/// True if the segments have the same visibility and image transformation as in the last view.
+/// Shared planes are those of visible polygons: if others are visible now, planes are found again.
 bool SceneViewer::take_segments() {
   bool same = true, shows_same = true;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
@@ -214,7 +214,7 @@ void SceneViewer::view_points(const Wanted& wanted, const ViewVolume& volume) {
   });
 }
 
-/// Takes the parts one after another, in order of entry, into the scene.
+/// Collects the parts one after another, in order of entry, in the scene.
 template <class Take>
 void SceneViewer::take_parts(Take&& take) {
   viewed_.clear();
@@ -251,7 +251,7 @@ void SceneViewer::take_parts(Take&& take) {
   if (!viewed_.edge_visible_.empty()) viewed_.edge_visible_.resize(viewed_.corners_.size(), 1);
 }
 
-/// The points that come after those of the retained scene are corners of their own.
+/// Numbers the corners of the scene's own points, which follow those of the retained scene.
 void SceneViewer::number_own_corners() {
   std::vector<std::uint32_t>& corners = viewed_.corners_;
   const std::size_t own = viewed_.own_points_.size() - points_.size();

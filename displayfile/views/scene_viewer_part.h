@@ -41,7 +41,7 @@ class SceneViewer::Part {
   std::span<const std::uint32_t> primitives() const { return own_primitives_; }
   std::size_t bytes() const { return own_.bytes() + primitives().size_bytes(); }
 
-  /// Finds runs of triangles that need individual treatment only if the sieve says so.
+  /// Finds runs of triangles that need individual treatment only if the sieve requires it.
   void find_rows(const SceneViewer& viewer) {
     const RetainedScene& scene = *viewer.scene_;
     for (std::uint32_t i = first_; i < end_; ++i) {

@@ -11,8 +11,8 @@
 #include "displayfile/views/scene_viewer.h"
 #include "hidden/touching/touching_planes.h"
 
-// What the polygons of a retained scene were entered as, for views of it: which lie in one plane
-// (hidden/touching/touching_planes.md) is found once for all views.
+// The polygons of a retained scene as entered, for its views: coplanar ones
+// (hidden/touching/touching_planes.md) are found once for all views.
 
 namespace displayfile {
 
@@ -25,7 +25,8 @@ struct SceneViewer::Entered {
 
 void SceneViewer::begin_entered() { entered_ = std::make_shared<Entered>(); }
 
-/// The scene has moved: what refers to it is found anew. Its polygons are the same.
+/// Resets all that refers to the scene, which has moved; it is found again. The polygons are the
+/// same.
 void SceneViewer::leave_what_was_entered() {
   viewed_.planes_.reset();
   viewed_.as_entered_.reset();
@@ -33,7 +34,7 @@ void SceneViewer::leave_what_was_entered() {
 }
 
 /// The primitives of the items of a viewed scene, in order. Items whose points are the scene's
-/// begin at the same corner as there; of the others it was noted.
+/// begin at the same corner as there; those of the others were recorded.
 void SceneViewer::find_primitives(const RetainedScene& scene, const ViewedScene& viewed,
                                   std::size_t corners, std::vector<std::uint32_t>& primitives) {
   primitives.clear();
@@ -132,7 +133,7 @@ void SceneViewer::find_entered(const ViewVolume& volume) {
   viewed_.find_bent(entered_->polygons->bent());
 }
 
-/// Where the planes were found for another view already, they are had for little.
+/// If the planes were already found for another view, they cost little here.
 void SceneViewer::find_radius(const ViewVolume& volume) {
   if (is_as_viewed(volume)) return viewed_.planes_.reset();
   if (viewed_.planes_ == nullptr) begin_planes();  // the scene has moved

@@ -13,7 +13,7 @@ namespace displayfile {
 /// have changed since. Both may be moved.
 class TakenScene {
  public:
-  /// Nothing has been recorded yet.
+  /// Records nothing yet.
   TakenScene(const RetainedScene& scene, const DisplayFile& attributes);
 
   /// Their present state. Throws Error if either is destroyed.

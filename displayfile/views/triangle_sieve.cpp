@@ -57,7 +57,7 @@ double FindPlaces(std::span<const Point3> device, std::span<const std::uint8_t> 
   return largest;
 }
 
-/// As many triangles as a vector has numbers of single precision.
+/// As many triangles as a vector has single-precision numbers.
 class Sieve {
  public:
   Sieve(const std::uint32_t* corners, const PicturePlace* places) {
@@ -71,7 +71,7 @@ class Sieve {
     }
   }
 
-  /// Bits of the triangles, the first one's at `i`.
+  /// Sets the triangles' bits, the first one's at `i`.
   HWY_INLINE void look(std::size_t i, SievedTriangles& found) {
     const Ints out = hn::Set(kInts, PicturePlace::kOutside);
     const auto outside = hn::Or(hn::Or(hn::Eq(x_[0], out), hn::Eq(x_[1], out)), hn::Eq(x_[2], out));
@@ -106,7 +106,7 @@ class Sieve {
   }
 
  private:
-  /// CentresBetween of the corners along one side, and how far they are apart.
+  /// CentresBetween of the corners along one axis, and their extent.
   HWY_INLINE static void find_centres(const Ints (&at)[3], Ints& first, Ints& count, Ints& extent) {
     const Ints low = hn::Min(hn::Min(at[0], at[1]), at[2]);
     const Ints high = hn::Max(hn::Max(at[0], at[1]), at[2]);
@@ -118,7 +118,7 @@ class Sieve {
     count = hn::Sub(hn::Add(last, hn::Set(kInts, 1)), first);
   }
 
-  /// In pixels from that centre on.
+  /// Measures the corners in pixels from that centre.
   HWY_INLINE void measure_from(Ints column, Ints row) {
     const Ints half = hn::Set(kInts, CentresBetween::kHalf);
     const Ints centre_x = hn::Add(hn::ShiftLeft<PicturePlace::kBits>(column), half);
@@ -130,7 +130,7 @@ class Sieve {
     }
   }
 
-  /// One of the few centres is no farther outside of a side than that.
+  /// True if one of the few centres is inside of all sides, up to the error -`least`.
   HWY_INLINE Mask covers_one(Floats area, Floats least, Ints columns, Ints rows) const {
     Floats inside[3], per_column[3], per_row[3];
     for (int k = 0, next = 1; k < 3; ++k, next = next == 2 ? 0 : next + 1) {
@@ -174,7 +174,7 @@ SievedTriangles SieveTriangles(const std::uint32_t* corners, std::size_t n,
   std::size_t i = 0;
   for (; i + lanes <= n; i += lanes) Sieve(corners + 3 * i, places).look(i, found);
   if (i < n) {
-    std::uint32_t last[3 * 16];  // the others all corner of one vertex
+    std::uint32_t last[3 * 16];  // in the others all corners are one vertex
     std::fill_n(last, 3 * 16, corners[3 * i]);
     std::copy(corners + 3 * i, corners + 3 * n, last);
     Sieve(last, places).look(i, found);

@@ -42,7 +42,7 @@ inline constexpr std::int32_t kFewCentres = 3;
 struct SievedTriangles {
   static constexpr std::size_t kMost = 64;
   std::uint64_t stays = 0;        ///< has an area, and may cover a centre
-  std::uint64_t needs_more = 0;   ///< is outside of a plane with a vertex, or too thin to tell
+  std::uint64_t needs_more = 0;   ///< is outside of a plane with a vertex, or too thin to decide
   std::uint64_t turned_away = 0;  ///< of those that stay: runs clockwise
 };
 

@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// A row of the matrix for a vector, all taken as magnitudes.
+/// A row of the matrix times a vector, with all terms as magnitudes.
 double row_size(const glm::dmat4& m, int row, const Point3& v) {
   return std::abs(m[0][row] * v.x) + std::abs(m[1][row] * v.y) + std::abs(m[2][row] * v.z);
 }
@@ -30,7 +30,7 @@ ViewRounding::ViewRounding(const View& view, const ViewVolume& volume) : matrix_
   per_w_at_0_ = eye / (eye - back);
 }
 
-/// The size that the rounding of x or y and of w is a part of.
+/// The magnitude to which the rounding errors of x or y and of w are relative.
 double ViewRounding::size_of(const Point3& p) const {
   const auto size = [&](int row) { return row_size(matrix_, row, p) + std::abs(matrix_[3][row]); };
   return std::max(size(0), size(1)) + size(3);

@@ -72,12 +72,12 @@ class BoxTree {
 
  private:
   static constexpr std::uint32_t kItem = 0x80000000;  // marks a branch that is an item's position
-  /// A search keeps the other branches of each node on its way down.
+  /// Maximum pending branches: a search keeps the other branches of each node on its path.
   static constexpr std::size_t kMostWaiting = (kBranches - 1) * kDeepest + 1;
 
   struct Node {
     Boxes boxes;
-    std::array<std::uint32_t, kBranches> branch;  ///< 0: none, for no branch is the root
+    std::array<std::uint32_t, kBranches> branch;  ///< 0: no branch; the root is not one
   };
 
   template <class Rule>
@@ -94,8 +94,8 @@ class BoxTree {
   template <class Found>
   void pairs_of_leaf(const Node& own, Position first, const Box& all, Found&& found) const;
 
-  std::vector<Node> nodes_;            // the first is the root
-  std::vector<Position> end_;          // of a node, after the last in it
+  std::vector<Node> nodes_;            // the root first
+  std::vector<Position> end_;          // per node: the position after its last item
   std::vector<std::uint32_t> leaves_;  // nodes that have items
   std::vector<Item> order_;
   std::size_t depth_ = 0;
@@ -139,7 +139,7 @@ void BoxTree<Boxes>::near_to_far(const Meets& meets, Hidden&& hidden, Visit&& vi
     const Node& node = nodes_[at];
     std::array<Nearness, kBranches> nearest;
     const Lanes met = meets(node.boxes, nearest);
-    // The nearest ends on top.
+    // The nearest branches end up on top.
     const std::size_t base = count;
     for (std::size_t k = 0; k < kBranches; ++k) {
       if (met[k] == 0 || node.branch[k] == 0) continue;

@@ -15,7 +15,7 @@ constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-/// The next float toward positive infinity, or toward negative infinity; of what is finite.
+/// The next float toward positive infinity, or toward negative infinity; the argument is finite.
 float stepped_up(float f) {
   if (f == 0.0F) return std::numeric_limits<float>::denorm_min();
   const auto bits = std::bit_cast<std::uint32_t>(f);

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-/// Neighbours in a mesh share points: then no more is asked, here and below.
+/// Neighbours in a mesh share points; then no exact arithmetic is needed, here and below.
 int CommonLine::side(const Point3& p) const {
   const auto& [one, other] = planes_;
   const int filtered = filtered_depth_order(one, other, {p.x, p.y, 0.0});
@@ -15,12 +15,12 @@ int CommonLine::side(const Point3& p) const {
   return exact_depth_order(one, other, Point2(p));
 }
 
-/// In front of the plane it is behind the line.
+/// The plane is nearer where the line's end is behind it.
 int CommonLine::nearer(const DefinedPoint& end, const Plane& plane) const {
   return -side_of_plane(definitions(), end, plane);
 }
 
-/// True if the end is where p to q crosses the line, since it was found there.
+/// True if the end is defined as the cut of p to q by a plane, so that it is the crossing.
 bool CommonLine::is_cut_from(const DefinedPoint& end, const Point2& p, const Point2& q) const {
   if (end.kind != DefinedPoint::Kind::edge_cut && end.kind != DefinedPoint::Kind::lifted_edge_cut) {
     return false;
@@ -37,7 +37,7 @@ const CommonLine::Ends& CommonLine::ends() const {
 double CommonLine::crossing(const Point2& p, const Point2& q) const {
   if (is_cut_from(from_, p, q)) return 0.0;
   if (is_cut_from(to_, p, q)) return 1.0;
-  // Most cross it beyond an end, which is then as near as rounded ones say.
+  // Most lines cross beyond an end; the rounded ends then decide which one is closer.
   const auto turn_of = [&](const DefinedPoint& v) {
     const double dx = q.x - p.x, dy = q.y - p.y, x = v.near.x - p.x, y = v.near.y - p.y;
     const double left = dx * y, right = dy * x;

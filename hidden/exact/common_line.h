@@ -29,8 +29,9 @@ class CommonLine {
   int nearer_at_start(const Plane& plane) const { return nearer(from_, plane); }
   int nearer_at_end(const Plane& plane) const { return nearer(to_, plane); }
 
-  /// The parameter where the line through p and q crosses it, clamped to its ends; where the point
-  /// p on it is; and where the plane has its depth, being nearer at one end only.
+  /// Parameters of points of the line: the crossing with the line through p and q, clamped to its
+  /// ends; the point p on it; and the point at which the plane has its depth. The plane is nearer
+  /// at one end only.
   double crossing(const Point2& p, const Point2& q) const;
   double at_point(const Point2& p) const;
   double meeting(const Plane& plane) const;

@@ -71,7 +71,7 @@ BallPoint lifted(const Point3& p, const Plane& own, int axis) {
   return point;
 }
 
-/// From the end that is nearer to the plane, where the rounding of the step is smaller.
+/// Computed from the end nearer to the plane, where the step's rounding error is smaller.
 BallPoint met_by(const BallPoint& a, const BallPoint& b, const Plane& cut) {
   const Ball at_a = value_at(cut, a), at_b = value_at(cut, b);
   const bool from_a = std::abs(at_a.middle) <= std::abs(at_b.middle);
@@ -82,7 +82,7 @@ BallPoint met_by(const BallPoint& a, const BallPoint& b, const Plane& cut) {
   return start + (end - start) * (at_start / (at_start - at_end));
 }
 
-/// Cramer's rule, seen from a point of the first plane, whose right side is zero then.
+/// Cramer's rule, relative to a point of the first plane, so that this plane's right side is zero.
 BallPoint meeting(const Plane& first, const Plane& second, const Plane& third) {
   const BallPoint f = normal_of(first), s = normal_of(second), t = normal_of(third);
   const BallPoint origin = point_of(first);
@@ -90,8 +90,8 @@ BallPoint meeting(const Plane& first, const Plane& second, const Plane& third) {
   return origin + (cross(t, f) * at_s + cross(f, s) * at_t) / dot(f, cross(s, t));
 }
 
-// The products of three normals stay far below the largest double up to here; with larger
-// coordinates nothing is claimed, and the exact stage decides.
+// Up to this limit, products of three normals stay far below the largest double; for larger
+// coordinates the filter is undecided, and the exact stage decides.
 constexpr double kLargestForBalls = 0x1p+100;
 
 bool within(const Point3& p, double limit) {
@@ -106,7 +106,7 @@ DefinedPoint without_near(DefinedPoint v) {
   return v;
 }
 
-/// v, with `near` from the enclosure if it says something.
+/// v, with `near` from the enclosure if that is small enough to be useful.
 DefinedPoint with_near(DefinedPoint v, const BallPoint& point) {
   const Point3 middle = {point.x.middle, point.y.middle, point.z.middle};
   const Point3 radii = {point.x.radius, point.y.radius, point.z.radius};
@@ -118,7 +118,7 @@ DefinedPoint with_near(DefinedPoint v, const BallPoint& point) {
   return v;
 }
 
-/// True if the definition alone says that v is on the plane.
+/// True if the definition alone implies that v is on the plane.
 bool on_by_definition(const Definitions& all, const DefinedPoint& v, const Plane& plane) {
   const auto is_plane = [&](std::uint32_t k) { return all.planes[k].same_points(plane); };
   switch (v.kind) {
@@ -140,7 +140,7 @@ bool same_edge(const DefinedPoint& v, const DefinedPoint& w) {
   return (v.a == w.a && v.b == w.b) || (v.a == w.b && v.b == w.a);
 }
 
-/// True if the definitions alone say that a and b are one point.
+/// True if the definitions alone imply that a and b are one point.
 bool same_by_definition(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b) {
   if (a.kind != b.kind) return false;
   switch (a.kind) {
@@ -157,7 +157,7 @@ bool same_by_definition(const Definitions& all, const DefinedPoint& a, const Def
   return false;
 }
 
-/// The line through two planes, or along an edge, that a point was defined to be on.
+/// The line that defines a point: the intersection of two planes, or an edge.
 class DefiningLines {
  public:
   DefiningLines(const Definitions& all, const DefinedPoint& v) : all_(all), v_(v) {
@@ -167,7 +167,7 @@ class DefiningLines {
     }
     if (v.kind == DefinedPoint::Kind::plane_cut || is_edge_cut(v)) take(v.cut);
   }
-  /// True if the definitions say that the two others are on the edge, or on the same two planes.
+  /// True if the definitions imply that both points are on the edge, or on the same two planes.
   bool hold(const DefinedPoint& b, const DefinedPoint& c) const {
     if (v_.kind == DefinedPoint::Kind::edge_cut && on_edge(b) && on_edge(c)) return true;
     int common = 0;
@@ -202,9 +202,9 @@ bool in_line_by_definition(const Definitions& all, const DefinedPoint& a, const 
          DefiningLines(all, b).hold(a, c) || DefiningLines(all, c).hold(a, b);
 }
 
-// ---- The middle stage: what near lacks of some points -------------------------------------------
+// ---- The middle stage: near and its rest --------------------------------------------------------
 
-/// How far off near and the rest together may be.
+/// Error bound of the sum of near and its rest.
 double error_with_rest(const DefinedPoint& v) {
   constexpr double kRest = 0x1p-22;  // of a radius: the rest is rounded to a float
   return v.has_rest ? v.radius * kRest + kTiny : v.radius;
@@ -213,7 +213,7 @@ double rest_of(const DefinedPoint& v, int axis) {
   return v.radius * double{v.rest[static_cast<std::size_t>(axis)]};
 }
 
-/// orientation by near and the rest; 0: undecided.
+/// The orientation, by near and its rest; 0: undecided.
 int orientation_with_rest(const DefinedPoint& a, const DefinedPoint& b, const DefinedPoint& c) {
   constexpr double kDifference = 0x1p-102, kProducts = 0x1p-101;
   if (!is_double_double_sound()) return 0;
@@ -239,7 +239,7 @@ int orientation_with_rest(const DefinedPoint& a, const DefinedPoint& b, const De
   return is_decided ? decided_sign(determinant.high) : 0;
 }
 
-/// The sign of a's coordinate less b's by near and the rest; 0: undecided.
+/// The sign of a's coordinate minus b's, by near and its rest; 0: undecided.
 int compare_with_rest(const DefinedPoint& a, const DefinedPoint& b, int axis) {
   const double difference = a.near[axis] - b.near[axis];
   const double rest = rest_of(a, axis) - rest_of(b, axis);
@@ -249,8 +249,8 @@ int compare_with_rest(const DefinedPoint& a, const DefinedPoint& b, int axis) {
   return std::abs(value) > bound * kInflate + kTiny ? decided_sign(value) : 0;
 }
 
-/// A coordinate of a point on a line of which all points have it: polygons clipped by a window have
-/// such sides. Null if it is not known so.
+/// The coordinate of a point on a line along which it is constant, as on sides of polygons clipped
+/// by a window. Null if it is not known to be constant.
 const double* common_coordinate(const Definitions& all, const DefinedPoint& v, int axis) {
   if (is_known(v, axis)) return &v.near[axis];
   const bool is_cut = v.kind == DefinedPoint::Kind::edge_cut ||
@@ -259,8 +259,8 @@ const double* common_coordinate(const Definitions& all, const DefinedPoint& v, i
   return &all.points[v.a][axis];
 }
 
-/// The sign of a - b by one coordinate, if that takes no exact arithmetic. Rounding keeps order, so
-/// a rounded difference beyond both radii is one in truth.
+/// The sign of a - b along an axis, if exact arithmetic is not needed. Rounding is monotonic, so a
+/// rounded difference larger than both radii has the true sign.
 std::optional<int> compare_at_hand(const Definitions& all, const DefinedPoint& a,
                                    const DefinedPoint& b, int axis) {
   const double at_a = a.near[axis], at_b = b.near[axis];
@@ -296,7 +296,7 @@ Point3 rounded(const ExactPoint& p) {
           rounded_quotient(p.xyz.z, p.w)};
 }
 
-/// v, with the closest doubles there are beside it, unless they are too large.
+/// v, with these nearest doubles unless they are too large.
 DefinedPoint closest_to(DefinedPoint v, const Point3& p) {
   if (!within(p, kCoordinateLimit)) return v;
   v.near = p;

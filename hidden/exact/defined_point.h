@@ -74,7 +74,7 @@ DefinedPoint plane_cut(const Definitions& all, std::uint32_t own, std::uint32_t 
 
 int exact_side_of_plane(const Definitions& all, const DefinedPoint& v, const Plane& plane);
 
-/// Which side of the plane v is on (hidden/exact/plane.h).
+/// The side of the plane on which v is (hidden/exact/plane.h).
 inline int side_of_plane(const Definitions& all, const DefinedPoint& v, const Plane& plane) {
   const auto [value, bound] = plane_value(v.near, plane);
   if (std::abs(value) > bound + plane.reach * v.radius * kInflate) [[likely]] {
@@ -99,8 +99,8 @@ inline int filtered_turn(const NearPoint& a, const NearPoint& b, const NearPoint
   return decided(determinant) ? decided_sign(determinant.middle) : 0;
 }
 
-/// Which way a, b, c turn in the projection (hidden/exact/orientation.h): the side of c to the line
-/// from a to b.
+/// The turn of a, b, c in the projection (hidden/exact/orientation.h): the side of c relative to
+/// the line from a to b.
 int orientation(const Definitions& all, const DefinedPoint& a, const DefinedPoint& b,
                 const DefinedPoint& c);
 /// The same without exact arithmetic; nothing if that is needed, possibly because a cut has no

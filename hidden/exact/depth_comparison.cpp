@@ -23,7 +23,7 @@ std::int64_t exponent_of(const ExactNumber& number) {
   return number.sign() == 0 ? kNoExponent : number.leading().exponent;
 }
 
-/// number / 2^exponent, which is less than 1.
+/// number / 2^exponent, which is below 1 in magnitude.
 double scaled(const ExactNumber& number, std::int64_t exponent) {
   constexpr std::int64_t kVanishes = -2000;
   if (number.sign() == 0) return 0.0;
@@ -33,8 +33,8 @@ double scaled(const ExactNumber& number, std::int64_t exponent) {
                     static_cast<int>(std::max(leading.exponent - exponent, kVanishes)));
 }
 
-/// The lowest binary digit that is not zero: number / 2^that is whole. The number is all leading
-/// digits.
+/// The exponent of the lowest nonzero binary digit: number / 2^result is an integer. The number
+/// must be exactly its leading digits.
 std::int64_t lowest_digit(const ExactNumber::Leading& number) {
   const auto digits = static_cast<std::int64_t>(std::ldexp(number.mantissa, 53));
   return number.exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(digits));
@@ -44,7 +44,8 @@ int side_of_line(const Point2& from, const Point2& to, const Point2& at) {
   return orientation(from, to, at);
 }
 
-/// Which side of the line a pixel's centre is on, exactly: 1 on the left of it.
+/// The side of the line on which a pixel's centre is, exactly: 1 on the left, -1 on the right, 0 on
+/// it.
 int side_of_line(const Point2& from, const Point2& to, const PixelCentre& centre) {
   if (from.y != to.y) return (to.y > from.y ? 1 : -1) * crossing(from, to, centre);
   return (to.x > from.x ? -1 : 1) * compare_with_centres(from.y, centre.size.height, centre.row);
@@ -55,7 +56,7 @@ int sign_at(const Difference& d, const ExactProjector& projector) {
   return (d.slope_x * projector.x + d.slope_y * projector.y + d.constant * projector.w).sign();
 }
 
-/// Three products of 62 bits, 31 and 30 are added without loss.
+/// Holds the sum of three products of numbers of 62, 31 and 30 bits exactly.
 __extension__ using Wide = __int128;
 
 Predicate predicate_at(const PixelCentre&) { return Predicate::depth_at_pixel; }
@@ -63,7 +64,7 @@ Predicate predicate_at(const Point2&) { return Predicate::depth_at_point; }
 
 }  // namespace
 
-/// With z = (h - A x - B y) / C on each plane: (za - zb) Ca Cb, turned to the sign of za - zb.
+/// From z = (h - A x - B y) / C on each plane: (za - zb) Ca Cb with the sign of za - zb.
 DepthComparison::Difference::Difference(const Plane& a, const Plane& b) {
   const ExactPlane p(a), q(b);
   const ExactNumber &cp = p.normal.z, &cq = q.normal.z;
@@ -77,7 +78,7 @@ DepthComparison::Difference::Difference(const Plane& a, const Plane& b) {
   make_near();
 }
 
-/// With z = -(a x + b y + d) / c.
+/// From z = -(a x + b y + d) / c on each plane.
 DepthComparison::Difference::Difference(const PlaneInPicture& a, const PlaneInPicture& b) {
   const bool turned = a.c.sign() != b.c.sign();
   const auto difference = [&](const ExactNumber& of_a, const ExactNumber& of_b) {
@@ -114,7 +115,7 @@ bool DepthComparison::Difference::is_zero() const {
 }
 
 int DepthComparison::Difference::filtered(const Position& at) const {
-  constexpr double kVanished = 0x1p-700;  // coefficients far smaller than the largest
+  constexpr double kVanished = 0x1p-700;  // bounds coefficients that underflowed
   const double x = near.slope_x * at.x, y = near.slope_y * at.y;
   const double value = x + y + near.constant;
   const double bound = 6.0 * kUnit * (std::abs(x) + std::abs(y) + std::abs(near.constant)) +
@@ -131,7 +132,7 @@ std::optional<DepthComparison::Hinge> DepthComparison::hinge_of(const Plane& a, 
     if (b.goes_through(*point)) common[n++] = Point2(*point);
   }
   if (n < 2) return std::nullopt;
-  assert(common[0] != common[1]);  // as no plane is edge-on
+  assert(common[0] != common[1]);  // no plane is edge-on
   const auto is_off = [&](const Point3& v) { return !a.goes_through(v); };
   const Point3& third = is_off(b.p) ? b.p : is_off(b.q) ? b.q : b.r;
   const int nearer_than_a = side_of_plane(third, a) * facing(a);
@@ -191,7 +192,7 @@ int DepthComparison::Difference::exact(const Point2& at) const {
   return sign_at(*this, ExactProjector(at));
 }
 
-/// Times twice the width and the height of the picture, to be whole.
+/// Multiplied by twice the picture's width and height, so that all numbers are integers.
 int DepthComparison::Difference::exact(const PixelCentre& centre) const {
   if (!whole) return sign_at(*this, ExactProjector(centre));
   const Wide width = centre.size.width, height = centre.size.height;

@@ -18,7 +18,7 @@ class DepthComparison {
   DepthComparison() = default;
   /// Neither plane may be edge-on.
   DepthComparison(const Plane& a, const Plane& b) : a_(a), b_(b) {}
-  /// Prepared at once.
+  /// Prepares the comparison at once.
   DepthComparison(const PlaneInPicture& a, const PlaneInPicture& b) { difference_.emplace(a, b); }
 
   /// The order at a pixel's centre; the planes in device coordinates.
@@ -71,8 +71,8 @@ class DepthComparison {
 
     ExactNumber slope_x, slope_y, constant;
     Linear near;
-    /// In integers of 62 bits, if they fit: planes through grid points meet where only exact
-    /// arithmetic decides, and most such grids are coarse.
+    /// The difference in integers of 62 bits, if they fit: planes through grid points often meet
+    /// where only exact arithmetic decides, and most such grids are coarse.
     struct Whole {
       std::int64_t slope_x, slope_y, constant;
     };
@@ -86,7 +86,7 @@ class DepthComparison {
   int exact(const At& at);
 
   Plane a_, b_;
-  std::optional<Hinge> hinge_;  // one of the two at most
+  std::optional<Hinge> hinge_;  // at most one of the two is set
   std::optional<Difference> difference_;
 };
 

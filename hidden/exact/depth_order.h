@@ -11,13 +11,12 @@
 
 namespace displayfile {
 
-// Which of two planes is nearer to the viewer along a projector (a line parallel to z): the
-// sign of a's z less b's there, so 1 where a is nearer, 0 where they meet. Neither plane may
-// be edge-on. The true sign for coordinates up to kCoordinateLimit, whatever the rounding
-// mode.
+// The order of two planes along a projector (a line parallel to z): the sign of a's z less b's
+// there, so 1 where a is nearer to the viewer, 0 where they meet. Neither plane may be edge-on. The
+// true sign for coordinates up to kCoordinateLimit, whatever the rounding mode.
 //
-// depth_order(a, b, at) = -depth_order(b, a, at); 0 if both are one plane. The order of the points
-// that give a plane changes nothing.
+// depth_order(a, b, at) = -depth_order(b, a, at); 0 if both are one plane. Independent of the order
+// of the points that define a plane.
 
 /// A position of the projection, each coordinate within `error` of the true one.
 struct Position {

@@ -208,7 +208,7 @@ bool EnteredProjection::are_unrounded(const EnteredPolygon& polygon,
 
 // ---- Planes -----------------------------------------------------------------------------------
 
-/// By the cofactors of the three points' homogeneous coordinates.
+/// Computed from the cofactors of the three points' homogeneous coordinates.
 std::optional<PlaneInPicture> EnteredProjection::plane(const EnteredPolygon& polygon) const {
   const auto support = support_of_entered({polygon.points.data(), polygon.points.size()});
   if (!support) return std::nullopt;
@@ -259,14 +259,14 @@ std::int32_t OutlineRows::first_row_above(const EnteredOutline::Vertex& v) const
   const double t = v.near.y * size_.height - 0.5;
   if (t < -1.0) return 0;
   if (!(t < size_.height)) return size_.height;
-  // Rounding is less than a row: the row of t, the one before it or the one after.
+  // Rounding errs by less than a row: the result is the row of t, the one before or the one after.
   const auto is_above = [&](std::int32_t row) {
     const ExactNumber twice_height(2 * std::int64_t{size_.height});
     return (twice_centre(row) * v.w - twice_height * v.y).sign() > 0;
   };
   const auto low = static_cast<std::int32_t>(std::floor(t));
   const double fraction = t - low;
-  constexpr double kClose = 0x1p-16;  // far more than rounding can do
+  constexpr double kClose = 0x1p-16;  // far more than rounding errors
   if (fraction > kClose && fraction < 1.0 - kClose) return std::max(low + 1, 0);
   const std::int32_t centre = fraction < 0.5 ? low : low + 1;
   count_exact(Predicate::row);
@@ -280,7 +280,7 @@ void OutlineRows::add_side(const EnteredOutline::Vertex& low, const EnteredOutli
   const Point2 b(high.near.x * size_.width, high.near.y * size_.height);
   const double rise = b.y - a.y, dx_dy = (b.x - a.x) / rise;
   const double heights = std::abs(a.y) + std::abs(b.y);
-  // Twice the bound of interp/scan/scan_convert.md: the ends are rounded too.
+  // Twice the bound of interp/scan/scan_convert.md, since the ends are rounded too.
   const double error =
       rise > 32.0 * kUnit * heights
           ? 32.0 * kUnit * (std::abs(a.x) + std::abs(b.x) + 2.0 * std::abs(dx_dy) * heights)

@@ -47,7 +47,7 @@ class EnteredProjection {
   std::optional<PlaneInPicture> plane(const EnteredPolygon& polygon) const;
 
  private:
-  /// In the homogeneous unit cube, with view-plane z and one of the same factor.
+  /// A vertex in the homogeneous unit cube, with its view-plane z and 1 scaled by the same factor.
   struct Vertex {
     ExactNumber x, y, w, view_z, unit;
   };
@@ -92,7 +92,7 @@ class OutlineRows {
   /// A side that crosses the rows first_row <= row < end_row.
   struct Side {
     std::int32_t first_row, end_row;
-    double x, y, dx_dy, error;  ///< of a crossing, in pixels: the lower end and the change a row
+    double x, y, dx_dy, error;  ///< in pixels: a crossing's coordinates and its change per row
     ExactVector line;           ///< through both ends; positive on the left of going up
   };
   std::int32_t first_row_above(const EnteredOutline::Vertex& v) const;

@@ -46,7 +46,7 @@ DoubleDouble dot(const std::array<DoubleDouble, 3>& a, const std::array<DoubleDo
 /// many times as long.
 class Scaling {
  public:
-  /// By 1 / 2^exponent, which is the exponent of a double other than 0.
+  /// Scales by 1 / 2^exponent, where that is the exponent of a double other than 0.
   explicit Scaling(int exponent)
       : factor_(std::ldexp(1.0, std::min(-exponent, kMost))),
         rest_(-exponent > kMost ? std::ldexp(1.0, -exponent - kMost) : 1.0) {}
@@ -59,7 +59,7 @@ class Scaling {
   double factor_, rest_;
 };
 
-/// The length, off by less than 2^-49 of it; no square overflows or vanishes.
+/// The length, with an error below 2^-49 of it; squares neither overflow nor underflow.
 double length(const Point3& v) {
   int exponent = 0;
   std::frexp(largest(v), &exponent);
@@ -68,7 +68,7 @@ double length(const Point3& v) {
   return std::ldexp(glm::length(scaled), exponent);
 }
 
-/// A reach that a modelling matrix multiplies by the length of its longest column.
+/// Bounds of a reach multiplied by the length of a modelling matrix's longest column.
 Reach bounds_of_reach(double entered, double column) {
   if (!(column >= 1e-200 && column <= 1e200)) return {0.0, kNoBound};
   const double reach = entered * column;
@@ -93,14 +93,14 @@ bool are_in_line(const Point3& p, const Point3& q, const Point3& r) {
   return is_zero(displayfile::cross(exact_difference(q, p), exact_difference(r, p)));
 }
 
-/// Whether the determinant of the first three rows and columns is 0, exactly.
+/// True if the determinant of the first three rows and columns is 0, exactly.
 bool is_zero_determinant(const glm::dmat4& matrix) {
   const Point3 a(matrix[0]), b(matrix[1]), c(matrix[2]);
   const double value = glm::dot(a, glm::cross(b, c));
   const Point3 u = glm::abs(a), v = glm::abs(b), w = glm::abs(c);
   const double sum =
       u.x * (v.y * w.z + w.y * v.z) + u.y * (v.z * w.x + w.z * v.x) + u.z * (v.x * w.y + w.x * v.y);
-  // Five roundings of each of six products.
+  // Each of six products has at most five roundings.
   if (std::abs(value) > 6.0 * kUnit * sum + kTiny * (1.0 + u.x + u.y + u.z)) return false;
   const auto exact = [](const Point3& p) {
     return ExactVector{ExactNumber(p.x), ExactNumber(p.y), ExactNumber(p.z)};
@@ -108,8 +108,8 @@ bool is_zero_determinant(const glm::dmat4& matrix) {
   return dot(exact(a), cross(exact(b), exact(c))).sign() == 0;
 }
 
-/// The index of the point of which the measure is greatest, the first of equal ones. That of the
-/// first point is 0, and none is less.
+/// The index of the point with the greatest measure, the first of equal ones. The first point's
+/// measure is 0, the smallest possible.
 template <class Measure>
 std::size_t index_of_greatest(std::span<const Point3> points, const Measure& measure) {
   std::size_t greatest = 0;
@@ -237,7 +237,7 @@ EnteredPlane::EnteredPlane(const Corners& corners, const Modelling& modelling)
   find_normal(cross_error_);
 }
 
-/// The direction rounded once, and by how much it is off besides that.
+/// Finds the rounded direction, and a bound on its error besides that rounding.
 void EnteredPlane::find_normal(double error) {
   const double most = largest(cross_);
   if (!(most > 0.0 && most <= std::numeric_limits<double>::max())) return;
@@ -252,8 +252,8 @@ void EnteredPlane::find_normal(double error) {
   direction_error_ = off + kTiny;
 }
 
-/// By the distance in doubles along the rounded normal; `from_first` is the point's difference from
-/// the first corner, each coordinate rounded twice, and off by `error` besides in length.
+/// Decides by the distance in doubles along the rounded normal. `d` is the difference of the point
+/// and the first corner, with each coordinate rounded twice and a further error of length `error`.
 EnteredPlane::Answer EnteredPlane::by_doubles(const Point3& d, double error,
                                               const Reach& reach) const {
   const double x = normal_.x * d.x, y = normal_.y * d.y, z = normal_.z * d.z;
@@ -266,7 +266,7 @@ EnteredPlane::Answer EnteredPlane::by_doubles(const Point3& d, double error,
   return Answer::undecided;
 }
 
-/// With s = n . d: s^2 <= reach^2 n^2, in sums of two doubles.
+/// Decides by s^2 <= reach^2 n^2 with s = n . d, in sums of two doubles.
 EnteredPlane::Answer EnteredPlane::closely(const std::array<DoubleDouble, 3>& v, double magnitude,
                                            const Modelling& of_point) const {
   constexpr double kSquare = kRounding * kRounding;
@@ -350,7 +350,7 @@ int EnteredPlane::exact_side(const Point3& entered, const Modelling& of_point) c
   return displayfile::dot(n, of_point.apply_exactly(entered) - p).sign();
 }
 
-/// By the same bounds as `reaches`.
+/// Uses the bounds of `reaches`.
 int EnteredPlane::side(const Point3& entered, const Modelling& of_point) const {
   if (!is_sound_) return exact_side(entered, of_point);
   constexpr double kSquare = kRounding * kRounding;
@@ -371,9 +371,9 @@ int EnteredPlane::side(const Point3& entered, const Modelling& of_point) const {
 
 namespace {
 
-/// In doubles, and false if they do not tell. The matrix makes a distance longer by less than twice
-/// its longest column. The triple product is off by less than eight roundings of the sum of the
-/// magnitudes that it adds up (Shewchuk's orient3d), and so is each coordinate of the normal.
+/// Decides in doubles; false if undecided. The matrix stretches a distance by less than twice its
+/// longest column. The error of the triple product is below eight roundings of the sum of its
+/// terms' magnitudes (Shewchuk's orient3d), and so is that of each coordinate of the normal.
 bool is_certainly_flat(const PointRow& points, const std::array<std::size_t, 3>& support,
                        double largest) {
   constexpr double kRoundings = 0x1p-50;

@@ -34,7 +34,7 @@ class Modelling {
   /// True if three points are collinear in the world, exactly.
   bool puts_in_line(const Point3& p, const Point3& q, const Point3& r) const;
   double entered_reach() const { return entered_reach_; }
-  /// The same times the length of the longest of the first three columns.
+  /// That reach times the length of the longest of the first three columns.
   const Reach& reach() const { return reach_; }
 
   /// World coordinates in doubles, as the system computes them.
@@ -102,10 +102,10 @@ class EnteredPlane {
   Corners corners_;
   const Modelling* modelling_;
   bool is_sound_;
-  double magnitude_ = 0.0;             // of the corners
+  double magnitude_ = 0.0;             // the largest of the corners
   std::array<DoubleDouble, 3> first_;  // the first corner in the world
   std::array<DoubleDouble, 3> cross_;  // (q - p) x (r - p)
-  double cross_error_ = 0.0;           // of a coordinate
+  double cross_error_ = 0.0;           // per coordinate
   Point3 normal_{0.0};
   double direction_error_;
 };

@@ -33,7 +33,7 @@ struct Quotient {
   std::int64_t exponent;
 };
 
-/// That of a / b. The highest limbs must not be zero.
+/// The quotient a / b. The highest limbs must not be zero.
 Quotient quotient(const std::uint64_t* a, int count_a, const std::uint64_t* b, int count_b);
 
 }  // namespace displayfile::digits

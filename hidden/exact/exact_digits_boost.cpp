@@ -1,6 +1,6 @@
-// In a build without GMP. Boost.Multiprecision's integers, which are headers alone, divide, and
-// multiply what is long. Most numbers are a few limbs, which it takes longer to copy into such an
-// integer than to multiply: they are multiplied digit by digit, as sums and shifts are formed.
+// For builds without GMP. Boost.Multiprecision's header-only integers divide, and multiply long
+// numbers. Most numbers have few limbs, and copying these into such an integer takes longer than
+// multiplying: they are multiplied digit by digit here, like sums and shifts.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ constexpr int kBitsOfLimb = 64;
 constexpr int kBitsOfHalf = 32;
 static_assert(sizeof(mp::limb_type) * 8 == kBitsOfLimb, "limbs are handed to Boost as they are");
 
-/// From as many limbs on, products are Boost's.
+/// Products of numbers with at least this many limbs use Boost.
 constexpr int kLong = 20;
 
 mp::cpp_int whole(const std::uint64_t* limbs, int count) {
@@ -39,8 +39,8 @@ void multiply_long(const std::uint64_t* a, int count_a, const std::uint64_t* b, 
   std::fill(to + count, to + count_a + count_b, 0);
 }
 
-/// Writes the limbs as digits of 32 bits, of which two multiply to a limb; returns how many there
-/// are.
+/// Writes the limbs as digits of 32 bits, so that a product of two fits in a limb; returns the
+/// number of digits.
 int split(const std::uint64_t* limbs, int count, std::uint32_t* halves) {
   for (int k = 0; k < count; ++k) {
     halves[2 * k] = static_cast<std::uint32_t>(limbs[k]);

@@ -42,7 +42,7 @@ double round_to_nearest(std::uint64_t q, std::int64_t exponent) {
   const bool too_large =
       last > kMostExponent || (last == kMostExponent && m == (std::uint64_t{1} << kMantissaBits));
   if (too_large) throw Error("a point made by a cut lies farther away than any double");
-  // The sum carries from the fraction into the exponent where it must.
+  // A carry out of the fraction correctly increments the exponent.
   constexpr std::uint64_t kHidden = std::uint64_t{1} << (kMantissaBits - 1);
   if (m < kHidden) return std::bit_cast<double>(m);  // subnormal: last is kLeastExponent
   const auto biased = static_cast<std::uint64_t>(last - kLeastExponent + 1);
@@ -132,7 +132,7 @@ ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
   return product;
 }
 
-/// To a common exponent, the lower of the two: the other one's digits move up.
+/// Adds at the lower of both exponents: the other number's digits are shifted up.
 ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b) {
   if (sign_of_b == 0) return a;
   if (a.sign_ == 0) {

@@ -44,9 +44,8 @@ class ExactNumber {
   }
   friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b);
 
-  /// The double nearest to a / b, of two equally near the one with an even last digit, whatever
-  /// the rounding mode. Throws Error if b is zero, or if it exceeds every double. It does not fall
-  /// as the quotient grows.
+  /// The double nearest to a / b, ties to an even last digit, whatever the rounding mode. Monotonic
+  /// in the quotient. Throws Error if b is zero, or if the result exceeds every double.
   friend double rounded_quotient(const ExactNumber& a, const ExactNumber& b);
 
  private:
@@ -54,8 +53,8 @@ class ExactNumber {
 
   static ExactNumber sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b);
 
-  /// The sum of the magnitudes with these signs; neither is zero, and the first one has the
-  /// exponent that is not lower.
+  /// The sum of the magnitudes with these signs. Neither is zero, and the exponent of the first is
+  /// at least that of the second.
   static ExactNumber sum_of(const ExactNumber& higher, int sign_of_higher, const ExactNumber& lower,
                             int sign_of_lower);
   std::uint64_t* reserve(int limbs);
@@ -66,10 +65,10 @@ class ExactNumber {
   void copy_limbs(const ExactNumber& other);
 
   int sign_ = 0;   ///< -1, 0, 1
-  int count_ = 0;  ///< of limbs in use, the highest not zero; 0 for zero
+  int count_ = 0;  ///< limbs in use, the highest not zero; 0 for zero
   std::int64_t exponent_ = 0;
   std::array<std::uint64_t, kInPlace> in_place_;  ///< least significant first
-  std::unique_ptr<std::uint64_t[]> large_;        ///< instead, where more are needed
+  std::unique_ptr<std::uint64_t[]> large_;        ///< used instead if more limbs are needed
 };
 
 inline std::uint64_t* ExactNumber::reserve(int limbs_needed) {

@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// With the rest of its depth.
+/// The vector, with the rest added to its depth.
 template <class Number>
 VectorOf<Number> vector_of(const Point3& p, double rest = 0.0) {
   VectorOf<Number> v{Number(p.x), Number(p.y), Number(p.z)};
@@ -113,7 +113,7 @@ std::optional<ExactPoint> exact_point_if_any(const Definitions& all, const Defin
   return point;
 }
 
-/// Where points are so large that nothing is near, products may be too large for doubles.
+/// Nothing for points too large to have doubles near them: their products may overflow.
 std::optional<Point3> rounded_closely(const Definitions& all, const DefinedPoint& v) {
   if (!std::isfinite(v.radius) || !is_double_double_sound()) return std::nullopt;
   const PointOf<WideBall> p = from_definition<WideBall>(all, v);

@@ -16,8 +16,8 @@ Eye Eye::of(const View& view) {
   return Eye::toward(glm::dot(unit(along), unit(view.plane_normal)) < 0.0 ? along : -along);
 }
 
-/// At infinity it is a direction's way along the normal; the plane's filter holds there too, with
-/// one difference less to round.
+/// An eye at infinity is a direction, whose component along the normal decides; the plane's filter
+/// bounds this too, with one rounded difference fewer.
 int side_of_plane(const Eye& eye, const Plane& plane) {
   assert(plane.is_plain());
   if (!eye.at_infinity) return side_of_plane(eye.place, plane);

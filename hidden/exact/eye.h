@@ -20,11 +20,11 @@ struct Eye {
   bool operator==(const Eye&) const = default;
 };
 
-/// Which side of the plane the eye is on: 1, -1, or 0 on it. True for coordinates up to
-/// kCoordinateLimit. The sign flips where two of the plane's points change places, and for an eye
-/// at infinity where it is toward the opposite direction. The plane has no rests.
+/// The side of the plane on which the eye is: 1, -1, or 0 on it. True for coordinates up to
+/// kCoordinateLimit. The sign flips if two of the plane's points are exchanged, and for an eye at
+/// infinity if the direction is reversed. The plane has no rests.
 int side_of_plane(const Eye& eye, const Plane& plane);
-/// The same of the plane through three points.
+/// The side of the plane through three points.
 inline int side_of_plane(const Eye& eye, const Point3& p, const Point3& q, const Point3& r) {
   return eye.at_infinity ? side_of_plane(eye, {p, q, r}) : orientation(p, q, r, eye.place);
 }

@@ -11,17 +11,17 @@ namespace displayfile {
 
 namespace {
 
-/// at_a / (at_a - at_b), cut off and rounded; nothing if that depends on what may be off.
+/// at_a / (at_a - at_b), clamped and rounded; nothing if the errors do not determine it.
 std::optional<double> rounded_share(const Estimate& at_a, const Estimate& at_b) {
   const auto share = estimated_share(at_a, at_b);
   if (!share) return std::nullopt;
-  // Beyond an end it need not be known.
+  // Beyond an end only the side is needed.
   if (share->t.high + (share->t.low + share->error) <= 0.0) return 0.0;
   if (share->t.high + (share->t.low - share->error) >= 1.0) return 1.0;
   return rounded_sum(share->t, share->error);
 }
 
-/// part / whole, cut off and rounded.
+/// part / whole, clamped and rounded.
 double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   count_exact(Predicate::line_parameter);
   if (part.sign() * whole.sign() <= 0) return 0.0;
@@ -31,12 +31,12 @@ double exact_share(const ExactNumber& part, const ExactNumber& whole) {
   return share;
 }
 
-// Of ends that are no doubles, below.
+// For ends that are not doubles; defined below.
 Estimate estimated_turn(const Point2& p, const DoubleDouble& dx, const DoubleDouble& dy,
                         const DefinedEnd& v);
 Estimate estimated_value(const Plane& plane, const DefinedEnd& v);
 
-/// For both kinds of ends: their estimates, and if these do not decide, the exact numbers.
+/// Shared by both kinds of ends: estimates first, then exact numbers if these are undecided.
 template <class End>
 double crossing_between(const End& a, const End& b, const Point2& p, const Point2& q) {
   if (is_double_double_sound()) {
@@ -114,11 +114,11 @@ double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, con
   return exact_meeting_parameter(a, b, one, other);
 }
 
-// ---- Lines whose ends are no doubles --------------------------------------------------------
+// ---- Lines whose ends are not doubles -------------------------------------------------------
 
 namespace {
 
-/// Coordinates may be smaller than their second double can say: 2^-1074 is far less than this.
+/// Allows for coordinates so small that their second double underflows: 2^-1074 is far below this.
 constexpr double kLeastSize = 0x1p-900;
 
 DoubleDouble rounded_twice(const ExactNumber& value, const ExactNumber& w) {
@@ -126,13 +126,14 @@ DoubleDouble rounded_twice(const ExactNumber& value, const ExactNumber& w) {
   return {high, rounded_quotient(value - ExactNumber(high) * w, w)};
 }
 
-/// v's coordinate less a double, and what bounds its error: both lose digits where they are close.
+/// v's coordinate minus a double, and the size that bounds its error. Digits cancel if the two are
+/// close.
 struct EndDifference {
   EndDifference(const DefinedEnd& v, int axis, double from)
       : value(v.close[static_cast<std::size_t>(axis)] - DoubleDouble{from, 0.0}),
         size(std::abs(v.close[static_cast<std::size_t>(axis)].high) + std::abs(from) + kLeastSize) {
   }
-  static constexpr double kError = 0x1p-102;  // of the size
+  static constexpr double kError = 0x1p-102;  // relative to the size
   DoubleDouble value;
   double size;
 };

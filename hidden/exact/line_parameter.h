@@ -12,18 +12,19 @@
 
 namespace displayfile {
 
-// Where something meets a line from a to b: the parameter t of the point a + t (b - a), an exact
-// rational, clamped to the line's ends and rounded once, to the nearest double, of two equally near
-// the one with an even last digit. The same bits on every machine and in every rounding mode, for
-// any description of the same meeting point, for coordinates up to kCoordinateLimit. Rounding is
-// monotonic, so results about intervals between such parameters hold for the exact ones, except for
-// intervals that vanish (predicates.md, section 9).
+// The parameter t of a meeting point a + t (b - a) on a line from a to b: an exact rational,
+// clamped to the line's ends and rounded once, to the nearest double, ties to an even last digit.
+// The same bits on every machine and in every rounding mode, for any description of the same
+// meeting point, for coordinates up to kCoordinateLimit. Rounding is monotonic, so results about
+// intervals between such parameters hold for the exact ones, except for intervals that vanish
+// (predicates.md, section 9).
 //
 // The parameter depends only on the meeting point: p and q may be exchanged, and so may a plane's
 // points, or two planes. Along the line from b to a it is 1 - t rounded once, which may differ from
 // 1 minus the rounded t.
 
-/// Where the line through p and q crosses it in the projection. They must not be parallel.
+/// The parameter where the line through p and q crosses it in the projection. The lines must not be
+/// parallel.
 double slow_crossing_parameter(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 
 /// Crossings outside the line, the usual case, are clamped by the filter.
@@ -42,17 +43,17 @@ inline double crossing_parameter(const Point2& a, const Point2& b, const Point2&
   return slow_crossing_parameter(a, b, p, q);
 }
 
-/// Where the point p of the line is, which lies on it in the projection; a and b differ there.
+/// The parameter of the point p, which lies on the line in the projection; a and b differ there.
 double point_parameter(const Point2& a, const Point2& b, const Point2& p);
 
-/// Where the line in space meets the plane, which has its ends on opposite sides.
+/// The parameter where the line in space meets the plane; its ends are on opposite sides.
 double meeting_parameter(const Point3& a, const Point3& b, const Plane& plane);
 
-/// Where two planes have the same depth above the line of the projection; neither is edge-on, and
-/// one is nearer at one end, the other at the other.
+/// The parameter where two planes have the same depth above the line of the projection. Neither is
+/// edge-on; one is nearer at one end, the other at the other.
 double meeting_parameter(const Point2& a, const Point2& b, const Plane& one, const Plane& other);
 
-// ---- Lines whose ends are no doubles --------------------------------------------------------
+// ---- Lines whose ends are not doubles -------------------------------------------------------
 
 /// An end of a line as defined, and an approximation: each coordinate as the sum of two doubles,
 /// off by at most 2^-104 of it.
@@ -63,7 +64,7 @@ struct DefinedEnd {
   std::array<DoubleDouble, 3> close;
 };
 
-/// The same three functions for such a line.
+/// The same three functions for a line with defined ends.
 double crossing_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p,
                           const Point2& q);
 double point_parameter(const DefinedEnd& a, const DefinedEnd& b, const Point2& p);

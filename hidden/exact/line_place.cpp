@@ -10,8 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// a + t (b - a) with t = at_a / (at_a - at_b), rounded; nothing if that depends on what may be
-/// off.
+/// a + t (b - a) with t = at_a / (at_a - at_b), rounded; nothing if the errors do not determine it.
 std::optional<Point2> rounded_point(const Point2& a, const Point2& b, const Estimate& at_a,
                                     const Estimate& at_b) {
   constexpr double kSum = 0x1p-101;

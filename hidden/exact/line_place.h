@@ -6,15 +6,16 @@
 
 namespace displayfile {
 
-// Where something meets the line from a to b in the projection, as a point: each coordinate the
-// true one rounded once, to the nearest double. Independent of the caller, since the point is the
-// same, for coordinates up to kCoordinateLimit: crossing_place(a, b, p, q) = crossing_place(p, q,
-// a, b), and the ends of each line may be exchanged.
+// Meeting points on the line from a to b in the projection: each coordinate is the true one rounded
+// once, to the nearest double. Independent of the caller, since the point is the same, for
+// coordinates up to kCoordinateLimit: crossing_place(a, b, p, q) = crossing_place(p, q, a, b), and
+// the ends of each line may be exchanged.
 
-/// Where the line through p and q crosses it. They must not be parallel.
+/// The point where the line through p and q crosses it. The lines must not be parallel.
 Point2 crossing_place(const Point2& a, const Point2& b, const Point2& p, const Point2& q);
 
-/// Where two planes, neither of them edge-on, have the same depth above it; not all along.
+/// The point where two planes have the same depth above it. Neither plane is edge-on, and their
+/// depths differ somewhere along it.
 Point2 meeting_place(const Point2& a, const Point2& b, const Plane& one, const Plane& other);
 
 /// The point (x, y) / w, by exact numbers; w is not zero.

@@ -14,7 +14,7 @@ class OrderOnLine {
     const auto component = [](const Plane& plane, int axis) {
       return Ball{plane.normal[axis], plane.bound[axis]};
     };
-    const auto along = [&](int i, int j) {  // of the cross product of the normals
+    const auto along = [&](int i, int j) {  // a component of the cross product of the normals
       return component(one, i) * component(other, j) - component(one, j) * component(other, i);
     };
     may_be_along_y_ = !decided(along(1, 2));

@@ -13,7 +13,7 @@ ExactNumber difference(double a, double b) { return ExactNumber(a) - ExactNumber
 }  // namespace
 
 int exact_orientation(const Point2& a, const Point2& b, const Point2& c) {
-  // Both products have a factor that is zero, as on a line along an axis.
+  // Each product has a zero factor, as on an axis-parallel line.
   if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) {
     count_by_definition(Predicate::orientation_2);
     return 0;

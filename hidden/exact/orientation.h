@@ -33,8 +33,8 @@ inline int filtered_orientation(const Point2& a, const Point2& b, const Point2& 
   return std::abs(determinant) > bound ? decided_sign(determinant) : 0;
 }
 
-/// Which way a, b, c turn: 1 counterclockwise (c is left of the line from a to b), -1
-/// clockwise, 0 in line.
+/// The turn of a, b, c: 1 counterclockwise (c is left of the line from a to b), -1 clockwise, 0 if
+/// collinear.
 ///
 /// orientation(a, b, c) = orientation(b, c, a) = -orientation(b, a, c); 0 if two points are equal.
 inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
@@ -44,15 +44,15 @@ inline int orientation(const Point2& a, const Point2& b, const Point2& c) {
   return exact_orientation(a, b, c);
 }
 
-/// Which way a, b, c turn in the projection along z.
+/// The turn of a, b, c in the projection along z.
 inline int orientation(const Point3& a, const Point3& b, const Point3& c) {
   return orientation(Point2(a.x, a.y), Point2(b.x, b.y), Point2(c.x, c.y));
 }
 
-/// Which side of the plane through a, b, c the point d is on: 1 on the side from which a, b, c
-/// run counterclockwise, -1 on the other, 0 on the plane, also if a, b, c are in line.
+/// The side of the plane through a, b, c on which the point d is: 1 if a, b, c run counterclockwise
+/// seen from it, -1 on the other side, 0 on the plane, also if a, b, c are collinear.
 ///
-/// The sign flips where any two of the four change places; 0 if two of them are equal.
+/// The sign flips if any two of the four are exchanged; 0 if two of them are equal.
 inline int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   constexpr double kBound = 48.0 * kUnit * kInflate;
   constexpr double kUnderflow = 0x1p-730;

@@ -17,7 +17,7 @@ ExactNumber twice_from_centre(double coordinate, std::int32_t pixels, std::int32
          ExactNumber(2 * std::int64_t{index} + 1);
 }
 
-/// An enclosure of the crossing in pixels, less the half that a centre lies inside its pixel.
+/// An enclosure of the crossing's x in pixels, minus the half pixel by which centres are offset.
 Ball crossing_in_columns(const Point2& a, const Point2& b, std::int32_t row,
                          const PictureSize& size) {
   const double centre = (2.0 * row + 1.0) / (2.0 * size.height);
@@ -52,7 +52,7 @@ std::int32_t first_column_after_crossing(const Point2& a, const Point2& b, std::
   double low = std::ceil(estimate.middle - margin);
   double high = std::ceil(estimate.middle + margin);
   const double width = size.width;
-  if (!(low <= high)) low = 0.0, high = width;  // nothing is known
+  if (!(low <= high)) low = 0.0, high = width;  // the filter is undecided
   auto first = static_cast<std::int32_t>(std::clamp(low, 0.0, width));
   auto last = static_cast<std::int32_t>(std::clamp(high, 0.0, width));
   // The answer is in [first, last]; from it on, the crossing is not right of the centre.

@@ -10,8 +10,8 @@ namespace displayfile {
 
 namespace {
 
-/// a d - b c, each a rounded difference, and what the filters need beside it: a bound of its
-/// error and four units of its own size (predicates.md, section 4).
+/// a d - b c, where each argument is a rounded difference; and for the filters the sum of its error
+/// bound and four units of its magnitude (predicates.md, section 4).
 struct NormalComponent {
   double value, bound;
 };
@@ -22,8 +22,8 @@ NormalComponent normal_component(double a, double d, double b, double c) {
   return {value, (error + 4.0 * kUnit * std::abs(value)) * kInflate + kTiny};
 }
 
-/// True if the point and the plane's are all at one place along an axis: it is on the plane, or
-/// they give no plane.
+/// True if the point and the plane's points have one coordinate along an axis in common: the point
+/// is on the plane, or the plane's points are collinear.
 bool is_across_an_axis(const Plane& plane, const Point3& v) {
   const auto are_level = [&](int axis) {
     return v[axis] == plane.p[axis] && v[axis] == plane.q[axis] && v[axis] == plane.r[axis];

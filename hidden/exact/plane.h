@@ -57,11 +57,11 @@ inline PlaneValue plane_value(const Point3& v, const Plane& plane) {
   return {value, bound};
 }
 
-/// Which side of the plane v is on: 1, -1, or 0 on it. True for coordinates up to
+/// The side of the plane on which v is: 1, -1, or 0 on it. True for coordinates up to
 /// kCoordinateLimit, whatever the rounding mode.
 ///
-/// The sign flips where two of the plane's points, with their rests, change places. For a plane
-/// without rests it is orientation(p, q, r, v), and 0 at p, q and r.
+/// The sign flips if two of the plane's points are exchanged with their rests. For a plane without
+/// rests it is orientation(p, q, r, v), and 0 at p, q and r.
 inline int side_of_plane(const Point3& v, const Plane& plane) {
   const auto [value, bound] = plane_value(v, plane);
   if (std::abs(value) > bound) [[likely]]
@@ -69,8 +69,8 @@ inline int side_of_plane(const Point3& v, const Plane& plane) {
   return exact_side_of_plane(v, plane);
 }
 
-/// The axis that the plane faces most, 0, 1 or 2 for x, y or z, by the normal in doubles; never one
-/// that is parallel to the plane. Its points must not be in line.
+/// The axis closest to the plane's normal in doubles, 0, 1 or 2 for x, y or z; never one parallel
+/// to the plane. The plane's points must not be collinear.
 int facing_axis(const Plane& plane);
 
 /// The sign of C: 1 if the plane turns its positive side to the viewer, 0 if it is edge-on. It is

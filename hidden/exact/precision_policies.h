@@ -30,9 +30,9 @@ struct SideLine {
   std::uint32_t a, b;
 };
 
-// A precision policy: what an algorithm that splits polygons may ask, with one meaning and two
-// ways to decide it. Exact and Roundoff have the same members, so that each algorithm is
-// written once:
+// A precision policy: the queries of an algorithm that splits polygons, with one meaning and two
+// implementations. Exact and Roundoff have the same members, so that each algorithm is written
+// once:
 //
 //   Vertex                                a vertex of a piece
 //   vertex(point, own)                    stored point `point` of a polygon in plane `own`
@@ -43,16 +43,16 @@ struct SideLine {
 //   turn(a, b, c)                         1 if c is left of a to b in the projection, -1, 0
 //                                         (side takes stored points too, turn
 //                                         points of the projection)
-//   none_turns(a, b, c, way)              whether none of three points c turns that way
-//   tolerance()                           how far from a plane a vertex may be and count as on it
+//   none_turns(a, b, c, way)              true if none of three points c turns that way
+//   tolerance()                           the distance within which a vertex counts as on a plane
 //   compare_xy(a, b)                      order in the projection by x, then y; 0 if the same
-//   filtered_turn(a, b, c)                turn, of what near(v) tells; 0: undecided
-//   turn_at_hand, compare_xy_at_hand      the same if it takes no exact arithmetic
-//   refine(v)                             that it takes less of it from now on
+//   filtered_turn(a, b, c)                turn, by near(v) alone; 0: undecided
+//   turn_at_hand, compare_xy_at_hand      the same if exact arithmetic is not needed
+//   refine(v)                             makes later calls need less exact arithmetic
 //   depth_order(p, q, at)                 1 if plane p is nearer than q at the vertex, -1, 0
 //   coordinates(v)                        doubles, for the display file
 //   stored(point), near(v)                a stored point as a vertex; doubles close to a vertex,
-//                                         and a bound of how close
+//                                         and a bound on their error
 //   in_projection(v)                      doubles whose x and y are exactly v's, or null
 //   use(all)                              the definitions have grown or moved
 //

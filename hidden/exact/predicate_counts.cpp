@@ -31,7 +31,7 @@ void add(PredicateCounts& sum, const ThreadCounts& counts) {
   }
 }
 
-/// The threads that have counted; what ended threads left; what a reset takes away.
+/// The threads that have counted, the counts of ended threads, and the counts at the last reset.
 struct Register {
   std::mutex mutex;
   std::vector<const ThreadCounts*> threads;

@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// True if the points are in line in space, exactly.
+/// True if the points are collinear in space, exactly.
 bool in_line(const Point3& p, const Point3& q, const Point3& r) {
   const auto in_projection = [&](int x, int y) {
     return orientation(Point2(p[x], p[y]), Point2(q[x], q[y]), Point2(r[x], r[y])) == 0;
@@ -45,7 +45,7 @@ SupportVertices support_vertices(std::span<const Point3> v) {
       r = i;
     }
   }
-  // What doubles find in line may be beside it.
+  // Points collinear by doubles may be off the line exactly.
   for (std::size_t i = 0; in_line(q, r) && i < v.size(); ++i) {
     if (!in_line(q, i)) r = i;
   }
@@ -74,7 +74,7 @@ SupportVertices spread_vertices(std::span<const Point3> v) {
   };
   const std::uint32_t r = farthest(off_line);
   if (!in_line(v[0], v[q], v[r])) return {{0, q, r}, false};
-  for (std::uint32_t i = 0; i < v.size(); ++i) {  // the measure may have vanished
+  for (std::uint32_t i = 0; i < v.size(); ++i) {  // the measure may have underflowed
     if (!in_line(v[0], v[q], v[i])) return {{0, q, i}, false};
   }
   return {{0, q, r}, true};

@@ -49,8 +49,8 @@ class WideBall {
   }
 
  private:
-  // Parts of the operands or results: twice what double_double.h says, which also makes up for
-  // the rounding of radii; an operation that underflows is off by less than kTiny.
+  // Relative to operands or results: twice the bounds of double_double.h, which also covers the
+  // rounding of radii. The error of an operation that underflows is below kTiny.
   static constexpr double kOfSum = 0x1p-103, kOfProduct = 0x1p-102, kOfQuotient = 0x1p-101;
 
   WideBall(const DoubleDouble& middle, double radius)

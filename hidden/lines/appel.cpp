@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kLinesAtATime = 512;
 
-/// The first line of each name, in order of the places of their polygons in the tree: those near
-/// each other are followed together, while what they meet is at hand.
+/// The first line of each name, in order of their polygons' positions in the tree: neighbouring
+/// lines are processed together while the polygons around them are in the cache.
 std::vector<std::uint32_t> lines_by_place(const AppelTables& scene) {
   const auto lines = scene.lines.lines();
   const auto firsts = scene.lines.first_lines_of_names();
@@ -37,14 +37,14 @@ std::vector<std::uint32_t> lines_by_place(const AppelTables& scene) {
   return order;
 }
 
-/// What all lines' counts are: after their starts, and their changes.
+/// The counts of all lines after their starts, and the changes along them.
 struct CountsOfLines {
-  std::vector<ChangesOfLine> of_lines;  // of each of the scene's lines
+  std::vector<ChangesOfLine> of_lines;  // per line of the scene
   std::vector<std::vector<CountChange>> changes;
   std::vector<SideCounts> start;
 };
 
-/// Finds what is hidden of one line after the other.
+/// Finds the hidden parts of lines one by one.
 template <class Policy>
 class Appel {
  public:
@@ -69,7 +69,7 @@ class Appel {
   }
 
  private:
-  /// Adds the parts of the line that something covers. `changes` are in order.
+  /// Adds the covered parts of the line. `changes` are in order.
   void add_hidden(SideCounts counts, std::span<const CountChange> changes) {
     double at = 0.0;
     for (std::size_t i = 0; at < 1.0;) {
@@ -86,7 +86,7 @@ class Appel {
     }
   }
 
-  /// An intersection is no edge of a connected part: it is compared with all polygons.
+  /// An intersection line is not an edge of a connected part: it is compared with all polygons.
   void compare_with_all(const LineTable::Line& line) {
     const Extent box = scene_.lines.extent(line);
     Extent before = box;
@@ -99,7 +99,7 @@ class Appel {
     compare(line);
   }
 
-  /// Adds what the polygons hide that are not counted.
+  /// Adds the parts hidden by uncounted polygons.
   void compare(const LineTable::Line& line) {
     const Extent box = scene_.lines.extent(line);
     bool looked = false;
@@ -133,12 +133,12 @@ void follow_in_parts(const AppelTables& scene, const Policy& policy, std::size_t
   });
 }
 
-/// Whether the counts are carried over each vertex.
+/// For each vertex 1 if the counts are carried over it.
 template <class Policy>
 std::vector<std::uint8_t> vertices_that_carry(const AppelTables& scene, const Policy& policy,
                                               std::span<const std::uint32_t> order, int threads) {
   std::vector<std::uint8_t> carries(scene.vertices.joins().size(), 0);
-  std::vector<std::uint32_t> vertices;  // as the lines come to them
+  std::vector<std::uint32_t> vertices;  // in the order in which lines reach them
   for (const std::uint32_t first : order) {
     const LineTable::Line& line = scene.lines.lines()[first];
     for (const std::uint32_t point : {line.a, line.b}) {

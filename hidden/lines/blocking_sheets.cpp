@@ -16,12 +16,12 @@ namespace displayfile {
 
 namespace {
 
-/// A box is looked up in cells of the finest level if it is no more than so many long.
+/// A box is looked up in cells of the finest level if it is at most this many cells long.
 constexpr double kLongestInCells = 16.0;
 
 enum class Covering : std::uint8_t { no, yes, unknown };
 
-/// Whether the polygon covers the point (even-odd).
+/// Tests if the polygon covers the point (even-odd).
 Covering covering(const LineTable& scene, std::uint32_t polygon, const Point2& at) {
   bool inside = false;
   const std::uint32_t sides = scene.sides(polygon);
@@ -38,20 +38,20 @@ Covering covering(const LineTable& scene, std::uint32_t polygon, const Point2& a
   return inside ? Covering::yes : Covering::no;
 }
 
-/// The polygons near one cell after the other, the one that reaches nearest first.
+/// The polygons near the current cell, the one that reaches nearest first.
 class Sheets {
  public:
   Sheets(const LineTable& scene, const ContourEdges& contours, const CellGrid& grid)
       : scene_(scene), contours_(contours), grid_(grid) {}
 
-  /// What is known of a cell.
+  /// The result for a cell.
   struct Known {
-    /// The depth behind which all is hidden.
+    /// The depth behind which everything is hidden.
     float behind = -std::numeric_limits<float>::infinity();
-    bool is_single = false;  ///< before it nothing is on anything else
+    bool is_single = false;  ///< in front of it no two polygons overlap
   };
 
-  /// Goes to a cell of the finest level.
+  /// Makes a cell of the finest level the current one.
   void go_to(std::uint32_t i, std::uint32_t j) {
     near_.clear();
     const auto levels = grid_.levels();
@@ -80,15 +80,15 @@ class Sheets {
     });
   }
 
-  /// True if a polygon near the cell is not even: else covers are what sheets are.
+  /// True if a polygon near the cell is not even: otherwise covers equal sheets.
   bool is_any_uneven() const {
     return std::ranges::any_of(
         near_, [&](const CellGrid::Entry& entry) { return !contours_.is_even(entry.polygon); });
   }
 
-  /// Looks at the first sheets of the cell: polygons that follow each other by depth without a gap
-  /// of more than the step. One that has no contour in the cell covers each of its points as often
-  /// as its middle.
+  /// Examines the first sheets of the cell: polygons that follow each other by depth without a gap
+  /// larger than the step. A polygon without contours in the cell covers all its points as often as
+  /// its middle.
   Known look(ContourEdges::Of of) const {
     const double step = of == ContourEdges::Of::cover ? contours_.step() : 0.0;
     float least = std::numeric_limits<float>::infinity();
@@ -159,8 +159,8 @@ void CellGrid::find_blocking_sheets(const LineTable& scene, const ContourEdges& 
   pass_on_blocking();
 }
 
-/// For each cell of the finest level 0 only if no polygon near it is uneven: those few polygons are
-/// entered in the cells of their levels, and from there in the cells' parts.
+/// For each cell of the finest level, 0 only if no polygon near it is uneven. The few uneven
+/// polygons are entered in the cells of their levels, and from there in the cells' parts.
 std::vector<std::uint8_t> CellGrid::cells_near_uneven(const LineTable& scene,
                                                       const ContourEdges& contours) const {
   std::vector<std::vector<std::uint8_t>> near;
@@ -187,8 +187,8 @@ std::vector<std::uint8_t> CellGrid::cells_near_uneven(const LineTable& scene,
   return std::move(near.front());
 }
 
-/// Raises `behind`, and finds the cells of a single sheet. Where some polygon is not even also by
-/// covers, only in cells near such polygons in which no single sheet is first without them.
+/// Raises `behind`, and finds the cells of a single sheet. If some polygon is not even, also by
+/// covers, but only in cells near such polygons that have no single first sheet otherwise.
 void CellGrid::find_sheets(const LineTable& scene, const ContourEdges& contours,
                            std::span<const std::uint8_t> near_uneven, std::span<float> behind_cover,
                            int threads) {

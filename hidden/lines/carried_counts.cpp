@@ -37,15 +37,15 @@ namespace {
 
 constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 
-/// Lines that connect. Each vertex's count is known but for what the part's first one has.
+/// A set of connected lines. Each vertex's count is known relative to that of the first vertex.
 struct Part {
-  std::uint32_t line;  ///< one that the first vertex has
+  std::uint32_t line;  ///< a line at the first vertex
   std::uint32_t first;
   bool adds_up = true;
-  std::int32_t base = 0;  ///< of the first vertex
+  std::int32_t base = 0;  ///< the count at the first vertex
 };
 
-/// The counts at the vertices that carry, less those of their parts' first.
+/// The counts at the vertices that carry, relative to those of their parts' first vertices.
 class Parts {
  public:
   Parts(std::span<const CountedLine> lines, std::span<const std::uint8_t> carries)
@@ -61,11 +61,11 @@ class Parts {
   }
 
   std::vector<Part>& parts() { return part_list_; }
-  /// The part that a line is in, or kNoPart.
+  /// The part of a line, or kNoPart.
   std::uint32_t part_of(const CountedLine& line) const {
     return part_[line.from] != kNoPart ? part_[line.from] : part_[line.to];
   }
-  /// The counts at the line's start, as they follow from its vertex's.
+  /// The counts at the line's start, derived from its vertex's count.
   SideCounts start(const CountedLine& line) const {
     const bool by_from = part_[line.from] != kNoPart;
     const std::uint32_t v = by_from ? line.from : line.to;
@@ -89,7 +89,7 @@ class Parts {
     for_each_end([&](std::uint32_t v, std::uint32_t n) { of_vertex_[next[v]++] = n; });
   }
 
-  /// Follows the lines from vertex to vertex.
+  /// Follows lines from vertex to vertex, starting at one.
   void follow(std::uint32_t first) {
     const auto number = static_cast<std::uint32_t>(part_list_.size());
     part_list_.push_back({of_vertex_[first_line_[first]], first});
@@ -117,8 +117,8 @@ class Parts {
   std::span<const CountedLine> lines_;
   std::span<const std::uint8_t> carries_;
   std::vector<std::uint32_t> first_line_, of_vertex_;  // the lines of each vertex that carries
-  std::vector<std::uint32_t> part_;                    // of each vertex
-  std::vector<std::int32_t> base_;                     // of each vertex, less its part's
+  std::vector<std::uint32_t> part_;                    // per vertex
+  std::vector<std::int32_t> base_;                     // per vertex, relative to its part's
   std::vector<Part> part_list_;
   std::vector<std::uint32_t> reached_;
 };

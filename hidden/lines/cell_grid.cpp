@@ -17,22 +17,22 @@ namespace {
 
 constexpr float kNothingHidden = -std::numeric_limits<float>::infinity();
 
-/// The finest level's cells are half as wide as half of the boxes are long, but not fewer than one,
-/// nor more than so many, for each polygon that hides (hidden/lines/franklin.md has what was
-/// measured).
+/// Bounds on the finest level's cells: their width is half of the median length of the boxes, but
+/// there are at least one and at most kMostCellsAPolygon cells per hiding polygon (measurements in
+/// hidden/lines/franklin.md).
 constexpr double kUsualLengthInCells = 2.0;
 constexpr double kMostCellsAPolygon = 8.0;
 /// A polygon is at the level where its box is no larger than this many cells.
 constexpr double kLargestInCells = 4.0;
-/// A polygon is tried as a blocking face if its box is larger than this many cells of the finest
-/// level, since an equilateral triangle holds no square of more than 0.46 of its side; and in cells
-/// of which its box holds no more than so many a side.
+/// A polygon is tried as a blocking face if its box is larger than kLeastToBlock cells of the
+/// finest level, since an equilateral triangle contains no square larger than 0.46 of its side. It
+/// is tried in cells of which its box covers at most kMostToBlock per side.
 constexpr double kLeastToBlock = 4.0;
 constexpr double kMostToBlock = 64.0;
-/// Whether all of a box is behind blocking faces is looked up in cells of which it is no more than
-/// so many long.
+/// To test if all of a box is behind blocking faces, the box is looked up in cells of which it is
+/// at most this many long.
 constexpr double kMostToLookUp = 4.0;
-/// Lines are put in the order of this level's cells.
+/// Lines are ordered by this level's cells.
 constexpr std::size_t kLevelOfOrder = 2;
 
 }  // namespace
@@ -81,14 +81,14 @@ void CellGrid::find_blocking_faces(const LineTable& scene) {
   if (!levels_[0].behind.empty()) pass_on_blocking();
 }
 
-/// Notes the polygon in the cells that it covers all of.
+/// Enters the polygon in the cells that it covers completely.
 void CellGrid::block(const LineTable& scene, std::uint32_t polygon) {
   const Rectangle box = rectangle_of(scene.extent(polygon));
   const std::size_t at = layout_.level_for(layout_.length_in_cells(box), kMostToBlock);
   const double size = std::ldexp(layout_.cell(), static_cast<int>(at));
   const CellLayout::Range cells = layout_.range(box, at);
   const Point2& origin = layout_.origin();
-  // The places' own rounding, where they are far from 0.
+  // The rounding error of positions far from 0.
   const double margin =
       CellLayout::kMargin * size + 0x1p-48 * (std::abs(origin.x) + std::abs(origin.y) +
                                               size * (levels_[at].columns + levels_[at].rows));
@@ -109,8 +109,8 @@ void CellGrid::begin_blocking() {
   for (Level& level : levels_) level.behind.resize(level.cells(), kNothingHidden);
 }
 
-/// The least depth of the polygon over a rectangle, if it covers all of that: if its sides all turn
-/// it to one side, and the boundary goes around it once (even-odd).
+/// The minimum depth of the polygon over a rectangle that it covers completely: all its sides have
+/// the rectangle on the same side, and the boundary surrounds it once (even-odd).
 float CellGrid::blocked_behind(const LineTable& scene, std::uint32_t polygon, const Point2& low,
                                const Point2& high) const {
   constexpr double kBound = 8.0 * kUnit * kInflate;
@@ -146,12 +146,13 @@ float CellGrid::blocked_behind(const LineTable& scene, std::uint32_t polygon, co
       least = std::min(least, depth.middle - 2.0 * depth.radius);
     }
   }
-  // Twice, since a line's ends may be far outside of the polygon.
+  // Twice the reach, since a line's ends may be far outside of the polygon.
   if (scene.touching() > 0.0) least -= 2.0 * reach_in_depth(scene.touching(), plane);
   return std::isfinite(least) ? rounded_down(least) : kNothingHidden;
 }
 
-/// What blocks all four parts of a cell blocks the cell, and what blocks a cell its parts.
+/// A depth that blocks all four parts of a cell blocks the cell, and one that blocks a cell blocks
+/// its parts.
 void CellGrid::pass_on_blocking() {
   for (std::size_t k = 0; k + 1 < levels_.size(); ++k) {
     const Level& parts = levels_[k];
@@ -159,7 +160,7 @@ void CellGrid::pass_on_blocking() {
     for (std::uint32_t j = 0; j < whole.rows; ++j) {
       for (std::uint32_t i = 0; i < whole.columns; ++i) {
         float least = std::numeric_limits<float>::infinity();
-        // A cell at the end may have fewer parts, but is as wide as the others.
+        // A cell at the border may have fewer parts, but has full width.
         const bool all = 2 * i + 1 < parts.columns && 2 * j + 1 < parts.rows;
         for (std::uint32_t part = 0; all && part < 4; ++part) {
           const std::size_t row = 2 * j + part / 2, column = 2 * i + part % 2;
@@ -203,7 +204,8 @@ bool CellGrid::hides(const Extent& box) const {
 
 // ---- Polygons in cells --------------------------------------------------------------------
 
-/// Calls visit(level, cell, polygon) for each cell that a polygon is in, not behind all of it.
+/// Calls visit(level, cell, polygon) for each cell that contains part of a polygon and does not
+/// block all of it.
 template <class Visit>
 void CellGrid::for_each_entry(const LineTable& scene, const Visit& visit) const {
   for (std::uint32_t polygon = 0; polygon < scene.items(); ++polygon) {
@@ -222,7 +224,7 @@ void CellGrid::for_each_entry(const LineTable& scene, const Visit& visit) const 
   }
 }
 
-/// Counted first, then entered, then each cell's put in order.
+/// Counts the entries, stores them, and sorts each cell's.
 void CellGrid::enter(const LineTable& scene, int threads) {
   for (Level& level : levels_) level.first.resize(level.cells() + 1, 0);
   for_each_entry(scene, [&](std::size_t at, std::size_t cell, std::uint32_t) {

@@ -61,7 +61,7 @@ class CellGrid {
   /// True only if nothing is in front of any part of the polygon with this box, nor at the same
   /// depth, as find_blocking_sheets found.
   bool shows(const Extent& box) const;
-  /// The same, also next to polygons that are not even; false for boxes in cells without such.
+  /// The same, also next to uneven polygons; false for boxes in cells without any.
   bool shows_in_cover(const Extent& box) const;
 
   /// True if the box is behind the blocking faces of cells that contain it.
@@ -92,7 +92,7 @@ class CellGrid {
   std::vector<std::uint8_t>
       single_;  // per finest cell: nothing in front of `behind` overlaps another polygon
   std::vector<std::uint8_t> single_cover_;  // the same, by covers
-  std::vector<float> behind_single_;  // `behind` of the finest cells before covers were looked at
+  std::vector<float> behind_single_;  // `behind` of the finest cells before covers were examined
 };
 
 }  // namespace displayfile

@@ -76,9 +76,9 @@ class CellLayout {
 
  private:
   Point2 origin_{0.0};
-  double cell_ = 1.0, cells_a_unit_ = 0.0;  // the finest level's
+  double cell_ = 1.0, cells_a_unit_ = 0.0;  // of the finest level
   std::vector<Size> levels_;
-  std::vector<double> scales_;  // of the levels, from the finest's cells
+  std::vector<double> scales_;  // per level, relative to the finest level's cells
 };
 
 }  // namespace displayfile

@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// True if the eye and a third point are on the same side of the vertical plane through two: the
-/// signs of two volumes, with the eye infinitely far toward growing depth. If the eye is in the
-/// plane but for rounding, neither side hides the other.
+/// True if the eye and a third point are on the same side of the vertical plane through two:
+/// compares the signs of two volumes, with the eye infinitely far toward growing depth. If the eye
+/// is in the plane except for rounding, neither side hides the other.
 bool CellsInOrder::eye_is_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t beside) const {
   const auto homogeneous = [&](std::uint32_t k) {
     return HomogeneousPoint(surface_.point(k), 1.0);
@@ -21,8 +21,8 @@ bool CellsInOrder::eye_is_beyond(std::uint32_t a, std::uint32_t b, std::uint32_t
   return (of_eye > 0.0) == (of_point > 0.0);
 }
 
-/// The number of the first cell that is not nearer than the next: that of curves beyond which the
-/// eye is, less one.
+/// The column of the first cell that is not nearer than the next: the number of grid curves beyond
+/// which the eye is, minus one.
 std::uint32_t CellsInOrder::foot_column() const {
   std::uint32_t beyond = 0;
   const std::uint32_t last = surface_.columns(), top = surface_.rows();

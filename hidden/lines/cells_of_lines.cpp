@@ -10,8 +10,8 @@ namespace displayfile {
 
 namespace {
 
-/// Lines are few if they go through no more cells than this part of the items, of cells that are at
-/// most as many as these.
+/// Lines are few if their number, and the number of cells that they pass through, is at most this
+/// fraction of the items. There are about as many cells as items.
 constexpr std::size_t kPartWithLines = 4;
 /// A box is looked up at the level where it is no longer than this many cells.
 constexpr double kLongestLookedUp = 4.0;
@@ -49,7 +49,8 @@ CellsOfLines::CellsOfLines(const Primitives& items, std::span<const LineName> na
   if (enter(lines, most)) pass_on();
 }
 
-/// Into cells of the finest level. False if they are more than so many.
+/// Marks the cells of the finest level that lines pass through. False if there are more than
+/// `most`.
 bool CellsOfLines::enter(const std::vector<Line>& lines, std::size_t most) {
   const CellLayout::Size& size = layout_.levels()[0];
   std::vector<std::uint8_t> cells(size.cells(), 0);
@@ -68,7 +69,7 @@ bool CellsOfLines::enter(const std::vector<Line>& lines, std::size_t most) {
   return true;
 }
 
-/// Lines that go through one of a cell's four parts go through the cell.
+/// A line that passes through one of a cell's four parts passes through the cell.
 void CellsOfLines::pass_on() {
   for (std::size_t k = 1; k < layout_.levels().size(); ++k) {
     const CellLayout::Size &parts = layout_.levels()[k - 1], &whole = layout_.levels()[k];

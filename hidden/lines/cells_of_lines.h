@@ -33,7 +33,7 @@ class CellsOfLines {
 
   Rectangle all_{};  // around all lines
   CellLayout layout_;
-  std::vector<std::vector<std::uint8_t>> with_lines_;  // of each level, of each cell, row by row
+  std::vector<std::vector<std::uint8_t>> with_lines_;  // per level and cell, row by row
 };
 
 }  // namespace displayfile

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// An end of a piece: twice the piece's number, and 1 more where it ends.
+/// An end of a piece: twice the piece's number for its start, plus 1 for its end.
 using End = std::uint32_t;
 
 class Joints {
@@ -39,8 +39,8 @@ class Joints {
   }
   std::uint64_t key(End end) const { return pieces_[end / 2].key; }
 
-  /// Ends at one point and of one key have one number: in a table of more than twice as many places
-  /// as ends.
+  /// Numbers the ends: those at the same point with the same key get one number. Uses a hash table
+  /// with more than twice as many places as ends.
   void number_points() {
     const std::size_t mask = std::bit_ceil(2 * mate_.size() + 1) - 1;
     const SecretHash hash;
@@ -57,7 +57,7 @@ class Joints {
     }
   }
 
-  /// By numbers of points; those of one in order.
+  /// Groups the ends by point number; those of one point are in order.
   void list_ends() {
     first_.assign(points_ + 1, 0);
     for (const std::uint32_t number : number_) ++first_[number + 1];
@@ -80,7 +80,8 @@ class Joints {
     if (ends.size() > 2) join_straightest(ends);
   }
 
-  /// Away from the end along its piece, of length 1 in the projection; 0 if that is none.
+  /// The unit direction from the end along its piece in the projection; 0 if the piece has no
+  /// length there.
   Point2 direction(End end) const {
     const Point2 way = Point2(point(end ^ 1u)) - Point2(point(end));
     const double larger = std::max(std::abs(way.x), std::abs(way.y));
@@ -89,7 +90,7 @@ class Joints {
     return scaled / std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y);
   }
 
-  /// Joins the pair that turns least, of those left the next, and so on.
+  /// Joins the straightest pair, then the straightest of the remaining ones, and so on.
   void join_straightest(std::span<const End> ends) {
     directions_.clear();
     for (const End end : ends) directions_.push_back(direction(end));
@@ -97,7 +98,7 @@ class Joints {
     for (std::size_t i = 0; i < ends.size(); ++i) {
       for (std::size_t j = i + 1; j < ends.size(); ++j) {
         const Point2 &a = directions_[i], &b = directions_[j];
-        pairs_.push_back({a.x * b.x + a.y * b.y, ends[i], ends[j]});  // -1 straight on
+        pairs_.push_back({a.x * b.x + a.y * b.y, ends[i], ends[j]});  // -1: straight on
       }
     }
     std::ranges::sort(pairs_, [](const Pair& a, const Pair& b) {
@@ -108,12 +109,12 @@ class Joints {
     }
   }
 
-  /// Joins many: in order of angles, each with the one that is half of them farther.
+  /// Joins many ends: sorted by angle, each with the one half of them further on.
   void join_opposite(std::span<const End> ends) {
     angles_.clear();
     for (const End end : ends) {
       const Point2 d = direction(end);
-      // From 0 to 4 as the angle grows, without the rounding of a library's.
+      // Grows from 0 to 4 with the angle, without a library's rounding.
       const double part = d.x / (std::abs(d.x) + std::abs(d.y) + 0x1p-1000);
       angles_.emplace_back(d.y >= 0.0 ? 1.0 - part : 3.0 + part, end);
     }
@@ -129,9 +130,9 @@ class Joints {
 
   std::span<const ChainLink> pieces_;
   std::vector<End> mate_;
-  std::vector<std::uint32_t> number_;  // of each end's point
+  std::vector<std::uint32_t> number_;  // point number of each end
   std::uint32_t points_ = 0;
-  std::vector<std::uint32_t> first_;  // of each point's ends
+  std::vector<std::uint32_t> first_;  // per point, among the ends
   std::vector<End> ends_;
   std::vector<Point2> directions_;
   std::vector<Pair> pairs_;
@@ -147,7 +148,7 @@ Chains chains_of(std::span<const ChainLink> pieces) {
   std::vector<std::uint8_t> placed(pieces.size(), 0);
   for (End piece = 0; piece < pieces.size(); ++piece) {
     if (placed[piece] != 0) continue;
-    // Back to where the chain begins, or around to the piece itself.
+    // Goes back to the chain's first piece, or around a closed chain to the piece itself.
     End start = 2 * piece;
     for (End before = joints.mate(start); before != Joints::kNone; before = joints.mate(start)) {
       start = before ^ 1u;

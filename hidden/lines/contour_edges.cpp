@@ -19,7 +19,7 @@ void DepthTree::build(std::size_t items, const std::function<DepthBox(Item)>& bo
 
 namespace {
 
-/// How far corners are off the polygon's plane in depth, at most; 0 if none is.
+/// The maximum distance in depth of corners from the polygon's plane; 0 if none is off it.
 double depth_off_plane(const LineTable& scene, std::uint32_t item) {
   double off = 0.0;
   for (std::uint32_t k = 0; k < scene.sides(item); ++k) {
@@ -33,7 +33,7 @@ double depth_off_plane(const LineTable& scene, std::uint32_t item) {
   return off;
 }
 
-/// Polygons whose corners are farther off their planes than this do not continue a cover.
+/// A polygon with corners farther off its plane than this does not continue a cover.
 double most_off_plane(const LineTable& scene) {
   constexpr double kOfScene = 0x1p-10;
   Extent all = Extent::nothing();
@@ -83,7 +83,7 @@ ContourEdges::ContourEdges(const LineTable& scene, const Primitives& items, cons
       const std::uint32_t before = previous_corner(name.corner, item.sides);
       p = sides.vertex(items.point(item.first + before));
       q = high;
-      if (p != q) {  // it runs to the higher one
+      if (p != q) {  // it runs toward the higher point
         more += way(name.item);
       } else {
         p = sides.vertex(items.point(item.first + name.corner));

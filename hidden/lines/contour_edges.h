@@ -46,8 +46,8 @@ class ContourEdges {
   }
   std::size_t size() const { return edges_.size(); }
 
-  /// What must be the same on both sides of a side that is no contour: the number of polygons, and
-  /// their depth there; or the number alone, and their depths within step().
+  /// The properties that are equal on both sides of a side that is not a contour: the number of
+  /// polygons and their depth there; or the number only, with depths within step().
   enum class Of : std::uint8_t { depth, cover };
   /// False only if, at each side of a polygon that hides, there are equally many polygons on the
   /// left and on the right; the other overload is for one side, by the corner at which it ends.
@@ -59,8 +59,8 @@ class ContourEdges {
     const auto& sides = of == Of::cover && !uneven_.empty() ? cover_sides_ : contour_sides_;
     return std::ranges::binary_search(sides, LineName{item, corner});
   }
-  /// By how much depths differ at most, at a side that is no contour of the cover, of polygons that
-  /// are not even; 0 if all are.
+  /// The maximum difference of depths of uneven polygons at a side that is not a contour of the
+  /// cover; 0 if all polygons are even.
   double step() const { return step_; }
 
  private:

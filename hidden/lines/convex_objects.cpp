@@ -15,8 +15,8 @@ namespace displayfile {
 
 namespace {
 
-/// Sets of polygons that share sides and lie on different sides of them in the projection, and
-/// what is around each set.
+/// Sets of polygons that share sides and lie on different sides of them in the projection, and the
+/// outer sides of each set.
 class Surfaces {
  public:
   Surfaces(const Primitives& items, const LineTable& scene)
@@ -39,11 +39,11 @@ class Surfaces {
     });
   }
 
-  /// A set's name is its first polygon.
+  /// A set's name is its lowest polygon.
   std::uint32_t set_of(std::uint32_t polygon) { return sets_.name(polygon); }
 
-  /// Goes around the set: its points counterclockwise. False if the sides around it are not one
-  /// loop that turns one way, once around.
+  /// Finds the outline of the set: its points counterclockwise. False if its outer sides are not
+  /// one loop that turns one way, once around.
   bool find_outline(std::uint32_t set, std::vector<std::uint32_t>& outline) const {
     outline.clear();
     const auto sides = between(outer_, set, &OuterSide::set);
@@ -65,7 +65,7 @@ class Surfaces {
   struct OuterSide {
     std::uint32_t set, from, to;
   };
-  /// Those, in order, of which a member has that value.
+  /// The outer sides, in order, with that value of a member.
   static std::span<const OuterSide> between(std::span<const OuterSide> sides, std::uint32_t value,
                                             std::uint32_t OuterSide::*member) {
     const auto begin = std::ranges::lower_bound(sides, value, {}, member);
@@ -89,7 +89,7 @@ class Surfaces {
     });
   }
 
-  /// Where a side starts and ends as its polygon goes around counterclockwise.
+  /// The start and the end of a side in its polygon's counterclockwise direction.
   std::uint32_t start_of(const LineName& side) const { return corner_of(side, true); }
   std::uint32_t end_of(const LineName& side) const { return corner_of(side, false); }
   std::uint32_t corner_of(const LineName& side, bool start) const {
@@ -99,8 +99,8 @@ class Surfaces {
     return table_.vertex(items_.point(item.first + (takes_before ? before : side.corner)));
   }
 
-  /// Two polygons that run along a side in different directions are of one set; otherwise it is a
-  /// side of what is around each.
+  /// Joins two polygons that run along a side in opposite directions into one set; any other side
+  /// is an outer side of its polygons' sets.
   void take_side(std::span<const SideTable::Side> same, std::vector<LineName>& outer) {
     const std::size_t before = outer.size();
     for (const SideTable::Side& side : same) {

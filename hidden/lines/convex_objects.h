@@ -17,7 +17,7 @@ namespace displayfile {
 /// outline.
 class ConvexObjects {
  public:
-  /// Finds the objects among all polygons that hide. The scene is of the items.
+  /// Finds the objects among all polygons that hide. `scene` must be the table of `items`.
   ConvexObjects(const Primitives& items, const LineTable& scene);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(objects_.size()); }

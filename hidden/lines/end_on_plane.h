@@ -14,7 +14,7 @@
 
 namespace displayfile {
 
-/// Whether a point is on a plane up to rounding.
+/// The result of testing whether a point is on a plane, up to rounding.
 enum class OnPlane : std::uint8_t { no, yes, unknown };
 
 /// The position of a line's end v relative to a plane, which is not edge-on: decided in doubles, in
@@ -53,9 +53,9 @@ inline bool has_own_depth(const Point3& v, const Plane& plane, double touching, 
   return on_plane(v, Plane(plane.p, plane.q, plane.r), touching) == OnPlane::yes;
 }
 
-/// How far in depth a line within reach of a polygon's plane may at most be from it, where the
+/// The maximum distance in depth from a polygon's plane of a line within reach of it, where the
 /// polygon covers the line: each coordinate of both may be off by `touching`, and more on a steep
-/// plane. More by an eighth, for rounding.
+/// plane. Increased by an eighth, for rounding.
 inline double reach_in_depth(double touching, const Plane& plane) {
   const Point3& n = plane.normal;
   return 2.25 * touching * (1.0 + (std::abs(n.x) + std::abs(n.y)) / std::abs(n.z));

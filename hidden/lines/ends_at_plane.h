@@ -18,7 +18,7 @@ namespace displayfile {
 struct EndsAtPlane {
   std::optional<int> start, end;
 };
-/// Which ends of a line are corners of the polygon, and so on its plane.
+/// The ends of a line that are corners of the polygon, and so on its plane.
 struct EndsAtCorners {
   bool start = false, end = false;
 };
@@ -33,10 +33,10 @@ inline bool is_nearer_than_reach(const LineTable& scene, const LineTable::Line& 
   return farthest > nearest && farthest - reach_in_depth(scene.touching(), plane) > nearest;
 }
 
-/// For a line's ends as viewed, not moved onto its polygon's plane, and the plane of another
-/// polygon, which is not edge-on. In doubles, by LineTable::touching, which bounds the distance of
-/// points within reach; then by the points as entered, if available. An intersection line lies only
-/// in the planes of its own polygons.
+/// The positions of a line's ends as viewed, not moved onto its polygon's plane, relative to the
+/// plane of another polygon, which is not edge-on. In doubles, by LineTable::touching, which bounds
+/// the distance of points within reach; then by the points as entered, if available. An
+/// intersection line lies only in the planes of its own polygons.
 inline EndsAtPlane ends_at_plane(const LineTable& scene, const LineTable::Line& line,
                                  std::uint32_t polygon, const Plane& plane,
                                  const EndsAtCorners& corners) {

@@ -9,7 +9,7 @@
 namespace displayfile {
 
 FarPlanes::FarPlanes(const LineTable& scene, int threads) {
-  constexpr double kRounding = 0x1p-48;  // of a sum of four products, several times
+  constexpr double kRounding = 0x1p-48;  // a generous bound for a sum of four products
   if (!(scene.touching() > 0.0)) return;
   const double largest = largest_coordinate(scene.points());
   planes_.resize(scene.items());

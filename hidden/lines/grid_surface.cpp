@@ -51,8 +51,8 @@ bool GridSurface::is_solid_triangle(const Primitives& items, std::uint32_t numbe
   return item.kind == Primitives::Kind::solid && item.sides == 3;
 }
 
-/// Takes the points that no cell before it has, and holds it against all of them: cells share
-/// points bit for bit, and one that was clipped has others.
+/// Stores the points that no earlier cell has, and compares the cell with all of its points: cells
+/// share points bit for bit, while a clipped cell has others.
 bool GridSurface::take_cell(const Primitives& items, std::uint32_t i, std::uint32_t j) {
   const std::uint32_t item = first_triangle(i, j);
   if (!is_solid_triangle(items, item) || !is_solid_triangle(items, item + 1)) return false;
@@ -74,7 +74,7 @@ std::uint32_t GridSurface::side(std::uint32_t item, std::uint32_t corner) const 
   if (!has(item)) return kNone;
   const std::uint32_t triangle = item - first_item_, cell = triangle / 2;
   const std::uint32_t i = cell % columns(), j = cell / columns();
-  if (triangle % 2 == 0) {  // from its third corner to the first, and so on
+  if (triangle % 2 == 0) {  // corner 0 ends the side from corner 2, and so on
     return corner == 0 ? diagonal(i, j) : corner == 1 ? side_along_x(i, j) : side_along_y(i + 1, j);
   }
   return corner == 0 ? side_along_y(i, j) : corner == 1 ? diagonal(i, j) : side_along_x(i, j + 1);

@@ -22,7 +22,7 @@ class GridSurface {
   static std::optional<GridSurface> of(const Primitives& items);
 
   const HomogeneousPoint& upward() const { return mark_.upward; }
-  std::uint32_t columns() const { return mark_.x_points - 1; }  ///< of cells
+  std::uint32_t columns() const { return mark_.x_points - 1; }  ///< number of columns of cells
   std::uint32_t rows() const { return mark_.y_points - 1; }
   /// Points (i, j) are numbered row by row.
   std::uint32_t number(std::uint32_t i, std::uint32_t j) const {

@@ -27,10 +27,10 @@ std::vector<HiddenPiece> hidden_pieces(std::span<const LineName> lines, const Se
 
 namespace {
 
-/// Ranks: where one that is seen lies no hidden piece is drawn.
+/// Ranks: a hidden piece is not drawn where a visible one lies.
 constexpr std::uint32_t kSeen = 0, kHidden = 1;
 
-/// The lines of pieces that are seen and hidden, and those pieces by them.
+/// The lines that have visible or hidden pieces, and the pieces by line.
 class PiecesOfPicture {
  public:
   PiecesOfPicture(const Primitives& items, std::span<const VisiblePiece> seen,

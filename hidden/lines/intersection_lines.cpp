@@ -20,15 +20,16 @@ namespace displayfile {
 
 namespace {
 
-/// Finds the lines of pairs of polygons, one pair after the other. Keeps what it works with, so
-/// that nothing is allocated per pair.
+/// Finds the lines of pairs of polygons, one pair at a time. Reuses its memory, so that nothing is
+/// allocated per pair.
 class Intersections {
  public:
   Intersections(const Primitives& items, const LineTable& scene, IntersectionEnds ends)
       : items_(items), scene_(scene), ends_(ends) {}
 
-  /// Adds the lines of a pair of polygons that hide, in order of places. The pairs of the first one
-  /// come after each other: mostly its plane tells, and the other's is not needed.
+  /// Adds the lines of a pair of polygons that hide, in order along the line. Pairs with the same
+  /// first polygon should follow each other: mostly its plane decides, and the other's is not
+  /// needed.
   void find(std::uint32_t first, std::uint32_t second, std::vector<IntersectionLine>& lines) {
     assert(first != second);
     const auto [a, b] = std::minmax(first, second);  // a was entered first
@@ -69,8 +70,8 @@ class Intersections {
 
   Definitions definitions() const { return {items_.points, planes_}; }
 
-  /// One of the pair's planes; those of the pairs before are kept, as neighbours come after each
-  /// other.
+  /// The plane of one of the pair's polygons; planes of previous pairs are cached, since neighbours
+  /// follow each other.
   const Plane& plane(std::uint32_t own) {
     const std::uint32_t item = pair_[own];
     Known& known = known_[own][item % kKnown];
@@ -78,8 +79,8 @@ class Intersections {
     return known.plane;
   }
 
-  /// Finds the side of the other polygon's plane that each corner is on, at the depth of its own
-  /// plane: 1 where it is nearer, -1, 0; false if none is on the one side, or none on the other.
+  /// Finds the side of the other polygon's plane for each corner, at the depth of its own plane: 1
+  /// where the corner is nearer, -1, 0. False unless there are corners on both sides.
   bool reaches_through(std::uint32_t own) {
     const std::uint32_t item = pair_[own];
     const Plane& of_other = plane(1 - own);
@@ -92,7 +93,7 @@ class Intersections {
       int s = 0;
       if (scene_.is_off_plane(item, k)) {
         s = depth_order(plane(own), of_other, Point2(corner));
-      } else if (!of_other.goes_through(corner)) {  // as most neighbours in a mesh do
+      } else if (!of_other.goes_through(corner)) {  // most neighbours in a mesh pass through it
         s = side_of_plane(corner, of_other);
       }
       side[k] = static_cast<std::int8_t>(s);
@@ -102,8 +103,8 @@ class Intersections {
     return before && behind;
   }
 
-  /// What is within reach of the other's plane is on neither side: then one of them does not pass
-  /// through it. A corner that clipping made is where it is seen. Finds which corners are so.
+  /// True if a polygon does not pass through the other's plane, when corners within reach of that
+  /// plane count as on it. A corner made by clipping counts as viewed. Also records these corners.
   bool touch_as_entered() {
     if (items_.ends == nullptr) return false;
     bool touch = false;
@@ -120,8 +121,8 @@ class Intersections {
     }
     return touch;
   }
-  /// A side both of whose corners are in the other's plane is a side already, and its polygon is on
-  /// one side of it alone; by rounding it may be on both.
+  /// Removes parts along sides with both corners in the other's plane: such a side is drawn
+  /// already, and its polygon lies on one side of it; only rounding may put it on both.
   void leave_out_sides_in_planes() {
     if (items_.ends == nullptr) return;
     for (const std::uint32_t own : {kA, kB}) {
@@ -155,9 +156,9 @@ class Intersections {
     }
     std::swap(inside_, others_);
   }
-  /// Shorter pieces are what viewing and the reach leave.
+  /// Shorter pieces are artefacts of viewing and of the reach.
   static constexpr double kCrumb = 1e-12, kCrumbAtMost = 1e-3;
-  /// As an end of both of its sides.
+  /// True if the corner is on the plane as an end of both of its sides.
   bool is_on_plane_as_entered(std::uint32_t own, std::uint32_t k) const {
     constexpr auto kOnPlane = EndsAsEntered::Place::on_plane;
     const std::uint32_t item = pair_[own], other = pair_[1 - own];
@@ -166,7 +167,8 @@ class Intersections {
            items_.places(item, next, other)[0] == kOnPlane;
   }
 
-  /// Then they meet along it, and nowhere else: what rounding makes of their planes is no line.
+  /// True if the polygons share a side: then they meet only along it, and any other line is due to
+  /// rounding.
   bool share_a_side(std::uint32_t a, std::uint32_t b) {
     list_sides(a, sides_of_[kA]);
     list_sides(b, sides_of_[kB]);
@@ -177,7 +179,7 @@ class Intersections {
     }
     return false;
   }
-  using Side = std::array<double, 6>;  // its ends, the lesser one first
+  using Side = std::array<double, 6>;  // its ends, the smaller one first
   void list_sides(std::uint32_t item, std::vector<Side>& sides) const {
     sides.clear();
     const std::uint32_t n = scene_.sides(item);
@@ -195,9 +197,10 @@ class Intersections {
     return std::ranges::find(side_[own], std::int8_t{0}) != side_[own].end();
   }
 
-  /// Where the polygon's boundary crosses a line close to the one that both planes have in common,
-  /// where its own plane is before the other one, or where it is behind; in order along it. Between
-  /// the first and the second it is inside, between the third and the fourth, and so on (even-odd).
+  /// Finds where the polygon's boundary crosses a line close to the common line of both planes, on
+  /// the side where its own plane is in front of the other, or where it is behind; in order along
+  /// the line. The polygon's inside is between the first and second crossing, the third and fourth,
+  /// and so on (even-odd).
   void find_crossings(std::uint32_t item, std::uint32_t own, bool before) {
     crossings_.clear();
     const std::uint32_t sides = scene_.sides(item);
@@ -228,7 +231,7 @@ class Intersections {
     const std::uint32_t p = point(item, k);
     DefinedPoint v = scene_.is_off_plane(item, k) ? lifted_point(definitions(), p, own)
                                                   : stored_point(items_.points[p]);
-    v.a = p;  // who asks of a stored point too, of which the items' it is
+    v.a = p;  // also for a stored point: its index among the items' points
     return v;
   }
   DefinedPoint on_side(std::uint32_t item, std::uint32_t own, std::uint32_t k,
@@ -254,7 +257,7 @@ class Intersections {
   void add_part(const DefinedPoint& from, const DefinedPoint& to) {
     if (compare(from, to) < 0) inside_.push_back({from, to});
   }
-  /// Leaves what is inside this one too.
+  /// Intersects the parts found so far with the inside of this polygon.
   void meet_inside(std::uint32_t item, std::uint32_t own, bool before) {
     if (inside_.empty()) return;
     std::swap(inside_, others_);
@@ -269,7 +272,7 @@ class Intersections {
       ++(ends_first ? i : j);
     }
   }
-  /// A place where a boundary only touches the line is no end.
+  /// Joins adjacent parts: where a boundary only touches the line, no part ends.
   void join_inside() {
     if (inside_.size() < 2) return;
     std::size_t last = 0;
@@ -287,7 +290,7 @@ class Intersections {
     return is_badly_known(v) ? refined(definitions(), v) : v;
   }
   DefinedPoint rounded_once(DefinedPoint v) const {
-    v.near = rounded(definitions(), v) + 0.0;  // an end at zero has one sign, whatever it is from
+    v.near = rounded(definitions(), v) + 0.0;  // + 0.0: a zero has one sign, however defined
     if (v.kind == DefinedPoint::Kind::stored) return v;
     const double size = std::max({std::abs(v.near.x), std::abs(v.near.y), std::abs(v.near.z)});
     v.radius = size <= kCoordinateLimit ? kUnit * size * kInflate + kTiny
@@ -300,7 +303,7 @@ class Intersections {
     const Plane& plane = planes_[v.cut];
     const int at_a = side_of_plane(items_.points[v.a], plane);
     const int at_b = side_of_plane(items_.points[v.b], plane);
-    if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) return v.near;  // they do not meet
+    if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) return v.near;  // no crossing
     return rounded(definitions(), edge_cut(definitions(), v.a, v.b, v.cut)) + 0.0;
   }
 
@@ -316,8 +319,8 @@ class Intersections {
   std::array<std::uint32_t, 2> pair_{};
   std::array<Plane, 2> planes_;
   OrderOnLine order_;
-  std::array<std::vector<std::int8_t>, 2> side_;       // of the other's plane, each corner
-  std::array<std::vector<std::uint8_t>, 2> on_plane_;  // likewise: within reach of it, as entered
+  std::array<std::vector<std::int8_t>, 2> side_;       // per corner, the side of the other's plane
+  std::array<std::vector<std::uint8_t>, 2> on_plane_;  // likewise: 1 if within reach, as entered
   std::vector<DefinedPoint> crossings_;
   std::vector<Part> inside_, others_, more_;
   std::array<std::vector<Side>, 2> sides_of_;

@@ -12,10 +12,11 @@ namespace displayfile {
 
 namespace {
 
-/// Items that follow each other are often beside each other, and are far from all lines together.
+/// Consecutive items are often close to each other, and are rejected together if far from all
+/// lines.
 constexpr std::size_t kItemsTogether = 32;
 
-/// Around all corners of some items, in the projection.
+/// The bounding rectangle of all corners of some items, in the projection.
 Rectangle rectangle_around(const Primitives& items, std::span<const Primitives::Item> some) {
   Rectangle all = Rectangle::nothing();
   for (const Primitives::Item& item : some) {
@@ -30,7 +31,7 @@ bool come_near(const CellsOfLines& cells, const Rectangle& box) {
   return !box.is_nothing() && cells.come_near(box);
 }
 
-/// Which items come near lines.
+/// For each item 1 if it comes near a line.
 std::vector<std::uint8_t> near_items(const Primitives& items, const CellsOfLines& cells,
                                      int threads) {
   const std::size_t count = items.items.size();

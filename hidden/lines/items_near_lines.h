@@ -34,7 +34,7 @@ class ItemsNearLines {
   std::span<const LineName> names_;
   std::span<const IntersectionLine> intersections_;
   // Empty if all items are near.
-  std::vector<std::uint32_t> number_;  // that an item had
+  std::vector<std::uint32_t> number_;  // original index of each item
   std::vector<Primitives::Item> own_items_;
   std::vector<Primitives::PlanePoints> own_planes_;
   std::vector<Point3> own_rests_;

@@ -15,9 +15,9 @@
 
 namespace displayfile {
 
-/// Quantitative invisibility at a point of a line, or a change of it: how many counted polygons are
-/// strictly nearer there and cover the points immediately left of the line, and immediately right
-/// of it.
+/// Quantitative invisibility at a point of a line, or a change of it: the number of counted
+/// polygons that are strictly nearer there and cover the points immediately left of the line, and
+/// immediately right of it.
 struct SideCounts {
   std::int32_t left = 0, right = 0;
 
@@ -204,7 +204,7 @@ class LineCounts {
   struct Crossing {
     Point2 p, q;
     const Point3 *from, *to;
-    int at_p, at_q;  // sides of the line
+    int at_p, at_q;  // the sides of the line on which p and q are
     bool on_left, on_right;
     bool turned;  // the side itself runs from right to left
   };
@@ -243,8 +243,8 @@ class LineCounts {
     }
   }
 
-  /// Whether the crossing is at or before the line's start; and before its end. Along the line, it
-  /// is first right of a side that it crosses, then left.
+  /// True if the crossing is at or before the line's start; and if it is before its end. Points of
+  /// the line are first on the right of the crossing side, then on its left.
   bool is_before_start(const Crossing& at) const {
     return policy_.turn(at.p, at.q, Point2(line_.a)) >= 0;
   }
@@ -267,7 +267,8 @@ class LineCounts {
     return true;
   }
 
-  /// Whether the polygon's corner at the line's start contains the line's left and right.
+  /// Tests if the polygon's corner at the line's start contains the points immediately left and
+  /// right of the line.
   SideCounts in_corner(std::uint32_t polygon, std::uint32_t corner) const {
     const std::uint32_t sides = scene_.sides(polygon);
     std::uint32_t before = previous_corner(corner, sides);

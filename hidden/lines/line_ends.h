@@ -21,7 +21,7 @@ struct LineEnds {
     to = points[line.corner];
   }
 
-  /// The point at this fraction of the way, rounded; 0 and 1 are the ends themselves.
+  /// The point at this fraction from start to end, rounded; 0 and 1 are the ends themselves.
   Point3 at(double share) const {
     assert(0.0 <= share && share <= 1.0);
     if (share == 0.0) return from;

@@ -47,8 +47,8 @@ JoinedStrokes::JoinedStrokes(std::span<const DeepStroke> strokes)
 
 namespace {
 
-/// The gap of one crossing: from it along the farther stroke and those that continue it, as long as
-/// they are within reach of the nearer stroke and of those that continue that one.
+/// The gap at one crossing: it extends from there along the farther stroke and the strokes that
+/// continue it, while they are within reach of the nearer stroke and of those that continue it.
 class Gap {
  public:
   Gap(std::span<const DeepStroke> strokes, const JoinedStrokes& joints, const Point2& pixels,
@@ -71,7 +71,7 @@ class Gap {
     return std::ranges::find(near_, stroke) != near_.end();
   }
 
-  /// The nearer stroke, and those that continue it no farther away than the gap can reach.
+  /// Finds the nearer stroke and the strokes that continue it, as far as the gap can reach.
   void find_near(const StrokeOverlap& crossing) {
     constexpr double kLeastSine = 1.0 / 64.0;
     const Point2 u = end(crossing.far) - start(crossing.far);
@@ -92,7 +92,7 @@ class Gap {
     }
   }
 
-  /// From the crossing towards an end of the farther stroke.
+  /// Adds the gap from the crossing toward an end of the farther stroke.
   void walk(const StrokeOverlap& crossing, std::uint32_t toward) {
     double at = crossing.at_far;
     for (std::size_t strokes = 0; strokes <= strokes_.size(); ++strokes) {
@@ -108,7 +108,7 @@ class Gap {
     }
   }
 
-  /// How far a stroke stays within reach from a place on it towards an end.
+  /// The place up to which a stroke stays within reach, going from a place toward an end.
   double reached(std::uint32_t stroke, double at, double last) {
     within_.clear();
     for (const std::uint32_t near : near_) {

@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// Which strokes continue each other: the ends of strokes of one look that lie at one point, two
-/// and two, straightest pairs first (hidden/lines/chains.md). Ends that continue no other are
-/// paired where they coincide in the picture alone: the line between them is seen end-on.
+/// The pairs of strokes that continue each other: ends of strokes of one look at the same point are
+/// paired, straightest pairs first (hidden/lines/chains.md). Remaining ends are paired where they
+/// coincide in the picture only: the line between them is seen end-on.
 class JoinedStrokes {
  public:
   explicit JoinedStrokes(std::span<const DeepStroke> strokes);
@@ -32,8 +32,8 @@ class JoinedStrokes {
   std::vector<std::uint32_t> mate_;
 };
 
-/// For each stroke the parts that the halos of nearer strokes leave out, united. None of the
-/// overlaps is of strokes that join.
+/// For each stroke the parts that the halos of nearer strokes leave out, united. No overlap may be
+/// of strokes that join.
 std::vector<std::vector<PartOfLine>> halo_gaps(std::span<const DeepStroke> strokes,
                                                std::span<const StrokeOverlap> overlaps,
                                                const JoinedStrokes& joints, const Point2& pixels,

@@ -20,15 +20,15 @@ bool has_length(const DeepStroke& s) { return Point2(s.from) != Point2(s.to); }
 
 double cross(const Point2& u, const Point2& v) { return u.x * v.y - u.y * v.x; }
 
-/// Boxes around parts of strokes, so short that the box of a slanted stroke is not much larger than
-/// the stroke.
+/// Boxes around parts of strokes, short enough that the box of a slanted part is not much larger
+/// than the part.
 struct BoxedParts {
   std::vector<Extent> boxes;
-  std::vector<std::uint32_t> stroke;  // of each box
+  std::vector<std::uint32_t> stroke;  // per box
 };
 
-/// Axes along which most of the strokes run, or across, in pixels: along them boxes are thin, also
-/// of long parallel strokes. Four times the angle is the same for both directions of both axes.
+/// Axes parallel or perpendicular to most of the strokes, in pixels: boxes along them are thin,
+/// even for long parallel strokes. Quadrupling the angle makes both directions of both axes equal.
 class BoxAxes {
  public:
   BoxAxes(std::span<const DeepStroke> strokes, const Point2& pixels) : pixels_(pixels) {
@@ -70,7 +70,7 @@ BoxedParts boxed_parts(std::span<const DeepStroke> strokes, const Point2& pixels
     const double count = std::clamp(std::ceil(length(s) / side), 1.0, 1e6);
     const Point2 from = axes(Point2(s.from)), way = axes(Point2(s.to)) - from;
     const double farthest = std::abs(from.x) + std::abs(from.y) + std::abs(way.x) + std::abs(way.y);
-    // The boxes of one part reach half of the pen over it, and some rounding.
+    // A part's box includes half of the pen's width and rounding errors.
     const Point2 margin(s.width / 2.0 + 1e-6 + 1e-12 * farthest);
     for (double i = 0.0; i < count; ++i) {
       const Point2 a = from + (i / count) * way, b = from + ((i + 1.0) / count) * way;
@@ -82,7 +82,7 @@ BoxedParts boxed_parts(std::span<const DeepStroke> strokes, const Point2& pixels
   return parts;
 }
 
-/// Strokes of which parts' boxes meet, the lower number first, each pair once.
+/// The pairs of strokes with parts whose boxes meet, the lower number first, each pair once.
 std::vector<Pair> close_pairs(std::span<const DeepStroke> strokes, const Point2& pixels,
                               int threads) {
   const BoxedParts parts = boxed_parts(strokes, pixels);
@@ -101,7 +101,7 @@ std::vector<Pair> close_pairs(std::span<const DeepStroke> strokes, const Point2&
   return pairs;
 }
 
-/// Two strokes, and how they overlap.
+/// Finds the overlaps of two strokes.
 class Overlapping {
  public:
   Overlapping(std::span<const DeepStroke> strokes, const StrokePicture& picture, const Pair& pair)
@@ -122,15 +122,15 @@ class Overlapping {
   }
 
  private:
-  /// Where a line changes sides, of which the ends are so far from the other on either side.
+  /// The fraction at which a line crosses another, from its ends' distances to it on either side.
   static double share(const OrientationValue& from, const OrientationValue& to) {
     const double all = std::abs(from.determinant) + std::abs(to.determinant);
     return all > 0.0 ? std::abs(from.determinant) / all : 0.5;
   }
 
-  /// 1 if the second is nearer where they cross by more than `apart`, -1 if the first is, 0 if
-  /// neither is. `turn` is the sign of the turn from the first's direction to the second's: the
-  /// tetrahedron of the four ends has the sign of the turn where the first is nearer.
+  /// At the crossing, 1 if the second stroke is nearer by more than `apart`, -1 if the first is, 0
+  /// if neither is. `turn` is the sign of the turn from the first's direction to the second's: the
+  /// tetrahedron of the four ends has this sign if the first is nearer.
   int nearer_at_crossing(int turn) const {
     const auto second_nearer = [&](double moved) {
       Point3 c = b_.from, d = b_.to;
@@ -146,7 +146,7 @@ class Overlapping {
     return difference > picture_.apart ? 1 : difference < -picture_.apart ? -1 : 0;
   }
 
-  /// `nearer` is 1 if the second is.
+  /// `nearer` is 1 if the second stroke is nearer, -1 if the first is, 0 if neither is.
   StrokeOverlap overlap(int nearer, double at_a, double at_b, bool crosses) const {
     const bool second = nearer != 0 ? nearer > 0 : b_.entry >= a_.entry;
     const Point2 a = pixel(a_.from), b = pixel(a_.to), c = pixel(b_.from), d = pixel(b_.to);
@@ -162,7 +162,7 @@ class Overlapping {
     return o;
   }
 
-  /// One axis runs along the other: where they meet in depth, they change places.
+  /// Handles collinear axes: where their depths cross, the strokes exchange order.
   void add_along(std::vector<StrokeOverlap>& all) const {
     const Point2 a = pixel(a_.from), b = pixel(a_.to), c = pixel(b_.from), d = pixel(b_.to);
     const double in_a = along(a, b, c), to_a = along(a, b, d);
@@ -187,7 +187,7 @@ class Overlapping {
     add(meet, high);
   }
 
-  /// The axes do not meet: their widths may, nearest to each other at an end of one.
+  /// Handles axes that do not meet, whose widths may overlap: they are closest at an end of one.
   void add_beside(std::vector<StrokeOverlap>& all) const {
     const Point2 a = pixel(a_.from), b = pixel(a_.to), c = pixel(b_.from), d = pixel(b_.to);
     struct Nearest {
@@ -222,7 +222,7 @@ class Overlapping {
   const StrokePicture& picture_;
 };
 
-/// Where |start + t * slope| <= reach.
+/// The part with |start + t * slope| <= reach.
 std::optional<PartOfLine> within(double start, double slope, double reach) {
   if (slope == 0.0) {
     if (std::abs(start) > reach) return std::nullopt;
@@ -241,8 +241,8 @@ void widen(std::optional<PartOfLine>& all, double from, double to) {
 
 }  // namespace
 
-/// What is within reach is convex, so the part is one: from the first to the last point that is in
-/// one of two discs, or in the rectangle between them.
+/// The points within reach form a convex set, so the result is a single part: from the first to the
+/// last point in one of the two discs or the rectangle between them.
 std::optional<PartOfLine> part_within(const Point2& a, const Point2& b, const Point2& p,
                                       const Point2& q, double reach) {
   std::optional<PartOfLine> all;

@@ -30,8 +30,8 @@ struct StrokeOverlap {
   bool is_tie = false;      ///< equally near
   bool crosses = false;     ///< their axes meet in one point; otherwise only their widths overlap,
                             ///< or one axis runs along the other
-  /// Where, as fractions of each stroke's length, and the part of each that lies within half of
-  /// both widths of the other's axis.
+  /// The overlap's place, as fractions of each stroke's length, and the part of each that lies
+  /// within half of both widths of the other's axis.
   double at_far = 0.0, at_near = 0.0;
   PartOfLine of_far{0.0, 0.0}, of_near{0.0, 0.0};
 };

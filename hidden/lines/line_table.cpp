@@ -37,14 +37,15 @@ void check_name(const Primitives& items, const LineName& name) {
   }
 }
 
-/// Where it is 0 though some ends are within reach, that is much of the picture.
+/// Primitives::touching; infinite if that is 0 although some ends are within reach: the reach is
+/// then a large part of the picture.
 double touching_of(const Primitives& items) {
   if (items.ends == nullptr || items.touching > 0.0) return items.touching;
   return std::numeric_limits<double>::infinity();
 }
 
-/// Three triangles' double areas in the projection, none with sides that are longer along x and y
-/// than the box around all points.
+/// Bounds the double areas of three triangles in the projection, whose sides are no longer along x
+/// and y than the box around all points.
 double most_shares_of(const Primitives& items) {
   Rectangle all = Rectangle::nothing();
   for (const Point3& p : items.points) all.include(Point2(p));
@@ -118,7 +119,7 @@ Extent LineTable::extent_of(std::uint32_t item) const {
       include_on_plane(box, corner(item, k), support);
     }
   }
-  // Lines are compared with polygons beside which they are so close.
+  // Lines are compared with polygons that are at most this far beside them.
   constexpr double kOfRounding = 0x1p-50;
   const double off = std::max(off_lines().in_picture, off_lines().touching);
   const double beside_it = off > 0.0 ? off + kOfRounding : 0.0;
@@ -146,7 +147,7 @@ Extent LineTable::extent(const Line& line) const {
   return Extent::between(box.low, box.high);
 }
 
-/// A polygon of more than three sides need not be flat. Most are, but for rounding.
+/// A polygon of more than three sides need not be planar. Most are, except for rounding.
 void LineTable::find_uneven(int threads) {
   first_corner_.reserve(items_.items.size() + 1);
   std::uint32_t corners = 0;
@@ -184,7 +185,7 @@ bool LineTable::is_uneven(const LineName& side) const {
   return is_uneven_at(side.item, side.corner) || is_uneven_at(side.item, corner_before(side));
 }
 
-/// A side has as many depths as the polygons that share it give it.
+/// Adds a side once for each depth that the polygons sharing it give it.
 void LineTable::add_lines() {
   std::optional<SideTable> shared;
   if (!off_plane_.empty() && !names_.empty()) shared.emplace(items_);

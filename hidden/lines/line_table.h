@@ -150,13 +150,13 @@ class LineTable {
   const Primitives& items_;
   std::span<const LineName> names_;
   std::span<const IntersectionLine> intersections_;
-  std::vector<Point3> ends_;  // of the intersections, two of each
+  std::vector<Point3> ends_;  // two per intersection
   std::vector<Support> support_;
   std::vector<Extent> extents_;
   double touching_, most_shares_ = 0.0;
   /// How the vertex at each corner of the items is off the polygon's plane; empty: none is.
   std::vector<OffPlane> off_plane_;
-  std::vector<std::uint32_t> first_corner_;  // of the items, among those of all
+  std::vector<std::uint32_t> first_corner_;  // per item, among all items' corners
   std::vector<Line> lines_;
   std::vector<std::uint32_t> first_lines_;
 };

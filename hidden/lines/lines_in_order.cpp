@@ -18,10 +18,10 @@ namespace displayfile {
 
 namespace {
 
-/// A part of the picture: less is not seen, and no reason to count a line's end as cut off.
+/// A length in the picture: shorter parts are invisible, and do not make a line's end a cut.
 constexpr double kNoLength = 1e-9;
 
-/// Items, and after them an item for each intersection line, so that these have names too.
+/// Items, followed by one item per intersection line, so that these lines have names too.
 class ItemsAndIntersections {
  public:
   ItemsAndIntersections(const Primitives& items, std::span<const IntersectionLine> intersections)
@@ -41,13 +41,13 @@ class ItemsAndIntersections {
     }
   }
 
-  /// All of them, without what is drawn.
+  /// All items, without line kinds.
   Primitives primitives() const {
     if (intersections_.empty()) return items_;
     return {points_, corners_, {}, all_};
   }
   bool is_intersection(std::uint32_t item) const { return item >= items_.items.size(); }
-  /// The item whose line it is.
+  /// The item to which the line belongs.
   std::uint32_t item_of(std::uint32_t item) const {
     if (!is_intersection(item)) return item;
     return intersections_[item - items_.items.size()].item_b;
@@ -76,7 +76,7 @@ class ChainWriter {
         groups_(groups),
         all_(all) {}
 
-  /// Pieces in order of names, but for those that would be dots.
+  /// Adds pieces in order of names, except those that would be dots.
   void add(std::span<const VisiblePiece> pieces) {
     links_.clear();
     links_.reserve(pieces.size());
@@ -128,7 +128,7 @@ class ChainWriter {
     LineKinds kinds;
     LineCuts cuts;
   };
-  /// Whether a part of a line is missing that can be seen.
+  /// True if the missing part of a line is long enough to be visible.
   bool is_cut_off(const Point3& from, const Point3& to) const {
     return glm::distance(Point2(from), Point2(to)) > std::max(kNoLength, least_length_);
   }
@@ -150,7 +150,7 @@ std::vector<LineName> names_of(std::span<const LineToDraw> lines) {
   return names;
 }
 
-/// What is seen of the intersections, as pieces of the items that they are.
+/// The visible pieces of the intersections, named by their items.
 std::vector<VisiblePiece> seen_intersections(const ItemsAndIntersections& all,
                                              const SeenLines& seen) {
   std::vector<VisiblePiece> pieces;
@@ -162,7 +162,7 @@ std::vector<VisiblePiece> seen_intersections(const ItemsAndIntersections& all,
   return pieces;
 }
 
-/// What is hidden of lines and intersections.
+/// The hidden, uncovered pieces of lines and intersections.
 std::vector<HiddenPiece> uncovered_pieces_of(const FoundLines& found,
                                              const ItemsAndIntersections& all,
                                              std::span<const VisiblePiece> intersections) {
@@ -173,8 +173,8 @@ std::vector<HiddenPiece> uncovered_pieces_of(const FoundLines& found,
   return uncovered_pieces(all.primitives(), seen, hidden_pieces(names, seen));
 }
 
-/// `seen` are the lines' own pieces, or none of them. Intersections come after them, and no chain
-/// has pieces of both.
+/// `seen` are the lines' own visible pieces, or empty. Intersections follow them, and no chain
+/// mixes both.
 SortedPieces pieces_in_order(const Primitives& items, std::span<const std::uint32_t> groups,
                              const FoundLines& found, HiddenLines hidden_lines,
                              std::span<const VisiblePiece> seen) {

@@ -39,8 +39,8 @@ FoundLines find_lines(const Primitives& items, std::span<const std::int32_t> pic
 SortedPieces lines_in_order(const Primitives& items, std::span<const std::uint32_t> groups,
                             const FoundLines& found, HiddenLines hidden_lines);
 
-/// Those of them that are not sides of drawn fills, in the same order: hidden ones, and visible
-/// parts of intersection lines.
+/// The pieces among them that are not sides of drawn fills, in the same order: hidden ones, and
+/// visible parts of intersection lines.
 SortedPieces lines_beside_sides(const Primitives& items, std::span<const std::uint32_t> groups,
                                 const FoundLines& found, HiddenLines hidden_lines);
 

@@ -18,21 +18,22 @@ namespace {
 
 constexpr std::uint32_t kNoLine = std::numeric_limits<std::uint32_t>::max();
 
-/// A short line near another has the other's direction only by accident if it is turned by more.
+/// If the directions of a short line and of one near it differ by more, they do not belong
+/// together.
 constexpr double kMostTurned = 0x1p-16;
-/// The same where lines may be farther apart: times that distance.
+/// The same for lines that may be farther apart, as a multiple of that distance.
 constexpr double kTurnedByApart = 64.0;
 
-/// As far beyond its ends as a leader is long its supporting line is so many times less certain
-/// than between them.
+/// Uncertainty of a leader's supporting line at the leader's length beyond its ends, relative to
+/// the uncertainty between them.
 constexpr double kBeyond = 3.0;
 
-/// What rounding makes of a direction, and of a distance as a share of the largest coordinate: less
-/// than 2^-49.
+/// Bounds the rounding error of a direction, and of a distance as a fraction of the largest
+/// coordinate: these are below 2^-49.
 constexpr double kRounding = 0x1p-46;
 
-/// What a supporting line is about. Lines of nearly the same direction and distance can lie on each
-/// other.
+/// The approximate supporting line of a line. Only lines of nearly equal direction and distance can
+/// lie on each other.
 struct Support {
   double direction;  ///< radians, 0 to half a turn
   double distance;   ///< from the middle of all lines, on its left
@@ -49,19 +50,19 @@ double length_of(const LineOfPicture& line) {
   return std::hypot(line.to.x - line.from.x, line.to.y - line.from.y);
 }
 
-/// Leaders by cells of directions and distances, in which few lines are close to another cell.
-/// Those of a cell follow each other in memory.
+/// Leaders by cells of directions and distances, large enough that few lines are close to another
+/// cell. Leaders of one cell are adjacent in memory.
 class LeaderTable {
  public:
-  /// By how much the directions and distances of a line and its leader may differ, and how many
-  /// lines there are, at least 1.
+  /// The maximum differences of direction and of distance of a line and its leader, and the number
+  /// of lines, at least 1.
   LeaderTable(double directions, double distances, std::size_t lines)
       : directions_(directions),
         distances_(distances),
         first_(std::bit_ceil(lines) + 1, 0),
         place_(lines) {}
 
-  /// First there is room made for all lines that may be added,
+  /// Reserves room for a line that may be added later; called for all such lines first.
   void make_room_for(const Support& support, std::uint32_t line) {
     place_[line] = static_cast<std::uint32_t>(
         place_of_cell(cell(support.direction, directions_), cell(support.distance, distances_)));
@@ -73,20 +74,20 @@ class LeaderTable {
     end_ = first_;
     leaders_.resize(sum);
   }
-  /// and then some are.
+  /// Adds one of the lines with reserved room; called after begin().
   void add(const Support& support, std::uint32_t leader) {
     leaders_[end_[place_[leader]]++] = {support.direction, support.distance, leader};
   }
 
-  /// Calls visit with the leaders whose directions and distances differ by no more than these,
-  /// which are at most the table's; with some twice.
+  /// Calls visit for the leaders whose directions and distances differ by at most these, which must
+  /// not exceed the table's; for some twice.
   template <class Visit>
   void near(const Support& support, double directions, double distances, const Visit& visit) const {
     const auto around = [&](double direction, double distance) {
       visit_around({direction, distance}, directions, distances, visit);
     };
     around(support.direction, support.distance);
-    // Where half a turn begins and ends lines have two names.
+    // Lines close to either end of the half turn have two representations.
     if (support.direction <= directions) {
       around(support.direction + kHalfTurn, -support.distance);
     } else if (support.direction >= kHalfTurn - directions) {
@@ -104,7 +105,7 @@ class LeaderTable {
   };
 
   static double cell(double value, double part) { return std::floor(value / (kOfCell * part)); }
-  /// Other cells may have the same.
+  /// The hash table's place of a cell; several cells may share one.
   std::size_t place_of_cell(double direction, double distance) const {
     return hash_({direction, distance, 0.0}) & (first_.size() - 2);
   }
@@ -131,8 +132,8 @@ class LeaderTable {
 
   double directions_, distances_;
   SecretHash hash_;
-  std::vector<std::uint32_t> first_, end_;  // of the leaders in each place
-  std::vector<std::uint32_t> place_;        // of lines
+  std::vector<std::uint32_t> first_, end_;  // per place, among the leaders
+  std::vector<std::uint32_t> place_;        // per line
   std::vector<Leader> leaders_;
 };
 
@@ -162,7 +163,7 @@ class LeadingLines {
   }
 
  private:
-  /// From the longest to the shortest; `rank_` are the places in this order.
+  /// Sorts lines from the longest to the shortest; `rank_` are the positions in this order.
   void order_lines() {
     order_.resize(lines_.size());
     std::iota(order_.begin(), order_.end(), 0u);
@@ -177,8 +178,8 @@ class LeadingLines {
     for (std::uint32_t n = 0; n < order_.size(); ++n) rank_[order_[n]] = n;
   }
 
-  /// Lines of about one length, which have cells of one size: from those of that place on. Returns
-  /// where the next level begins.
+  /// Processes lines of similar length with cells of one size, beginning at that rank. Returns the
+  /// rank at which the next level begins.
   std::size_t find_leaders_of_level(std::size_t from) {
     constexpr double kOfLevel = 1.0 / 16.0;
     const double least_turned = 2.0 * kBeyond * apart_ / most_turned_;
@@ -198,13 +199,13 @@ class LeadingLines {
     return end;
   }
 
-  /// By how much directions of a line of that length and its leader may differ: the sine is at most
-  /// what both of its ends may be off, over its length.
+  /// The maximum angle between a line of that length and its leader: its sine is at most the sum of
+  /// both ends' errors over the length.
   double turned_of(double length) const {
-    constexpr double kOfSine = 1.02;  // so much more the angle is, which is below a fifth
+    constexpr double kOfSine = 1.02;  // bounds angle / sine for angles below a fifth
     return kOfSine * std::min(kBeyond * most_turned_, 2.0 * kBeyond * apart_ / length) + kRounding;
   }
-  /// The same of distances, of a line that has a point so far from the middle.
+  /// The maximum difference of distances, for a line with a point at this distance from the middle.
   double distances_of(double turned, double from_middle) const {
     return turned * from_middle + 2.0 * kBeyond * apart_;
   }

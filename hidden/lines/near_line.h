@@ -32,7 +32,7 @@ class NearLine {
   /// The line between two points that differ in the projection. For a short line the distance is at
   /// most 2^-10 of its length.
   NearLine(const Point3& a, const Point3& b, const OffLines& off) : a_(a), way_(b - a) {
-    constexpr double kLeast = 1e-290;  // of a square: what is divided by less may be infinite
+    constexpr double kLeast = 1e-290;  // of a square: dividing by less may overflow
     squared_ = way_.x * way_.x + way_.y * way_.y;
     if (!(squared_ > kLeast)) return;
     const double length = std::sqrt(squared_), most = 0x1p-10 * length;
@@ -57,7 +57,7 @@ class NearLine {
  private:
   Point3 a_{0.0}, way_{0.0};
   double squared_ = 0.0, in_depth_ = 0.0;
-  double in_picture_ = -1.0, touching_ = -1.0, farthest_ = -1.0;  // times the length
+  double in_picture_ = -1.0, touching_ = -1.0, farthest_ = -1.0;  // each times the length
 };
 
 }  // namespace displayfile

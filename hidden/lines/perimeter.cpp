@@ -19,7 +19,7 @@ namespace displayfile {
 
 namespace {
 
-/// The array of columns, which knows of all lines.
+/// The array of columns; it covers all columns and receives all lines.
 class WholeArray {
  public:
   struct Line {
@@ -48,8 +48,8 @@ struct PartlySeen {
   bool gave_up = false;  ///< then there are no pieces
 };
 
-/// Several parts of the columns, each with its perimeters, which know nothing of each other: a
-/// line's hidden parts are those that any of them finds. Meanwhile `beside` is done, too.
+/// Runs the method for several parts of the columns, each with its own independent perimeters: a
+/// line's hidden parts are those found by any of them. Also runs `beside`, in parallel.
 template <class MakePerimeters, class Beside>
 PartlySeen pieces_of(const GridSurface& surface, const NamedSides& named,
                      std::span<const LineName> names, std::size_t parts, const MakePerimeters& make,
@@ -146,7 +146,7 @@ SeenLines visible_lines_by_perimeter(const Primitives& items, std::span<const Li
     return by_franklin(items, names, plan);
   }
   const NamedSides named(surface, verticals, names, items);
-  SurfacePlan quietly = plan;  // progress is that of the surface
+  SurfacePlan quietly = plan;  // progress is reported for the surface only
   quietly.progress = {};
   std::vector<VisiblePiece> others;
   const auto find_others = [&] { others = pieces_by_franklin(items, named.others(), quietly); };

@@ -21,7 +21,7 @@
 
 namespace displayfile {
 
-/// Which part of a line some perimeters cover.
+/// The part of a line that some perimeters cover.
 enum class Known { nothing, part, all };
 
 /// Both perimeters, exact, in some of the columns.
@@ -192,7 +192,7 @@ class PerimeterMethod {
 
   /// Names of lines that are undecided, since others lie on them in the picture.
   const std::vector<std::uint32_t>& undecided() const { return undecided_; }
-  /// True if there were so many that it stopped: the general methods take less time.
+  /// True if it stopped because too many lines were undecided: the general methods are faster then.
   bool gave_up() const { return undecided_.size() > kFewUndecided + decided_ / kDecidedForEach; }
   const std::vector<SeenPart>& others() const { return others_; }
   /// The hidden parts of lines that extend beyond these perimeters, possibly several per line and

@@ -12,10 +12,11 @@ namespace displayfile {
 
 namespace {
 
-// So many are looked at together: at first, so that it is soon known how low a perimeter is.
+// Numbers of supports at which a column drops hidden ones: low at first, so that a floor is known
+// early.
 constexpr std::uint32_t kFirstSupports = 4, kFewSupports = 8;
 
-/// True if its height at some column may be wrong by more than any margin.
+/// True if the error of its height at some column may exceed any margin.
 bool is_steep(const PerimeterPolyline::Line& line) {
   constexpr double kSteep = 1e5;
   return std::abs(line.slope) > kSteep || line.from.x == line.to.x;
@@ -36,7 +37,7 @@ PerimeterPolyline::PerimeterPolyline(Bound bound, const GridSurface& surface,
   columns_.assign(range.end - range.first, {{}, kFirstSupports, kNoFloor});
 }
 
-/// Upside down for the lower perimeter, which so is an upper one.
+/// The line, mirrored for the lower perimeter, which is then an upper one.
 PerimeterPolyline::Line PerimeterPolyline::upright(const Line& line) const {
   return {line.p,
           line.q,
@@ -57,14 +58,14 @@ PerimeterPolyline::Support PerimeterPolyline::in_column(std::uint32_t column,
   return {line, low, high, std::min(at_low, at_high), std::max(at_low, at_high)};
 }
 
-/// True if all of one part lies below the other by more than any error.
+/// True if all of one part lies below the other by more than the error.
 inline bool PerimeterPolyline::is_within(const Support& one, const Support& other) const {
   return one.lowest < other.highest && other.low_x <= one.low_x && one.high_x <= other.high_x &&
          other.side.height_at(one.low_x) > one.side.height_at(one.low_x) + margin_ &&
          other.side.height_at(one.high_x) > one.side.height_at(one.high_x) + margin_;
 }
 
-/// True if all of the line that is in range is below the lowest that the perimeter is there.
+/// True if all of the line within the range is below the floors of its columns.
 bool PerimeterPolyline::is_below_floors(const Line& line) const {
   const double highest =
       (sign_ > 0.0 ? std::max(line.from.y, line.to.y) : -std::min(line.from.y, line.to.y)) +
@@ -76,7 +77,7 @@ bool PerimeterPolyline::is_below_floors(const Line& line) const {
   return true;
 }
 
-/// True if in each of the line's columns a side that is part of the perimeter lies above it.
+/// True if in each of the line's columns a side of the perimeter lies above it.
 bool PerimeterPolyline::is_covered(const Line& line) const {
   for (std::uint32_t k = line.first; k <= line.last; ++k) {
     const Support part = in_column(k, line);
@@ -115,8 +116,7 @@ bool PerimeterPolyline::find_within(const Line& along, bool runs_left,
   return in_line;
 }
 
-/// True if no part of the line is below the side, by more than any error but at ends that they
-/// share.
+/// True if no part of the line is below the side, by more than the error except at shared ends.
 bool PerimeterPolyline::is_clear_of(const Line& line, const Line& side) const {
   const double from = std::max(line.from.x, side.from.x);
   const double to = std::min(line.to.x, side.to.x);
@@ -127,8 +127,7 @@ bool PerimeterPolyline::is_clear_of(const Line& line, const Line& side) const {
          (line.q == side.q || line.height_at(to) > side.height_at(to) + margin_);
 }
 
-/// True if both lie on each other in the picture for more than a point, except for rounding and
-/// reach.
+/// True if both coincide in the picture along more than a point, up to rounding and reach.
 bool PerimeterPolyline::is_in_line(const Line& line, const Line& side) const {
   const double from = std::max(line.from.x, side.from.x);
   const double to = std::min(line.to.x, side.to.x);
@@ -148,13 +147,13 @@ bool PerimeterPolyline::is_in_line(const Line& line, const Line& side) const {
   return at_from <= layout_.in_line() && at_to <= layout_.in_line();
 }
 
-/// What of the line is beyond the side, where both have columns. The line's parameters are those
-/// from its first point, which is the right one if it runs left.
+/// Adds the part of the line that the side puts within the perimeter, where both have columns. The
+/// line's parameters start at its first point, which is the right one if `runs_left`.
 void PerimeterPolyline::find_within_one(const Line& line, bool runs_left, const Line& side,
                                         std::vector<PartOfLine>& parts) const {
   const Point2 l(surface_.point(line.p)), r(surface_.point(line.q));
   const Point2 p(surface_.point(side.p)), q(surface_.point(side.q));
-  // -1: the line is within the perimeter there.
+  // -1 at an end: the line is within the perimeter there.
   const int beyond = sign_ > 0.0 ? 1 : -1;
   const bool from_line = side.from.x <= line.from.x, to_line = side.to.x >= line.to.x;
   const int at_from = line.p == side.p ? 0
@@ -206,7 +205,7 @@ void PerimeterPolyline::extend(const Line& side) {
   }
 }
 
-/// Drops those that lie below others together. Two that are equally high do not drop each other.
+/// Drops supports that lie below the others combined. Two equally high ones do not drop each other.
 void PerimeterPolyline::drop_what_is_within(std::vector<Support>& supports) {
   for (std::size_t k = 0; k < supports.size();) {
     const Support& one = supports[k];
@@ -235,7 +234,7 @@ void PerimeterPolyline::drop_what_is_within(std::vector<Support>& supports) {
   }
 }
 
-/// The lowest of its supports, if they leave nothing of the column out; or what is known.
+/// The lowest of the column's supports, if they span the column; otherwise the known floor.
 double PerimeterPolyline::floor_of(std::uint32_t number) {
   const auto& [supports, drop_at, known] = column(number);
   within_.clear();

@@ -19,7 +19,7 @@ class PerimeterPolyline {
 
   using Line = LineInColumns;
 
-  /// For some of the columns. The arguments must outlive this.
+  /// A perimeter for some of the columns. The arguments must outlive this.
   PerimeterPolyline(Bound bound, const GridSurface& surface, const Verticals& verticals,
                     const SurfaceColumns& columns, const SurfaceColumns::Range& range);
 

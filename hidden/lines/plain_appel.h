@@ -21,15 +21,15 @@ namespace displayfile {
 /// from 0 to 1.
 struct UnobservedAppel {
   using Line = LineTable::Line;
-  /// The counts at the line's start, by comparison with all polygons there,
+  /// The counts at the line's start, by comparison with all polygons there.
   static void ray(const Line& /*line*/, const SideCounts& /*start*/) {}
-  /// or from the known number of the point where it begins or ends.
+  /// The same, from the known number of the point where the line begins or ends.
   static void carried(const Line& /*line*/, bool /*by_start*/, std::int32_t /*known*/,
                       const SideCounts& /*start*/) {}
   /// The counts up to the next change, and the change at the part's beginning.
   static void part(const Line& /*line*/, const PartOfLine& /*part*/, const SideCounts& /*counts*/,
                    const SideCounts& /*by*/) {}
-  /// Compared with an uncounted polygon, or with all, since the line is close to corners.
+  /// The line is compared with an uncounted polygon, or with all, since it is close to corners.
   static void compared(const Line& /*line*/, std::uint32_t /*polygon*/, bool /*with_all*/) {}
   /// The number at its start or end is now known.
   static void noted(const Line& /*line*/, const std::vector<double>& /*shares*/) {}

@@ -10,7 +10,7 @@
 
 namespace displayfile {
 
-/// How much of a line an object as a whole hides.
+/// The part of a line that an object as a whole hides.
 enum class ObjectHides { nothing, all, some };
 
 /// Null observer; compiles to nothing.
@@ -26,7 +26,7 @@ struct RobertsUnobserved {
 template <class Policy, class Observer = RobertsUnobserved>
 class Roberts {
  public:
-  /// The tree is of the objects' extents.
+  /// `tree` must contain the objects' extents.
   Roberts(const LineTable& scene, const ConvexObjects& objects, const ExtentTree& tree,
           const Policy& policy, const Observer& observer = {})
       : scene_(scene),

@@ -39,8 +39,8 @@ SideTable::SideTable(const Primitives& items, std::vector<std::uint32_t> vertice
   find(items);
 }
 
-/// Counted, then put in the lists, and each list in order: no list is long but of a point where
-/// very many sides meet.
+/// Counts the sides, lists them by lower point, and sorts each list. Lists are short, except at a
+/// point where very many sides meet.
 void SideTable::find(const Primitives& items) {
   assert(same_.size() == items.points.size());
   first_.assign(items.points.size() + 1, 0);

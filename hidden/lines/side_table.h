@@ -54,7 +54,7 @@ class SideTable {
   void find_low_ends_of_drawn(const Primitives& items);
   void find(const Primitives& items);
 
-  std::vector<std::uint32_t> same_;  // of each point its vertex
+  std::vector<std::uint32_t> same_;  // per point, its vertex
   std::vector<std::uint32_t>
       first_;  // per point, the start of the list of sides with it as the lower point
   std::vector<Side> sides_;

@@ -38,7 +38,7 @@ int simple_turning(std::size_t sides, const At& at) {
   const int convex = convex_turning(sides, turn, direction);
   if (convex != 0 || sides <= 3 || sides > kMostSides) return convex;
   const auto after = [&](std::size_t k) { return next_corner(k, sides); };
-  std::size_t first = 0;  // by x, then y
+  std::size_t first = 0;  // first by x, then y
   for (std::size_t i = 0; i < sides; ++i) {
     const std::size_t j = after(i), k = after(j);
     if (direction(i, j) == 0) return 0;

@@ -16,13 +16,13 @@ namespace {
 
 using Node = std::uint32_t;  // a part of a stroke
 
-/// Where a stroke is cut so that its parts can be drawn at different times. The part drawn first
-/// reaches over the cut by `lap`, so that no gap shows between them.
+/// A place where a stroke is cut so that its parts can be drawn at different times. The part drawn
+/// first extends over the cut by `lap`, so that no gap is visible.
 struct OrderCut {
   double at, lap;
 };
 
-/// One overlap as a stroke has it.
+/// One stroke's share of an overlap.
 struct Mark {
   double at;
   PartOfLine zone;
@@ -30,7 +30,7 @@ struct Mark {
   std::uint32_t overlap;
 };
 
-/// The strokes' parts, and which of them follow which.
+/// The strokes' parts, and their drawing order.
 class DepthOrder {
  public:
   DepthOrder(std::span<const DeepStroke> strokes, const StrokePicture& picture,
@@ -42,7 +42,7 @@ class DepthOrder {
         cuts_(strokes.size()) {}
 
   std::vector<PartByDepth> parts() {
-    constexpr int kRounds = 16;  // each cuts what is left in circles; one is enough nearly always
+    constexpr int kRounds = 16;  // each cuts the remaining cycles; one round nearly always suffices
     find_parts();
     find_edges();
     for (int round = 0; round < kRounds && cut_circles(); ++round) {
@@ -56,12 +56,12 @@ class DepthOrder {
   struct Part {
     std::uint32_t stroke;
     double from, to;
-    bool gap_before, gap_after;  // left out there, not only cut
+    bool gap_before, gap_after;  // gaps at its ends, not only cuts
   };
 
   // ---- Parts ---------------------------------------------------------------------------------
 
-  /// What gaps and cuts leave of each stroke, in order along it.
+  /// Finds the parts of each stroke between gaps and cuts, in order along it.
   void find_parts() {
     parts_.clear();
     first_.assign(1, 0);
@@ -90,7 +90,7 @@ class DepthOrder {
     parts_.push_back({stroke, from, to, gap_before, gap_after});
   }
 
-  /// Calls visit(part) for the parts of a stroke that the zone of an overlap reaches.
+  /// Calls visit(part) for the parts of a stroke that meet the zone of an overlap.
   template <class Visit>
   void for_each_part(std::uint32_t stroke, double at, const PartOfLine& zone, const Visit& visit) {
     const auto begin = parts_.begin() + first_[stroke], end = parts_.begin() + first_[stroke + 1];
@@ -104,7 +104,7 @@ class DepthOrder {
     }
   }
 
-  // ---- Which part follows which --------------------------------------------------------------
+  // ---- The order of parts --------------------------------------------------------------------
 
   bool orders(const StrokeOverlap& o) const {
     return !o.is_tie || strokes_[o.far].look != strokes_[o.near].look;
@@ -143,12 +143,12 @@ class DepthOrder {
     return into;
   }
 
-  // ---- Circles -------------------------------------------------------------------------------
+  // ---- Cycles --------------------------------------------------------------------------------
 
   static constexpr std::uint32_t kNoCircle = 0xffffffffu;
 
-  /// For each part a number of those that follow each other in a circle with it, or kNoCircle.
-  /// Tarjan's strongly connected components, with a stack of its own.
+  /// For each part the number of its cycle of parts that must follow each other, or kNoCircle.
+  /// Tarjan's strongly connected components, with an explicit stack.
   std::vector<std::uint32_t> circles() const {
     struct Visit {
       Node node;
@@ -197,8 +197,8 @@ class DepthOrder {
     return circle;
   }
 
-  /// Cuts strokes in circles between where they follow others and where others follow them: then no
-  /// part does both. False if there is nothing to be cut.
+  /// Cuts strokes in cycles between the places where they must be drawn later than others and
+  /// earlier than others, so that no part must be both. False if there is nothing to cut.
   bool cut_circles() {
     const std::vector<std::uint32_t> circle = circles();
     if (std::ranges::all_of(circle, [](std::uint32_t c) { return c == kNoCircle; })) return false;
@@ -246,7 +246,7 @@ class DepthOrder {
     return any;
   }
 
-  /// An overlap orders only the part at its own side of a cut.
+  /// An overlap only orders the part on its own side of a cut.
   void keep_beside_cuts(std::uint32_t stroke, double at, PartOfLine& zone) const {
     for (const OrderCut& cut : cuts_[stroke]) {
       if (at < cut.at) {
@@ -259,8 +259,8 @@ class DepthOrder {
 
   // ---- The order -----------------------------------------------------------------------------
 
-  /// Each part after those that it follows: the next of the strokes as they are given, or else the
-  /// first that is left. In a circle that could not be cut the first goes first.
+  /// Orders the parts so that each comes after those that it must follow: among free parts, the
+  /// first in the given order of strokes. In a cycle that could not be cut, the first goes first.
   std::vector<PartByDepth> in_order() {
     std::vector<std::uint32_t> into = edges_into();
     std::priority_queue<Node, std::vector<Node>, std::greater<>> free;
@@ -313,15 +313,15 @@ class DepthOrder {
   const StrokePicture& picture_;
   std::vector<StrokeOverlap> overlaps_;
   std::vector<std::vector<PartOfLine>> gaps_;
-  std::vector<std::vector<OrderCut>> cuts_;  // of each stroke, in order along it
+  std::vector<std::vector<OrderCut>> cuts_;  // per stroke, in order along it
   std::vector<Part> parts_;
-  std::vector<Node> first_;  // of each stroke's parts; and the end
+  std::vector<Node> first_;  // per stroke, among the parts; and the end
   std::vector<Edge> edges_;
-  std::vector<std::size_t> first_edge_;  // of each part; and the end
+  std::vector<std::size_t> first_edge_;  // per part; and the end
   WorkSteps steps_;
 };
 
-/// Gaps may begin or end by rounding at an end of a stroke: that end goes too.
+/// Extends gaps that begin or end at a stroke's end except for rounding to that end.
 void close_at_ends(std::vector<PartOfLine>& gaps) {
   constexpr double kBesideEnd = 1e-9;
   for (PartOfLine& gap : gaps) {

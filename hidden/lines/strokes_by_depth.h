@@ -14,7 +14,7 @@ struct PartByDepth {
   std::uint32_t stroke;
   double from, to;
   LineCuts cuts;         ///< the ends at which another stroke cuts it
-  bool is_between_gaps;  ///< what halos leave of a stroke's middle
+  bool is_between_gaps;  ///< a part of a stroke's middle between halos
 };
 
 /// Nearer strokes after farther ones (hidden/lines/strokes_by_depth.md): where two cross, or where

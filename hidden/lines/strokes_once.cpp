@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// Those of a length are drawn; dots are as they were entered.
+/// The drawn parts of strokes with a length; dots are kept as entered.
 std::vector<DrawnPart> parts_of(std::span<const StrokeOfPicture> strokes, double apart) {
   std::vector<LineOfPicture> lines;
   std::vector<RankedPiece> pieces;

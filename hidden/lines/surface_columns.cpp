@@ -10,7 +10,7 @@ SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& vert
     : surface_(surface), verticals_(verticals) {
   const Rectangle box = verticals.box();
   const double width = box.x_max - box.x_min;
-  // A column is as wide as a side, on the average.
+  // A column is as wide as an average side.
   double widths = 0.0;
   std::uint32_t sides = 0;
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
@@ -31,7 +31,7 @@ SurfaceColumns::SurfaceColumns(const GridSurface& surface, const Verticals& vert
   width_ = width / count;
   per_width_ = has_width ? count / width : 0.0;
   const double size = std::abs(box.y_min) + std::abs(box.y_max) + width;
-  // A coordinate is off by its rounding, and a plane within reach may be turned by as much.
+  // Coordinates have rounding errors, and the reach may turn a plane by a similar error.
   constexpr double kOfRounding = 0x1p-48, kOfTouching = 16.0;
   in_line_ = std::max(kOfRounding, kOfTouching * touching);
   margin_ = std::max(1e-9 * size, 2.0 * verticals.largest_scale() * in_line_);

@@ -31,7 +31,7 @@ class SurfaceColumns {
     const double column = (x - left_) * per_width_;
     return static_cast<std::uint32_t>(std::clamp(column, 0.0, static_cast<double>(size_ - 1)));
   }
-  /// Between two points of the surface.
+  /// The line between two points of the surface.
   LineInColumns line_between(std::uint32_t a, std::uint32_t b) const {
     Point2 from = verticals_.in_columns(a), to = verticals_.in_columns(b);
     if (from.x > to.x) {

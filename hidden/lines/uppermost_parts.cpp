@@ -32,10 +32,10 @@ class UppermostParts {
   }
 
  private:
-  /// The pieces of a line that are of one group, by their numbers.
+  /// Consecutive pieces of one line and one group, by number.
   struct Run {
     std::uint32_t first, end;
-    std::uint32_t leader, group;  ///< which line it lies on
+    std::uint32_t leader, group;  ///< the leader on which the line lies; the pieces' group
   };
 
   static bool are_on_one_line(const Run& a, const Run& b) {
@@ -74,7 +74,7 @@ class UppermostParts {
 
   // ---- Pieces on one line ------------------------------------------------------------------
 
-  /// A piece by places along the line: coordinates along x, or y if it is steep.
+  /// A piece as a range along the line: of x, or of y if it is steep.
   struct Placed {
     double low, high;
     std::uint32_t piece;
@@ -94,7 +94,7 @@ class UppermostParts {
   void place(std::uint32_t piece) {
     const auto& [line, share_from, share_to, rank, group, is_wanted] = pieces_[piece];
     const double from = place_on(lines_[line], share_from), to = place_on(lines_[line], share_to);
-    if (from == to) return leave(piece);  // for rounding
+    if (from == to) return leave(piece);  // equal after rounding
     const auto index = static_cast<std::uint32_t>(placed_.size());
     placed_.push_back({std::min(from, to), std::max(from, to), piece});
     events_.push_back({placed_.back().low, index, true});
@@ -119,8 +119,8 @@ class UppermostParts {
     sweep();
   }
 
-  /// From place to place along the line: of the pieces that are there the one of the lowest rank is
-  /// drawn, the first of equal ones.
+  /// Sweeps along the line: where several pieces overlap, the one of the lowest rank is drawn, the
+  /// first of equal ones.
   void sweep() {
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> here;  // rank, piece, placed
     std::uint32_t drawn = kNothing;
@@ -142,8 +142,8 @@ class UppermostParts {
     assert(here.empty() && drawn == kNothing);
   }
 
-  /// Adds what is drawn of a piece. A crumb that is no longer than lines may be apart, or than the
-  /// rounding of its ends, is no part.
+  /// Adds a drawn part of a piece, unless it is a crumb: no longer than lines may be apart, or than
+  /// the rounding error of its ends.
   void add_part(const Placed& placed, double low, double high) {
     constexpr double kRoundingOfEnds = 0x1p-46;
     const RankedPiece& whole = pieces_[placed.piece];

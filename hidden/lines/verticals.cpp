@@ -5,7 +5,7 @@
 namespace displayfile {
 
 Verticals::Verticals(const GridSurface& surface) : upward_(surface.upward()) {
-  // What is farther up by the whole depth of the picture is moved in it by less than any error.
+  // Below this, a vertical as long as the picture is deep moves less than any error in the picture.
   constexpr double kNoDirection = 1e-12;
   are_points_ =
       upward_.w == 0.0 && std::hypot(upward_.x, upward_.y) <= kNoDirection * std::abs(upward_.z);
@@ -19,7 +19,7 @@ Verticals::Verticals(const GridSurface& surface) : upward_(surface.upward()) {
   across_ = {up_.y, -up_.x};
   in_columns_.reserve(surface.points());
   for (std::uint32_t k = 0; k < surface.points(); ++k) {
-    constexpr double kTogether = 1e-3;  // of how far apart they are in the middle
+    constexpr double kTogether = 1e-3;  // relative to their separation in the middle
     const Place at = place(Point2(surface.point(k)));
     if (!(at.over > kTogether * length)) return;
     in_columns_.emplace_back(at.across / at.over * length, at.along / at.over * length);

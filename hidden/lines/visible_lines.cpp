@@ -26,7 +26,8 @@ class LinesOfCells {
                std::span<const std::int32_t> picks, std::vector<LineToDraw>& lines)
       : surface_(surface), items_(items), picks_(picks), lines_(lines) {}
 
-  /// In order of corners: those of the triangle at (i + 1, j), then of the other one.
+  /// Adds the lines in order of corners: those of the triangle at (i + 1, j), then those of the
+  /// other.
   void add_cell(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t one = surface_.first_triangle(i, j), other = one + 1;
     const std::uint32_t of_row = 2 * surface_.columns();
@@ -45,7 +46,7 @@ class LinesOfCells {
   }
 
  private:
-  /// A side, and the same as the polygon beside it has it. It is there once, as the first's that
+  /// Adds a side, which the polygon beside it has as `beside`, unless that polygon comes first and
   /// draws it.
   void add(const LineName& name, const LineName& beside, const Point3& from, const Point3& to) {
     const LineKinds own = kinds(name);
@@ -80,7 +81,7 @@ void add_lines_of(const GridSurface& surface, const Primitives& items,
   }
 }
 
-/// What is known of a side; kinds 0: it is not drawn, or as another polygon's.
+/// The look of a side; kinds 0: not drawn, or drawn as another polygon's.
 struct SideLook {
   LineKinds kinds = 0;
   std::uint32_t pick_item = 0;
@@ -97,7 +98,7 @@ SideLook shared_look(const Primitives& items, std::span<const SideTable::Side> s
   return look;
 }
 
-/// Looks of the sides of all items, each at the first item that draws it.
+/// The looks of the sides of all items, each stored at the first item that draws the side.
 class SideLooks {
  public:
   SideLooks(const Primitives& items, std::span<const std::int32_t> picks)
@@ -130,11 +131,11 @@ class SideLooks {
 
   const Primitives& items_;
   std::span<const std::int32_t> picks_;
-  std::vector<std::size_t> first_;  // side of each item, among those of all
+  std::vector<std::size_t> first_;  // per item, its first side among all items' sides
   std::vector<SideLook> looks_;
 };
 
-/// What messages say of a method that finds lines.
+/// The names of a line method and of an alternative, for messages.
 WorkDone work_of(HiddenMethod method) {
   constexpr const char* kFranklin = "hidden-line method franklin";
   switch (method) {
@@ -173,7 +174,7 @@ std::vector<LineToDraw> lines_to_draw(const Primitives& items, std::span<const s
       for (std::uint32_t corner = 0; corner < items.items[i].sides; ++corner) {
         add({i, corner}, (*looks)[{i, corner}]);
       }
-    } else {  // all the others are lines
+    } else {  // the only polygons are the surface's
       add_lines_of(*surface, items, picks, lines);
       i += 2 * surface->columns() * surface->rows() - 1;
     }

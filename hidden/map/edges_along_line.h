@@ -154,7 +154,7 @@ class EdgesAlongLine {
     return is_of_owners(is_owner(left), is_owner(right));
   }
 
-  /// Updates the visibility of the owners, and the minimum depth of what is visible.
+  /// Updates the visibility of the owners, and the minimum depth of visible polygons.
   void update() {
     std::array<bool, 2> any{};
     float least = std::numeric_limits<float>::infinity();

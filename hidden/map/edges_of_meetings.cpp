@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// Finds the edges on one intersection line after the other.
+/// Finds the edges on intersection lines, one line at a time.
 class MeetingFinder {
   using Edges = EdgesAlongLine<MeetingCarrier>;
   using Seen = SeenAlongLine<MeetingCarrier>;
@@ -48,7 +48,7 @@ class MeetingFinder {
 
 std::vector<MapEdge> edges_of_meetings(const MapTable& map, int threads) {
   constexpr std::size_t kMeetingsOfAPart = 64;
-  std::vector<std::uint32_t> contested;  // nothing passes visibly through what is seen as a whole
+  std::vector<std::uint32_t> contested;  // nothing visible intersects an entirely visible polygon
   for (std::uint32_t i = 0; i < map.lines.items(); ++i) {
     if (map.faces[i] == SeenFaces::Seen::some) contested.push_back(i);
   }

@@ -20,7 +20,7 @@ using SameSides = std::span<const SideTable::Side>;
 struct SharedSide {
   std::uint32_t low, high;
   SameSides same;
-  bool is_edge = false;  ///< between two polygons that are seen as a whole
+  bool is_edge = false;  ///< between two entirely visible polygons
 };
 
 SharedSide shared_side(const MapTable& map, SameSides same) {
@@ -31,15 +31,15 @@ SharedSide shared_side(const MapTable& map, SameSides same) {
   return {std::min(p, q), std::max(p, q), same, false};
 }
 
-/// 1 if a polygon that is counted has its inside left of the side, -1 if right, 0 if it is not
-/// known.
+/// 1 if a counted polygon has its inside left of the side, -1 if right, 0 if the polygon is not
+/// counted.
 int inside_of(const MapTable& map, const ContourEdges& ways, const SharedSide& side,
               const LineName& name) {
   const std::uint32_t end = map.sides.vertex(map.lines.corner_point(name.item, name.corner));
   return end == side.high ? ways.way(name.item) : -ways.way(name.item);
 }
 
-/// The edge that a side is as a whole.
+/// The edge formed by a whole side.
 MapEdge whole_edge(const MapTable& map, const ContourEdges& ways, const SharedSide& side) {
   const Point2 low(map.lines.point(side.low)), high(map.lines.point(side.high));
   const std::uint32_t one = side.same[0].name.item, other = side.same[1].name.item;
@@ -48,7 +48,7 @@ MapEdge whole_edge(const MapTable& map, const ContourEdges& ways, const SharedSi
           is_left ? one : other,        is_left ? other : one};
 }
 
-/// Finds the edges on one side after the other.
+/// Finds the edges on sides, one side at a time.
 class SideFinder {
   using Edges = EdgesAlongLine<SideCarrier>;
   using Seen = SeenAlongLine<SideCarrier>;
@@ -77,7 +77,7 @@ class SideFinder {
   }
 
  private:
-  /// The box of a side, at the depths of its owners' planes too.
+  /// The box of a side, extended to the depths of its owners' planes.
   Extent with_owners(Extent box, const SharedSide& side) const {
     if (map_.lines.all_even()) return box;
     for (const auto& [high, name] : side.same) {
@@ -86,7 +86,7 @@ class SideFinder {
     }
     return box;
   }
-  /// What is seen as a whole is seen all along its sides.
+  /// An entirely visible polygon is visible along all of its sides.
   void begin_with_whole(const SharedSide& side, const LineName& name) {
     if (!map_.faces.is_all_seen(name.item)) return;
     const bool is_left = inside_of(map_, ways_, side, name) > 0;
@@ -100,9 +100,9 @@ class SideFinder {
   std::vector<std::uint32_t> owners_;
 };
 
-/// The sides of what may be seen, but for those between two polygons that are seen as a whole:
-/// these are edges, which are added. Of those found where polygons are not even the edges come
-/// later, in order of sides.
+/// The sides of polygons that may be visible, except those between two entirely visible polygons:
+/// these are whole edges, and are added. Whole edges found near uneven polygons are added later, in
+/// order of sides.
 std::vector<SharedSide> sides_to_look_at(const MapTable& map, const ContourEdges& ways,
                                          std::vector<MapEdge>& edges) {
   using enum SeenFaces::Seen;
@@ -136,7 +136,7 @@ std::vector<MapEdge> edges_on_sides(const MapTable& map, const ContourEdges& way
   places.reserve(sides.size());
   for (const SharedSide& side : sides) places.emplace_back(map.lines.point(side.low));
   const std::vector<std::uint32_t> order = map.grid.by_cell(places);
-  // The edges of a part of that order, and whose they are.
+  // The edges found per part of that order, and the range of each side.
   std::vector<std::vector<MapEdge>> found((sides.size() + kSidesOfAPart - 1) / kSidesOfAPart);
   struct OfSide {
     std::uint32_t part, first, end;

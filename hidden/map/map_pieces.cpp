@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// An edge as the outline of what is seen on its left.
+/// An edge as part of the outline of the item visible on its left.
 struct Side {
   std::uint32_t from, to;
 };
@@ -50,19 +50,19 @@ class SidesOfItems {
   std::vector<Side> sides_;
 };
 
-/// Follows the sides of one item's parts after the other's.
+/// Follows the sides of items' parts, one item at a time.
 class Outlines {
  public:
   Outlines(const Primitives& items, const VisibleMap& map) : map_(map), ways_(items, map) {}
 
-  /// The vertices of a closed line that has the part on its left, no two in a row rounded alike,
-  /// and none from which it goes back to where it came from.
+  /// The vertices of a closed line with the part on its left. No two successive vertices are
+  /// rounded alike, and at none the line turns back to the previous vertex.
   struct Loop {
     std::vector<std::uint32_t> vertices;
-    double area;  ///< twice; negative: of a hole
+    double area;  ///< twice the area; negative for a hole
   };
 
-  /// The parts: an outline each, with its holes joined to it.
+  /// The parts of an item: one outline each, joined to its holes.
   const std::vector<Loop>& parts_of(std::span<Side> sides) {
     find_loops(sides);
     parts_.clear();
@@ -97,14 +97,14 @@ class Outlines {
     }
   }
 
-  /// From a side on, until it is come back to.
+  /// Follows the line from a side until it closes.
   void follow(std::span<const Side> sides, std::size_t start) {
     std::vector<std::uint32_t> vertices;
     for (std::size_t k = start; k < sides.size() && used_[k] == 0; k = next_of(sides, k)) {
       used_[k] = 1;
       const std::uint32_t vertex = sides[k].to;
       if (vertices.size() > 1 && at(vertices.end()[-2]) == at(vertex)) {
-        vertices.pop_back();  // what lies between there and back is nothing but rounding
+        vertices.pop_back();  // the detour there and back is due to rounding
       } else if (vertices.empty() || at(vertices.back()) != at(vertex)) {
         vertices.push_back(vertex);
       }
@@ -115,7 +115,7 @@ class Outlines {
     loops_.push_back({std::move(vertices), area});
   }
 
-  /// The same where the line comes back to its start.
+  /// Removes the same cases where the line returns to its start.
   void close(std::vector<std::uint32_t>& vertices) const {
     std::size_t first = 0;
     while (vertices.size() > first + 2) {
@@ -131,8 +131,8 @@ class Outlines {
     vertices.erase(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
-  /// Where several go on, the one that keeps to the same part: the first clockwise from where the
-  /// side came.
+  /// The next side. If several start at the vertex, it is the first clockwise from the way back,
+  /// which keeps to the same part.
   std::size_t next_of(std::span<const Side> sides, std::size_t k) const {
     const auto begin = std::ranges::lower_bound(sides, sides[k].to, {}, &Side::from);
     const auto end = std::ranges::upper_bound(sides, sides[k].to, {}, &Side::from);
@@ -169,7 +169,7 @@ class Outlines {
       if (smaller && (parts_.size() == 1 || has_hole_inside(part.vertices))) around = &part;
     }
     if (around == nullptr) return;
-    // From its first vertex to the closest one.
+    // Joined from its lowest vertex to the closest one of the outline.
     const auto lowest = std::ranges::min_element(hole, [&](std::uint32_t v, std::uint32_t w) {
       return std::pair(at(v).x, at(v).y) < std::pair(at(w).x, at(w).y);
     });
@@ -183,7 +183,7 @@ class Outlines {
     joined_.insert(joined_.end(), lowest, hole.end());
     joined_.insert(joined_.end(), hole.begin(), lowest + 1);
     joined_.insert(joined_.end(), closest, outline.end());
-    if (at(*closest) == at(*lowest)) {  // they touch: no way between
+    if (at(*closest) == at(*lowest)) {  // they touch: no connecting side
       joined_.clear();
       joined_.insert(joined_.end(), outline.begin(), closest);
       joined_.insert(joined_.end(), lowest, hole.end());
@@ -193,8 +193,8 @@ class Outlines {
     std::swap(outline, joined_);
   }
 
-  /// The middles of a hole's three longest sides. A corner may touch the outline, and rounding may
-  /// have put it beyond that.
+  /// Finds the middles of a hole's three longest sides. A corner may touch the outline, and
+  /// rounding may have put it outside.
   void find_middles(const std::vector<std::uint32_t>& hole) {
     assert(hole.size() >= 3);
     middles_.clear();
@@ -211,8 +211,9 @@ class Outlines {
                       });
   }
 
-  /// Whether two of those three are inside. If a side runs along the outline within rounding, it is
-  /// one of the three, or what two of them enclose is nothing but rounding.
+  /// True if at least two of the three middles are inside. If a side runs along the outline within
+  /// rounding, its middle is only one of the three, or the area that the other two enclose is due
+  /// to rounding.
   bool has_hole_inside(const std::vector<std::uint32_t>& outline) const {
     assert(middles_.size() >= 3);
     const bool first = is_inside(outline, middles_[0].at);
@@ -240,7 +241,7 @@ class Outlines {
   std::vector<Middle> middles_;
 };
 
-/// Makes pieces of parts.
+/// Makes the pieces of items' parts.
 class PieceMaker {
  public:
   PieceMaker(const Primitives& items, const VisibleMap& map, SortedPieces& sorted)
@@ -286,7 +287,7 @@ class PieceMaker {
   const VisibleMap& map_;
   SortedPieces& sorted_;
   std::uint32_t item_ = VisibleMap::kNothing;
-  std::vector<Point3> points_;  // of the item
+  std::vector<Point3> points_;  // of the current item
   Plane plane_;
 };
 

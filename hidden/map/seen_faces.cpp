@@ -12,10 +12,10 @@ namespace displayfile {
 
 namespace {
 
-/// Cells are looked up for a triangle that is no more than so many long.
+/// A triangle is looked up in cells if it is at most this many cells long.
 constexpr double kMostCellsToLookUp = 16.0;
 
-/// Looks at one polygon after the other, among those that are near it.
+/// Determines the visibility of polygons, one at a time, among those near each.
 class FaceFinder {
  public:
   FaceFinder(const LineTable& scene, const ContourEdges& ways, const CellGrid& grid)
@@ -39,7 +39,7 @@ class FaceFinder {
   }
 
  private:
-  /// True if all of a triangle is behind what blocks the finest level's cells that it is in.
+  /// True if all of a triangle is behind the blocking faces of its cells of the finest level.
   bool is_behind_cells(std::uint32_t item) const {
     const CellGrid::Level& level = grid_.levels()[0];
     const int way = ways_.way(item);
@@ -86,7 +86,7 @@ class FaceFinder {
     return true;
   }
 
-  /// What is known from all polygons near it, one by one.
+  /// Determines the visibility from each of the polygons near it.
   SeenFaces::Seen look_around() {
     using enum SeenFaces::Seen;
     const Extent& box = scene_.extent(item_);
@@ -116,13 +116,13 @@ class FaceFinder {
     return seen;
   }
 
-  /// True if a side parts the two in the projection.
+  /// True if a side separates both in the projection.
   bool is_beside(std::uint32_t other) const {
     return parts(item_, ways_.way(item_), other) ||
            (ways_.way(other) != 0 && scene_.sides(other) == 3 &&
             parts(other, ways_.way(other), item_));
   }
-  /// True if all of the other is on the outer side of a side of a convex polygon.
+  /// True if all of the other polygon is on the outer side of a side of a convex one.
   bool parts(std::uint32_t convex, int way, std::uint32_t other) const {
     const std::uint32_t sides = scene_.sides(convex);
     Point2 p(scene_.corner(convex, sides - 1));
@@ -143,7 +143,7 @@ class FaceFinder {
     return true;
   }
 
-  /// is_behind, if no exact arithmetic is needed to tell.
+  /// True if is_behind is true without exact arithmetic.
   bool is_clearly_behind(std::uint32_t other) const {
     bool any = false;
     for (std::uint32_t k = 0; k < scene_.sides(other); ++k) {
@@ -155,7 +155,8 @@ class FaceFinder {
     }
     return any && (ways_.is_even(other) || is_behind(other));
   }
-  /// The same as is_behind, of one that is not even: its own plane has its depths. Filtered only.
+  /// The same as is_behind for an uneven polygon, whose depths are those of its own plane. By the
+  /// filter only.
   bool is_behind_by_planes(std::uint32_t other) const {
     if (ways_.is_even(other)) return false;
     const Plane of_other = scene_.plane(other);
@@ -165,7 +166,7 @@ class FaceFinder {
     }
     return true;
   }
-  /// True if all of the other is behind the plane, but not all in it.
+  /// True if all of the other polygon is behind the plane, and not all of it in the plane.
   bool is_behind(std::uint32_t other) const {
     bool any = false;
     for (std::uint32_t k = 0; k < scene_.sides(other); ++k) {

@@ -11,7 +11,7 @@ namespace displayfile {
 
 namespace {
 
-/// Numbers the vertices of edges, and joins what goes on through a vertex where nothing else ends.
+/// Numbers the vertices of edges, and notes those through which an edge may continue (join_edges).
 void add_edges(const std::vector<MapEdge>& found, MapVertices& vertices, VisibleMap& map) {
   for (const MapEdge& edge : found) {
     const std::uint32_t from = vertices.number(edge.from, edge.at_from);

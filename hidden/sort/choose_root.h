@@ -42,7 +42,7 @@ class RootChooser {
     for (const Index i : members) {
       if (scene_.hides(i)) candidates_.push_back(i);
     }
-    if (candidates_.empty()) return {kNone, kNoPlane};  // what hides nothing needs no order
+    if (candidates_.empty()) return {kNone, kNoPlane};  // members that hide nothing need no order
     thin_out(candidates_, kCandidates);
     choose_tested(members);
     Root best{kNone, kNoPlane};

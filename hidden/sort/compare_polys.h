@@ -141,7 +141,7 @@ class ComparePolys {
     return signs.side();
   }
 
-  /// By the kept signs of the polygon compared last, with this many sides.
+  /// Decides by the kept signs of the polygon compared last, with this many sides.
   bool lies_on_both_sides(std::uint32_t sides) const {
     Signs signs;
     for (const std::int8_t sign : signs_) signs.note(sign);

@@ -45,7 +45,7 @@ class DepthSort {
  private:
   using Node = DrawingGraph::Node;
 
-  /// With more overlaps than this a polygon on the average, a tree takes less time and memory.
+  /// With more overlapping pairs per polygon on average, a tree takes less time and memory.
   static constexpr std::size_t kPairsOfAPolygon = 48;
 
   std::vector<Index> all_entries() const {
@@ -65,11 +65,11 @@ class DepthSort {
     tree_depth_ = std::max(tree_depth_, tree.depth());
   }
 
-  // ---- What is drawn before what ------------------------------------------------------------
+  // ---- The drawing order of pairs -----------------------------------------------------------
 
-  /// The first of each pair becomes the one drawn first. Pairs that cut each other's planes are
-  /// looked at one by one; those that overlap in a line only are dropped, and those that go
-  /// through each other are listed apart.
+  /// Puts the polygon drawn first at the front of each pair. Pairs that cut each other's planes are
+  /// examined one by one; pairs that overlap at most in a line are dropped, and intersecting pairs
+  /// are also listed separately.
   void order_pairs(std::vector<Overlaps::Pair>& pairs) {
     std::vector<DrawnFirst> orders(pairs.size());
     constexpr std::uint32_t kPart = 4096;
@@ -99,7 +99,8 @@ class DepthSort {
     return order == DrawnFirst::neither ? order_of_halves(a, b) : order;
   }
 
-  /// Each is cut by the other's plane: which half of a overlaps b? Tried on a copy.
+  /// For polygons that are each cut by the other's plane: finds which half of a overlaps b, using a
+  /// copy.
   DrawnFirst order_of_halves(Index a, Index b) {
     if (table_[b].plane == kNoPlane) return reversed(order_of_halves(b, a));
     const auto mark = table_.mark();
@@ -124,7 +125,7 @@ class DepthSort {
     graph.put_in_order();
     const DrawingCycles cycles = find_cycles(graph);
     graph = {};
-    // Cycles from the last number to the first, each with its members in order of entry.
+    // Cycles from the highest number to the lowest, each with its members in order of entry.
     std::vector<std::size_t> first(cycles.count + 1, 0);
     for (const Node c : cycles.of) ++first[cycles.count - c];
     for (Node c = 0; c < cycles.count; ++c) first[c + 1] += first[c];
@@ -172,13 +173,13 @@ class DepthSort {
 
   // ---- Cycles ---------------------------------------------------------------------------------
 
-  /// Pieces that overlap in cycles, or nothing of that sort any more. Pairs are of places among
-  /// the pieces.
+  /// Pieces that overlap in cycles, or did so before they were cut. Pairs are indices into the
+  /// pieces.
   struct Group {
     std::vector<Index> pieces;
     std::vector<std::uint8_t> fresh;  ///< pieces that have not been compared with the others
     std::vector<Overlaps::Pair> before, through;
-    std::size_t cuts_left;  ///< how often they may still be cut before a tree takes over
+    std::size_t cuts_left;  ///< remaining cuts before a tree takes over
   };
 
   void draw_cycle(std::span<const Index> cycle) {
@@ -214,7 +215,7 @@ class DepthSort {
     }
   }
 
-  /// The first to be drawn is the last pushed.
+  /// Pushes the cycles so that the first to be drawn is on top.
   void part(const Group& group, const DrawingCycles& cycles) {
     const std::size_t first = groups_.size();
     groups_.resize(first + cycles.count);
@@ -284,7 +285,7 @@ class DepthSort {
     }
   }
 
-  /// What was found out of pieces that have been cut since.
+  /// Removes pairs of pieces that have been cut since.
   void forget_fresh(Group& group) {
     const auto is_fresh = [&](const Overlaps::Pair& pair) {
       return group.fresh[pair.first] != 0 || group.fresh[pair.second] != 0;
@@ -293,8 +294,8 @@ class DepthSort {
     std::erase_if(group.through, is_fresh);
   }
 
-  /// Cuts what goes through another; if nothing does, one or more that lie in short cycles. How
-  /// many were cut.
+  /// Cuts pieces that intersect others; if there are none, one or more pieces in short cycles.
+  /// Returns the number of cuts.
   std::size_t cut(Group& group, const DrawingGraph& graph) {
     touched_.assign(group.pieces.size(), 0);
     std::size_t cuts = 0;
@@ -312,7 +313,7 @@ class DepthSort {
     return cuts;
   }
 
-  /// Cuts the smaller of two that go through each other by the larger one's plane.
+  /// Cuts the smaller of two intersecting pieces by the larger one's plane.
   bool cut_one_of(Group& group, std::uint32_t k, std::uint32_t m) {
     if (size_of(group.pieces[k]) > size_of(group.pieces[m])) std::swap(k, m);
     if (table_[group.pieces[m]].plane == kNoPlane) std::swap(k, m);
@@ -347,7 +348,7 @@ class DepthSort {
     extents_.resize(table_.free());
   }
 
-  /// A shortest cycle through the node, of nodes that are not touched: breadth first.
+  /// Finds a shortest cycle through the node among untouched nodes, breadth first.
   bool find_short_cycle(const DrawingGraph& graph, Node start) {
     constexpr Node kUnvisited = std::numeric_limits<Node>::max();
     came_from_.assign(graph.size(), kUnvisited);
@@ -372,8 +373,8 @@ class DepthSort {
     return false;
   }
 
-  /// Cuts one member by the plane of another so that the cycle falls apart; if no cut does that,
-  /// any that can be made.
+  /// Cuts one member by the plane of another so that the cycle is broken; if no cut does that,
+  /// makes any possible cut.
   bool cut_cycle(Group& group) {
     const std::size_t n = cycle_.size();
     for (const bool must_break : {true, false}) {
@@ -391,8 +392,8 @@ class DepthSort {
     return false;
   }
 
-  /// True if neither half of the member comes after the one before it in the cycle and before the
-  /// one after it. Tried on a copy.
+  /// True if neither half of the member is both drawn after the previous one in the cycle and
+  /// before the next one. Tested on a copy.
   bool breaks(const Group& group, std::size_t k, std::uint32_t plane) {
     steps_.step();
     const std::size_t n = cycle_.size();
@@ -431,11 +432,11 @@ class DepthSort {
   std::uint64_t compared_ = 0;
   std::uint32_t tree_depth_ = 0;
 
-  std::vector<Overlaps::Pair> through_;  // of all entries
+  std::vector<Overlaps::Pair> through_;  // indices of entries
 
   const Overlaps* overlaps_ = nullptr;
-  std::vector<Index> origin_;                       // the entry that a piece was cut from
-  std::vector<std::uint32_t> group_of_, place_of_;  // of an origin
+  std::vector<Index> origin_;                       // per piece, the entry that it was cut from
+  std::vector<std::uint32_t> group_of_, place_of_;  // per origin
   std::uint32_t group_ = 0;
   std::vector<std::pair<Index, std::uint32_t>> by_origin_;
   std::vector<Group> groups_;

@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-/// Which of two polygons or lines that overlap in the projection is drawn first.
+/// The drawing order of two polygons or lines that overlap in the projection.
 enum class DrawnFirst : std::uint8_t {
   either,  ///< they do not overlap after all
   first,   ///< the second is nearer

@@ -8,7 +8,7 @@ namespace displayfile {
 
 namespace {
 
-/// True if each node is of a cycle, and nothing is of a higher one that is drawn after it.
+/// True if each node has a cycle, and no node to be drawn later is in a cycle with a higher number.
 [[maybe_unused]] bool are_in_order(const DrawingCycles& cycles, const DrawingGraph& graph) {
   for (DrawingGraph::Node i = 0; i < graph.size(); ++i) {
     if (cycles.of[i] >= cycles.count) return false;

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// By what make(scene) makes of the polygon table.
+/// Sorts by the tree that make(scene) returns.
 template <class Make>
 SortedPieces sort_by_tree(const Primitives& items, const SurfacePlan& plan, const Make& make) {
   const auto sort = [&](const auto& policy) {

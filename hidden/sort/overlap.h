@@ -30,9 +30,9 @@ int convex_turning(const VertexTable<Policy>& table, std::span<const std::uint32
       [&](std::size_t i, std::size_t j) { return table.direction(v[i], v[j]); });
 }
 
-/// Vertices that are farthest out in eight directions, about, of a polygon of many; all of a
-/// polygon of few. A line that has some of the polygon on both sides mostly has some of these
-/// there.
+/// The outermost vertices in about eight directions of a polygon with many vertices; all vertices
+/// of one with few. A line with parts of the polygon on both sides usually has some of these
+/// vertices on both sides.
 class OutermostVertices {
  public:
   static constexpr std::size_t kFew = 16;
@@ -73,7 +73,7 @@ struct HullSide {
   int inside;
 };
 
-/// An outline that is compared with many others: what it takes to compare it is found once.
+/// An outline to be compared with many others: the data for comparisons are computed once.
 class ComparedOutline {
  public:
   /// Finds the outermost vertices. The outline's vertices must outlive it.
@@ -81,7 +81,7 @@ class ComparedOutline {
   ComparedOutline(const VertexTable<Policy>& table, const Outline& outline)
       : outline_(outline), outermost_(table, outline.vertices) {}
 
-  /// Finds the sides on the hull too: pays where it is compared with several others.
+  /// Also finds the sides on the convex hull: worthwhile for comparisons with several others.
   template <class Policy>
   void find_hull_sides(const VertexTable<Policy>& table) {
     assert(!hull_);
@@ -96,12 +96,12 @@ class ComparedOutline {
 
   const Outline& outline() const { return outline_; }
   const OutermostVertices& outermost() const { return outermost_; }
-  /// Nothing if they have not been found.
+  /// Nothing unless find_hull_sides was called.
   const std::optional<std::vector<HullSide>>& hull() const { return hull_; }
 
-  /// The side of the line on which all of the polygon is, 0 if all is on the line, nothing if it
-  /// has points on both sides. Nothing, too, where `matters` returns false for the side on which
-  /// the outermost vertices are.
+  /// The side of the line on which all of the polygon is; 0 if all of it is on the line; nothing if
+  /// it has points on both sides, or if `matters` returns false for the side of the outermost
+  /// vertices.
   template <class Policy, class Matters>
   std::optional<int> inside_of(const VertexTable<Policy>& table, std::uint32_t from,
                                std::uint32_t to, const Matters& matters) const {
@@ -127,7 +127,7 @@ class ComparedOutline {
     return outermost_are_beyond(table, side, strictly) &&
            (outermost_.are_all() || are_beyond(table, outline_.vertices, side, strictly));
   }
-  /// The same of the outermost vertices.
+  /// The same for the outermost vertices only.
   template <class Policy>
   bool outermost_are_beyond(const VertexTable<Policy>& table, const HullSide& side,
                             bool strictly) const {
@@ -152,14 +152,14 @@ class ComparedOutline {
 };
 
 /// True if a side of `a` separates: all of `a` is on one side of its line and all of `b` on the
-/// other, so that their interiors do not intersect in the projection. Points on the line count for
-/// neither; `strictly`: those of b do, and then b's boundary does not even touch.
+/// other, so that their interiors do not intersect in the projection. Points on the line are
+/// allowed; with `strictly`, not for `b`, so that not even b's boundary touches.
 template <class Policy>
 bool separated_by_side_of(const VertexTable<Policy>& table, const ComparedOutline& a,
                           const ComparedOutline& b, bool strictly) {
   const auto separates = [&](std::uint32_t from, std::uint32_t to, int inside) {
     if (inside != 0) return b.is_beyond(table, {from, to, inside}, strictly);
-    // A line has nothing on either side of it; nor have two corners in one point.
+    // A line has no inside, and a side of length 0 has no direction.
     return table.direction(from, to) != 0 && (b.is_beyond(table, {from, to, 1}, strictly) ||
                                               b.is_beyond(table, {from, to, -1}, strictly));
   };
@@ -239,7 +239,7 @@ bool overlap_in_projection(const VertexTable<Policy>& table, const ComparedOutli
   return true;
 }
 
-/// The same of two that are compared once.
+/// The same for outlines that are compared once.
 template <class Policy>
 bool overlap_in_projection(const VertexTable<Policy>& table, const Outline& a, const Outline& b) {
   return overlap_in_projection(table, ComparedOutline(table, a), ComparedOutline(table, b));

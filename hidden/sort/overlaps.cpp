@@ -18,7 +18,7 @@ Overlaps::Overlaps(std::vector<Pair> pairs, std::size_t entries) : first_(entrie
     others_[next[a]++] = b;
     others_[next[b]++] = a;
   }
-  // In one order, whatever order the pairs were found in.
+  // Sorted, so that the order does not depend on that of the pairs.
   for (std::size_t i = 0; i < entries; ++i) {
     std::ranges::sort(others_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
                       others_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]));

@@ -79,7 +79,7 @@ OverlappingPairs overlapping_pairs(const SortTables<Policy>& scene, std::size_t 
       triangles[p] = entered_triangle(scene.vertices, outline);
     }
   });
-  // Outlines with many sides are compared with many others: what that takes is found once.
+  // Outlines with many sides are compared with many others: data for comparisons are computed once.
   std::vector<std::uint32_t> place_of_many(entries);  // its place in `many`, from 1; 0 for others
   std::vector<ComparedOutline> many;
   for (std::uint32_t p = 0; p < entries; ++p) {

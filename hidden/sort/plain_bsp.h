@@ -136,8 +136,8 @@ class PlainBsp {
       case PlaneSide::front: front_.push_back(test); break;
       case PlaneSide::back: back_.push_back(test); break;
       case PlaneSide::on:
-        // Seen from the front, a line is drawn after what touches it from behind; what touches it
-        // from the front it meets again.
+        // Seen from the front, a line is drawn after polygons that touch it from behind; it is
+        // compared again with those that touch it from the front.
         if (table_[test].sides == 2) {
           front_.push_back(test);
         } else {

@@ -51,7 +51,7 @@ class SortPolygons {
  private:
   static constexpr Index kNone = PolygonTable::kNone;
 
-  /// And pieces of polygons, in the whole table.
+  /// Includes pieces of polygons, in the whole table.
   std::size_t number_of_polygons() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         table_.entries, [](const PolygonTable::Entry& entry) { return entry.sides > 0; }));
@@ -116,8 +116,8 @@ class SortPolygons {
     if (plane == kNoPlane) return link(table_[root].on, test, true);
     switch (roots_.compare(test, plane)) {
       case PlaneSide::on:
-        // Seen from the front, a line is drawn after what touches it from behind; what touches it
-        // from the front it meets again.
+        // Seen from the front, a line is drawn after polygons that touch it from behind; it is
+        // compared again with those that touch it from the front.
         if (table_[test].sides == 2 && scene_.space == SortSpace::device) {
           link(table_[root].front, test, false);
         } else {
@@ -151,7 +151,7 @@ class SortPolygons {
   /// True if the members are separate islands or singletons, which are sorted separately.
   bool separate_islands(const Unsorted& task) {
     if (!islands_->separate(members_)) return false;
-    // One node holds all that are alone; from it hangs a chain of nodes, one for each island.
+    // One node holds all singletons; a chain of nodes hangs from it, one for each island.
     const Index node = add_node(kNoPlane);
     attach(task, node);
     for (const Index i : islands_->alone()) link(table_[node].on, i, true);

@@ -185,7 +185,7 @@ class VertexTable {
   }
 
  private:
-  /// By the coordinates in the projection, with the touching distance.
+  /// Decides by the coordinates in the projection, with the touching distance.
   bool is_between(const NearPoint& v, const NearPoint& a, const NearPoint& b) const {
     const double off = v.radius + a.radius + b.radius + 16.0 * touching_;
     const auto is_between_along = [&](int axis) {

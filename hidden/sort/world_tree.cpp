@@ -20,7 +20,7 @@ double sum(const Point3& v) { return v.x + v.y + v.z; }
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 double largest(const Point3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// |x| + |y| + |z|, or a little more.
+/// |x| + |y| + |z|, rounded up.
 double size_of(const Eye& eye) { return sum(glm::abs(eye.place)) * kInflate; }
 
 /// The polygons in a node's plane, in order of entry, lines last.
@@ -37,12 +37,12 @@ void add_pieces(const Scene& scene, Index node, std::vector<Index>& pieces) {
 
 }  // namespace
 
-/// A node of the tree in the polygon table, and where it hangs; the parents by their place.
+/// A node of the tree in the polygon table, and its parent by position.
 struct WorldTree::Placed {
   Index entry, parent;
   bool in_front;
 
-  /// The nodes in the order of a walk that takes the front first.
+  /// The nodes in the order of a front-first traversal.
   static std::vector<Placed> front_first(const PolygonTable& table, Index root) {
     std::vector<Placed> placed, waiting;
     if (root != PolygonTable::kNone) waiting.push_back({root, 0, false});
@@ -59,7 +59,7 @@ struct WorldTree::Placed {
   }
 };
 
-/// hidden/sort/world_tree.md, "The filter".
+/// Bounds are derived in hidden/sort/world_tree.md, "The filter".
 WorldTree::NodePlane::NodePlane(const Plane& plane) : normal(plane.normal) {
   const Point3 size = glm::abs(plane.normal), p = glm::abs(plane.p);
   offset = -dot(plane.normal, plane.p);
@@ -105,14 +105,14 @@ template <class Scene>
 void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
   nodes_.resize(placed.size());
   std::vector<Index> pieces;
-  for (std::size_t i = placed.size(); i-- > 0;) {  // children stand after their parents
+  for (std::size_t i = placed.size(); i-- > 0;) {  // children follow their parents
     const auto& entry = scene.table[placed[i].entry];
     Node& node = nodes_[i];
     pieces.clear();
     add_pieces(scene, placed[i].entry, pieces);
     node.here = static_cast<Index>(pieces.size());
     if (!node.is_leaf()) {
-      const Plane plane =  // none where the branches need no order
+      const Plane plane =  // no plane if the branches need no order
           entry.plane == kNoPlane ? Plane() : scene.vertices.plane(entry.plane);
       node.plane = NodePlane(plane);
       node.exact_plane = static_cast<Index>(planes_.size());
@@ -125,10 +125,10 @@ void WorldTree::add_nodes(const Scene& scene, std::span<const Placed> placed) {
   }
 }
 
-/// Algorithm 9.16 as the lecture gives it for an eye on either side. Where a node's pieces go is
-/// where its tree's begin, and after them what comes before: so the nodes are met in the order in
-/// which they stand, whatever the eye, and nothing recurs. `visit` gets each node with its plane's
-/// value at the eye, and how far off that may be.
+/// Algorithm 9.16 in the lecture's form, for an eye on either side. The pieces of a subtree are
+/// consecutive in the order, and where they begin is known when its root is reached: so nodes are
+/// visited in stored order, whatever the eye, without recursion. `visit` gets each node with its
+/// plane's value at the eye and a bound on the value's error.
 template <class Visitor>
 void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& visit) const {
   order.resize(size());
@@ -137,8 +137,8 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
     for (Index k = 0; k < count; ++k) order[at + k] = first + k;
   };
   put(0, 0, degenerate_);
-  std::vector<Index> begins(pieces_.depth + 2);  // of the trees still to come, in back of nodes
-  std::size_t waiting = 1;                       // the first is nobody's
+  std::vector<Index> begins(pieces_.depth + 2);  // of pending trees in back of nodes
+  std::size_t waiting = 1;                       // the first is unused
   Index begin = degenerate_, first = degenerate_;
   for (const Node& node : nodes_) {
     const NodePlane& plane = node.plane;
@@ -155,7 +155,8 @@ void WorldTree::walk(const Eye& eye, std::vector<Index>& order, const Visitor& v
     const Index after = at + node.here;
     const Index begin_of_front = eye_in_front ? after : begin;
     const Index begin_of_back = eye_in_front ? begin : after;
-    // Next stand the nodes in front; if there are none, those in back of the last that has any.
+    // The nodes in front follow in storage; if there are none, those in back of the last node that
+    // has any pending.
     assert(waiting < begins.size());
     begins[waiting] = begin_of_back;
     waiting += node.back != 0 ? 1 : 0;
@@ -181,7 +182,7 @@ bool MovingEye::is_still_right(const Eye& eye) const {
   if (walks_ == 0 || eye.at_infinity != walked_for_.at_infinity) return false;
   if (eye == walked_for_) return true;
   const Point3 moved = eye.place - walked_for_.place;
-  constexpr double kVanishes = 0x1p-500;  // the square of less
+  constexpr double kVanishes = 0x1p-500;  // squares of smaller numbers may underflow
   return glm::length(moved) * (1.0 + 16.0 * kUnit) + kVanishes < may_move_;
 }
 

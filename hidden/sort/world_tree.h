@@ -33,8 +33,8 @@ class WorldTree {
   /// Indices of all pieces, each once: each piece follows those that it hides, for an eye anywhere,
   /// also among the pieces. Coplanar ones are in order of entry, lines last. The eye's coordinates
   /// are up to kCoordinateLimit.
-  /// Returns a lower bound on how far the eye may move before the order can change, its distance to
-  /// the nearest plane. For an eye at infinity, how far the vector's end may move.
+  /// Returns a lower bound on the eye's movement that can change the order: its distance to the
+  /// nearest plane. For an eye at infinity, on the movement of the vector's end.
   double far_to_near(const Eye& eye, std::vector<Index>& order) const;
 
  private:

@@ -21,24 +21,25 @@ namespace displayfile {
 
 namespace {
 
-/// Unit normals that differ by no more than this in each component may be of planes that are close.
-/// They differ by 2^-20 at most in truth: of planes within reach because polygons are kWidths times
-/// as wide, of others by definition. What is rounded adds no more, if widths are kRoundings of
-/// the largest coordinate.
+/// Unit normals that differ by at most this in each component may belong to close planes. The true
+/// difference is at most 2^-20: for planes within reach since polygons are at least kWidths times
+/// as wide as the reach, for others by definition. Rounding adds no more, if widths are at least
+/// kRoundings of the largest coordinate.
 constexpr double kAngle = 0x1p-18, kWidths = 3.0 * 0x1p20, kRoundings = 0x1p-30;
-/// A point, a difference of two and what a normal has of these are off by less than this, times the
-/// largest sum that a coordinate is made of, several times. Underflow adds less than kTiny.
+/// Bounds the errors of a point, of a difference of two points, and of their contribution to a
+/// normal, each as a fraction of the largest sum that gives a coordinate, several times over.
+/// Underflow adds less than kTiny.
 constexpr double kRoundingOfPoints = 0x1p-46;
-/// Comparisons of a plane, on average; more take longer than to look at all polygons.
+/// Maximum comparisons per plane, on average; more take longer than comparing all polygons.
 constexpr std::size_t kMostCompared = 64;
 
 /// A polygon's support plane in the world.
 struct PlaneInWorld {
   Point3 normal, through;
-  double size, width;  ///< how far the polygon goes from there; the support triangle's least width
+  double size, width;  ///< the polygon's extent from `through`; the support triangle's least height
 };
 
-/// The width of a triangle in line is no number.
+/// A collinear triangle's width may be 0 or NaN.
 PlaneInWorld plane_of(std::span<const Point3> points, const std::array<std::size_t, 3>& support) {
   const auto& [p, q, r] = support;
   const Point3 at = points[p], a = points[q] - at, b = points[r] - at, c = b - a;
@@ -54,7 +55,7 @@ PlaneInWorld plane_of(std::span<const Point3> points, const std::array<std::size
   return plane;
 }
 
-/// Nothing of a polygon that has no plane; three points may be in line nevertheless.
+/// Nothing for a polygon without a plane. A triangle's three points may be collinear nevertheless.
 std::optional<std::array<std::size_t, 3>> quick_support(const PointRow& points) {
   if (points.size() != 3) return support_of_entered(points.row());
   if (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]) return {};
@@ -67,7 +68,7 @@ bool are_alike(const Point3& a, const Point3& b) {
   return std::max({off.x, off.y, off.z}) <= kAngle;
 }
 
-/// The largest sum of the magnitudes that a world coordinate is a sum of.
+/// The largest sum of magnitudes that gives a world coordinate.
 double sum_of_products(const glm::dmat4x3& m, const Point3& p) {
   double most = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -77,7 +78,8 @@ double sum_of_products(const glm::dmat4x3& m, const Point3& p) {
   return most;
 }
 
-/// Triangles on both sides of a common one: where their planes meet viewing leaves as it is.
+/// True for triangles on opposite sides of a shared side: viewing keeps the line where their planes
+/// meet.
 bool meet_at_a_side(const EnteredPolygon& a, const EnteredPolygon& b) {
   if (a.points.size() != 3 || b.points.size() != 3) return false;
   if (a.modelling != b.modelling) return false;
@@ -122,7 +124,7 @@ std::vector<std::uint32_t> ClosePlanes::all() const {
   return numbers;
 }
 
-/// False if some polygon's plane is not known well enough.
+/// False if some polygon's plane is not known accurately enough.
 bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf& polygon_of,
                         double reach, double near) {
   Point3 least(std::numeric_limits<double>::infinity()), most(-least);
@@ -161,7 +163,8 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
   if (planes_.empty()) return true;
   const Point3 corner = glm::max(glm::abs(least), glm::abs(most)), size = most - least;
   const double largest = std::max({corner.x, corner.y, corner.z}) + largest_size;
-  // No plane was made to go through this point. Two that are close at a polygon are so there.
+  // An arbitrary point, which no plane is meant to contain. Planes close at a polygon are close
+  // there.
   const Point3 from = least + Point3(0.6180, 0.2716, 0.4142) * size;
   reach_ = reach * longest;
   near_ = near * longest;
@@ -174,7 +177,7 @@ bool ClosePlanes::enter(std::uint32_t polygons, const TouchingPlanes::PolygonOf&
   return thinnest >= std::max(kWidths * reach_, kRoundings * largest);
 }
 
-/// How far the polygon is from the plane of the other: as near as that, all of its vertices may be.
+/// The distance of a polygon from the other's plane: all of its vertices may be that close.
 ClosePlanes::Distance ClosePlanes::distance_from(const EnteredPolygon& plane,
                                                  const EnteredPolygon& polygon) const {
   const auto support = support_of_entered(plane.points.row());
@@ -188,7 +191,7 @@ ClosePlanes::Distance ClosePlanes::distance_from(const EnteredPolygon& plane,
     off = std::max(off, std::abs(glm::dot(normal, to)));
     size = std::max(size, glm::dot(to, to));
   }
-  // A coordinate of the normal is off by no more than the rounding times this length.
+  // The error of a coordinate of the normal is at most the rounding error times this length.
   const double longest = std::sqrt(std::max(glm::dot(a, a), glm::dot(b, b)));
   const double rounded =
       rounding_ * (twice_area + 2.0 * longest * (std::sqrt(size) + near_)) + kTiny;
@@ -196,7 +199,7 @@ ClosePlanes::Distance ClosePlanes::distance_from(const EnteredPolygon& plane,
   return off > near_ * twice_area + rounded ? Distance::far : Distance::near;
 }
 
-/// The nearer of either from the other's plane.
+/// The smaller distance of either polygon from the other's plane.
 ClosePlanes::Distance ClosePlanes::distance_of(const EnteredPolygon& a,
                                                const EnteredPolygon& b) const {
   const Distance from_a = distance_from(a, b);
@@ -205,7 +208,7 @@ ClosePlanes::Distance ClosePlanes::distance_of(const EnteredPolygon& a,
   return nearer == Distance::near && meet_at_a_side(a, b) ? Distance::far : nearer;
 }
 
-/// False if it takes too many comparisons. Planes that are close to no other are left out.
+/// False if it takes too many comparisons. Removes planes that are close to no other.
 bool ClosePlanes::find_touching(const TouchingPlanes::PolygonOf& polygon_of) {
   std::size_t compared = 0;
   const auto look_at = [&](Entered& a, Entered& b) {
@@ -223,7 +226,8 @@ bool ClosePlanes::find_touching(const TouchingPlanes::PolygonOf& polygon_of) {
     }
     for (std::size_t j = i; plane.nearest != Distance::touching && j-- > 0;) {
       if (plane.off - planes_[j].off > window_) break;
-      // The others have looked at all above them, this one too.
+      // Touching planes have not been compared with all planes above them, and maybe not with this
+      // one.
       if (planes_[j].nearest == Distance::touching) look_at(plane, planes_[j]);
     }
     if (compared > kMostCompared * (planes_.size() + 1)) return false;
@@ -236,7 +240,7 @@ bool ClosePlanes::find_touching(const TouchingPlanes::PolygonOf& polygon_of) {
   return true;
 }
 
-/// Polygons in one plane follow each other mostly: they are looked at together, by the first.
+/// Polygons in one plane are mostly consecutive: such a run is represented by its first.
 std::vector<std::uint32_t> ClosePlanes::near_others(const TouchingPlanes& touching) const {
   if (!is_known_) return all();
   if (planes_.empty()) return {};
@@ -246,13 +250,13 @@ std::vector<std::uint32_t> ClosePlanes::near_others(const TouchingPlanes& touchi
     const auto members = touching.members(k);
     for (const std::uint32_t polygon : members) plane_of[polygon] = members.front();
   }
-  std::vector<std::size_t> first;  // of the runs in one plane, and the end
+  std::vector<std::size_t> first;  // of the runs in one plane; and the end
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     const bool goes_on = i > 0 && plane_of[planes_[i - 1].polygon] == plane_of[planes_[i].polygon];
     if (!goes_on) first.push_back(i);
   }
   first.push_back(planes_.size());
-  std::vector<std::uint8_t> is_found(first.size(), 0);  // of the runs
+  std::vector<std::uint8_t> is_found(first.size(), 0);  // per run
   std::size_t compared = 0;
   for (std::size_t a = 0; a + 1 < first.size(); ++a) {
     const Entered &one = planes_[first[a]], &last = planes_[first[a + 1] - 1];

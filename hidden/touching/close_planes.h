@@ -23,7 +23,7 @@ class ClosePlanes {
   /// All if doubles do not decide: where polygons are so thin that they may lie in planes of other
   /// normals.
   const std::vector<std::uint32_t>& may_touch() const { return may_touch_; }
-  /// As MayTouch::pairs, of these; null if they are unknown.
+  /// MayTouch::pairs of these polygons; null if unknown.
   const std::vector<TouchingPlanes::Pair>* pairs() const { return pairs_ ? &*pairs_ : nullptr; }
   /// The indices, ascending, of those that may have another polygon's plane near them, or lie near
   /// another's, other than the plane in which they lie.
@@ -49,7 +49,7 @@ class ClosePlanes {
   std::vector<Entered> planes_;      // of those that may be near, by rising distance from the point
   double window_ = 0.0;              // maximum difference in distance of near ones
   double reach_ = 0.0, near_ = 0.0;  // in the world
-  double rounding_ = 0.0;            // of points there
+  double rounding_ = 0.0;            // of world points
   bool is_known_ = true;             // all planes are known accurately enough
   std::vector<std::uint32_t> may_touch_;
   std::optional<std::vector<TouchingPlanes::Pair>> pairs_;

@@ -9,8 +9,8 @@ namespace displayfile {
 
 namespace {
 
-/// The exponent of the side of cubes: two to four tolerances, so that most searches look into one
-/// or two along each key.
+/// The exponent of the cubes' side: two to four tolerances, so that most searches examine one or
+/// two cubes along each key.
 int logarithm_for(double tolerance) {
   int exponent = 0;
   std::frexp(tolerance, &exponent);
@@ -20,9 +20,9 @@ int logarithm_for(double tolerance) {
 }  // namespace
 
 KeyGrid::KeyGrid(std::span<const double> tolerances) {
-  constexpr double kLargest = 0.125;  // of a tolerance: beyond it cubes tell hardly anything apart
-  constexpr std::size_t kFew = 16;    // searches are in larger cubes, if they are less than a part
-  // Along one key alone so small cubes have one number each.
+  constexpr double kLargest = 0.125;  // as a tolerance: larger cubes hardly distinguish items
+  constexpr std::size_t kFew = 16;    // rarer sizes (below 1 / kFew) use larger cubes
+  // Along a single key, cubes this small hold about one number each.
   const int finest = -2 - static_cast<int>(std::bit_width(tolerances.size()));
   std::map<int, std::size_t> searches;
   for (const double tolerance : tolerances) {

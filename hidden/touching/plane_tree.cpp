@@ -12,9 +12,9 @@ PlaneTree::PlaneTree(std::span<const Plane> planes) {
   for (const Plane& plane : planes) {
     entries.push_back({plane, static_cast<std::uint32_t>(entries.size())});
   }
-  // What a node of each level has is divided until it is what the node's branches have.
+  // A range of planes to be divided until each part fits a branch of its node.
   struct Part {
-    std::size_t first, size, unit;  // unit: what a branch has
+    std::size_t first, size, unit;  // unit: the number of planes of a branch
   };
   std::size_t nodes = planes.size(), unit = 1;
   do {
@@ -27,7 +27,7 @@ PlaneTree::PlaneTree(std::span<const Plane> planes) {
     auto [first, size, branch] = parts.back();
     parts.pop_back();
     while (branch >= size) branch /= kBranches;
-    if (branch <= 1) continue;  // eight or fewer, in any order
+    if (branch <= 1) continue;  // eight or fewer planes, in any order
     const std::size_t half = (size / branch + 1) / 2 * branch;
     divide(std::span(entries).subspan(first, size), half);
     parts.push_back({first, half, branch});
@@ -40,7 +40,7 @@ PlaneTree::PlaneTree(std::span<const Plane> planes) {
   }
 }
 
-/// Across the axis along which the planes spread the farthest; the lower ones come first.
+/// Divides across the axis along which the planes spread most; the lower half comes first.
 void PlaneTree::divide(std::span<Entry> entries, std::size_t half) {
   Plane low = entries.front().plane, high = low;
   for (const Entry& entry : entries) {
@@ -78,7 +78,7 @@ void PlaneTree::Node::include(std::size_t branch, const Plane& plane, double of_
   largest_area[branch] = std::max(largest_area[branch], area);
 }
 
-/// Between which values n . v is for planes of each branch.
+/// Adds the range of n . v over the planes of each branch.
 void PlaneTree::Query::find_distances(const Node& node, const Point3& v, Lanes& least,
                                       Lanes& most) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -92,8 +92,8 @@ void PlaneTree::Query::find_distances(const Node& node, const Point3& v, Lanes& 
   }
 }
 
-/// A bit for each branch that may have a plane near all corners: then the distances of two corners
-/// differ by no more than twice as much.
+/// A bit for each branch that may have a plane near all corners: the distances of two corners then
+/// differ by at most twice `near`.
 std::uint32_t PlaneTree::Query::branches(const Node& node, double least_area) const {
   Lanes least{}, most{}, first_least{}, first_most{}, second_least{}, second_most{};
   for (std::size_t k = 0; k < kBranches; ++k) {

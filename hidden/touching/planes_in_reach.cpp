@@ -21,24 +21,24 @@ namespace {
 
 constexpr float kAnyTurn = std::numeric_limits<float>::infinity();
 
-/// A point, a difference of two, and a cross product of two of these over the longer one, are off
-/// by less than this, times the largest sum of magnitudes that gives a coordinate.
+/// Bounds the errors of a point, of a difference of two, and of a cross product of two differences
+/// over the longer one, as a fraction of the largest sum of magnitudes that gives a coordinate.
 constexpr double kRoundingInWorld = 0x1p-46;
-/// Pays for the rounding of bounds.
+/// Covers the rounding of bounds.
 constexpr double kOfRounding = 1.0 + 0x1p-20;
-/// Normals that may be off by more are unknown.
+/// Normals with a larger error bound are unknown.
 constexpr double kMostUncertain = 0.25;
 
-/// Three orthogonal directions of length 1, up to 2^-12, that no scene has a special relation to.
-/// Normals are turned to the side of the first one.
+/// Three directions of length 1, orthogonal up to 2^-12, with no special relation to any scene.
+/// Normals are oriented toward the first one.
 constexpr Point3 kOneSide(0.5242, -0.7633, 0.3770);
 constexpr std::array<std::array<float, 3>, 2> kCosines{
     {{0.8290F, 0.5593F, -0.0202F}, {-0.1954F, 0.3231F, 0.9260F}}};
 constexpr float kLongest = 1.01F;
 
-/// In single precision, u = 2^-24: a normal is off by u, and so are a point and a distance in units
-/// of the farthest; the sums of a distance add three. Cosines of two normals differ by up to 16 u
-/// more than in truth, the keys of cells included.
+/// In single precision, u = 2^-24: the errors of a normal, and of a point and a distance relative
+/// to the farthest, are u; the sums of a distance add three. Cosines of two normals differ by up to
+/// 16 u more than the true ones, including the keys of cells.
 constexpr double kFloatRounding = 0x1p-20;
 constexpr float kFloatTolerance = 0x1p-19F;
 
@@ -59,7 +59,7 @@ struct PlaneInReach {
   }
 };
 
-/// By how much planes that a polygon lies in may differ from its own, at most.
+/// The maximum differences of a polygon's own plane from other planes in which it lies.
 struct Tolerance {
   float normal, distance;
 };
@@ -71,13 +71,13 @@ std::size_t runs_length(std::span<const PlanesInRow::Run> runs) {
 }
 
 /// Cells of one size over normals and distances of planes, in lists by a hash. The planes of a list
-/// follow each other, and those of cells that follow each other along the distance, too.
+/// are consecutive, and so are the lists of cells adjacent along the distance.
 class PlaneCells {
  public:
   using Run = PlanesInRow::Run;
 
   /// Cells are `side` wide along two cosines of the normal, and `side` times `per_distance` along
-  /// the distance. At most that many planes.
+  /// the distance. `planes` is the maximum number of planes.
   PlaneCells(std::size_t planes, float side, float per_distance)
       : per_cosine_(1.0F / side),
         per_distance_(1.0F / (side * per_distance)),
@@ -86,7 +86,7 @@ class PlaneCells {
     lists_.reserve(planes);
   }
 
-  /// First all planes are counted, in order,
+  /// Counts a plane; called for all planes first, in order.
   void count(const PlaneInReach& plane) {
     const Keys at = in_cells(plane.plane.normal, plane.plane.distance);
     const std::size_t list = list_of(base_of(index(at.x), index(at.y)), index(at.z));
@@ -95,12 +95,12 @@ class PlaneCells {
   }
   void begin_lists() {
     std::uint32_t end = 0;
-    for (std::uint32_t& first : first_) first = end += first;  // the ends of lists, until now
+    for (std::uint32_t& first : first_) first = end += first;  // the ends of lists, until `place`
   }
-  /// and then they get their places, from the last to the first.
+  /// The place of a plane; called after begin_lists, from the last plane to the first.
   std::uint32_t place(std::uint32_t plane) { return --first_[lists_[plane]]; }
 
-  /// The cells of all with normals and distances that differ by no more.
+  /// The cells of all planes within a tolerance of a normal and a distance.
   struct Range {
     std::int32_t first_x, last_x, first_y, last_y, first_z, last_z;
   };
@@ -111,7 +111,7 @@ class PlaneCells {
     return {index(at.x - wide), index(at.x + wide), index(at.y - wide),
             index(at.y + wide), index(at.z - deep), index(at.z + deep)};
   }
-  /// Adds runs of all in these cells, and of others.
+  /// Adds runs that contain all planes in these cells, and others.
   void find_runs(const Range& range, std::vector<Run>& runs) const {
     for (std::int32_t x = range.first_x; x <= range.last_x; ++x) {
       for (std::int32_t y = range.first_y; y <= range.last_y; ++y) {
@@ -120,9 +120,9 @@ class PlaneCells {
     }
   }
 
-  /// The first of two lists each that have all in these cells, where these are no more than two
-  /// along each axis, and lists follow each other. Does without branches that are not known
-  /// beforehand, and begins to load what `run` reads.
+  /// For a range of at most two cells along each axis: the first of each two consecutive lists that
+  /// together contain all planes in these cells. Avoids unpredictable branches, and prefetches what
+  /// `run` reads.
   using Lists = std::array<std::uint32_t, 4>;
   std::optional<Lists> find_lists(const Range& range) const {
     if (range.last_x - range.first_x > 1 || range.last_y - range.first_y > 1 ||
@@ -147,7 +147,7 @@ class PlaneCells {
   struct Keys {
     float x, y, z;
   };
-  /// Truncation is to the same side for all that are above it.
+  /// An offset that makes all numbers positive, so that truncation rounds them down.
   static constexpr float kAbove = 0x1p20F;
   static std::int32_t index(float at) { return static_cast<std::int32_t>(at + kAbove); }
   Keys in_cells(const std::array<float, 3>& n, float distance) const {
@@ -216,24 +216,24 @@ class PlanesInReach {
   void add_pair(std::uint32_t own, std::uint32_t other);
   MayTouch found() const;
 
-  /// What a normal may be off by, in doubles.
+  /// Error bound of a normal, computed in doubles.
   double normal_error(const PlaneInReach& plane) const {
     return 4.0 * rounding_ * double{plane.per_height} + 0x1p-48;
   }
-  /// A point that is farther from the plane, by doubles, is not within reach of it.
+  /// A point that is farther from the plane, computed in doubles, is not within reach of it.
   double near(double normal_error) const {
     return (reach_ + 2.0 * normal_error * farthest_ + 8.0 * rounding_) * kOfRounding;
   }
   bool is_well_known(const PlaneInReach& plane) const {
     return normal_error(plane) <= normal_error_;
   }
-  /// With what the normals of the others that cells find may be off by.
+  /// Includes the errors of the other normals that cells find.
   Tolerance tolerance(const PlaneInReach& plane) const;
-  /// The size of the cells of which it looks in at most two along each axis.
+  /// The size of cells for which a search examines at most two along each axis.
   static float cells_for(const Tolerance& tolerance) {
     return 2.0F * kLongest * std::max(tolerance.normal, tolerance.distance / kPerDistance);
   }
-  /// It looks in a few cells along each axis.
+  /// True if the search examines few cells along each axis.
   bool fits_cells(const Tolerance& tolerance) const {
     constexpr float kMostAlong = 8.0F;
     return cells_for(tolerance) <= std::min(kMostAlong * cells_, kLargestCells);
@@ -243,43 +243,44 @@ class PlanesInReach {
     return compared_ > most_compared() || 2 * touching_ > planes_.size() + kFew;
   }
 
-  /// More take about as long as TouchingPlanes; so do the polygons, if most touch others.
+  /// With more comparisons per plane this takes about as long as TouchingPlanes; also if most
+  /// polygons touch others.
   static constexpr std::size_t kMostCompared = 64, kFew = 64;
-  /// More pairs are not worth their memory.
+  /// More pairs per polygon are not worth their memory.
   static constexpr std::size_t kMostPairs = 8;
   static constexpr std::size_t kAtOnce = 32;  // polygons
   static constexpr std::uint32_t kSome = 256;
-  /// Larger cells tell hardly any normals apart; smaller ones than floats tell are of no use.
+  /// Larger cells hardly distinguish normals; cells smaller than float precision are useless.
   static constexpr float kLargestCells = 0.25F, kSmallestCells = 0x1p-17F;
-  /// Of distances in the frame and cosines, in cells.
+  /// The width of cells along distances in the frame, relative to that along cosines.
   static constexpr float kPerDistance = 0.5F;
 
   std::uint32_t polygons_;
   const TouchingPlanes::PolygonOf& polygon_of_;
   double entered_reach_;
   std::vector<PlaneInReach> planes_;
-  std::vector<std::uint8_t> touches_;  // of planes_
+  std::vector<std::uint8_t> touches_;  // per plane in planes_
   std::size_t touching_ = 0, compared_ = 0;
   std::optional<PlanesInRow> in_cells_;  // the planes by cells
   std::vector<PlanesInRow::Run> runs_;
   using Pair = MayTouch::Pair;
   std::vector<Pair> compared_pairs_;
-  std::vector<Pair> pairs_;  // by planes_
+  std::vector<Pair> pairs_;  // by index in planes_
   // The frame, in which most points are no farther from the origin than 1.
   Point3 from_{0.0};
   double scale_ = 1.0;
   double reach_ = 0.0;
-  double rounding_ = 0.0;        // of points there
-  double farthest_ = 0.0;        // of the support corners from the origin
-  double near_ = 0.0;            // as near(), of planes that cells find, in floats
+  double rounding_ = 0.0;        // error of points in the frame
+  double farthest_ = 0.0;        // largest distance of support corners from the origin
+  double near_ = 0.0;            // near() in floats, for planes that cells find
   double float_error_ = 0.0;     // of a distance from a plane in floats
   bool are_floats_good_ = true;  // that error is small compared with the reach
-  double normal_error_ = 0.0;    // of planes that cells find
+  double normal_error_ = 0.0;    // largest normal error of planes that cells find
   float cells_ = 0.0F;           // their size
 };
 
-/// The three support corners, in the world; nothing if there is no plane, except that those of a
-/// triangle may be in line.
+/// The three support corners, in world coordinates; nothing if there is no plane. A triangle's
+/// corners are returned even if collinear.
 std::optional<std::array<Point3, 3>> corners_of(const EnteredPolygon& polygon) {
   std::array<std::size_t, 3> support{0, 1, 2};
   if (polygon.points.size() != 3) {
@@ -291,10 +292,10 @@ std::optional<std::array<Point3, 3>> corners_of(const EnteredPolygon& polygon) {
                     polygon.in_world(support[2])};
 }
 
-/// Around all polygons, or some that are so far from each other. False if their coordinates are too
+/// Sets the frame around all polygons, or every `step`th one. False if their coordinates are too
 /// small or too large.
 bool PlanesInReach::set_frame(std::uint32_t step) {
-  constexpr double kMost = 0x1p900;  // which can be scaled
+  constexpr double kMost = 0x1p900;  // larger coordinates cannot be scaled
   Bounds bounds;
   for (std::uint32_t i = 0; i < polygons_; i += step) {
     const EnteredPolygon polygon = polygon_of_(i);
@@ -309,10 +310,10 @@ bool PlanesInReach::set_frame(std::uint32_t step) {
   return true;
 }
 
-/// Takes the polygons with planes. False if some are far outside of the frame, or there are none.
+/// Enters the polygons with planes. False if some are far outside of the frame, or there are none.
 bool PlanesInReach::enter() {
   constexpr double kFarthest = 4.0;
-  double largest_sum = 0.0;  // of magnitudes, that gives a coordinate in the world
+  double largest_sum = 0.0;  // the largest sum of magnitudes that gives a world coordinate
   std::optional<Modelling> modelling;
   planes_.clear();
   planes_.reserve(polygons_);
@@ -349,7 +350,7 @@ void PlanesInReach::enter(const std::array<Point3, 3>& corners, std::uint32_t po
   const Point3 p = (corners[0] - from_) * scale_, q = (corners[1] - from_) * scale_,
                r = (corners[2] - from_) * scale_;
   const Point3 a = q - p, b = r - p, c = r - q, across = glm::cross(a, b);
-  const double per_area = 1.0 / std::sqrt(glm::dot(across, across));  // twice the area
+  const double per_area = 1.0 / std::sqrt(glm::dot(across, across));  // per twice the area
   const double longest = std::max(std::max(glm::dot(a, a), glm::dot(b, b)), glm::dot(c, c));
   const Point3 normal = (glm::dot(across, kOneSide) < 0.0 ? -per_area : per_area) * across;
   farthest_ =
@@ -363,7 +364,8 @@ void PlanesInReach::enter(const std::array<Point3, 3>& corners, std::uint32_t po
                      polygon});
 }
 
-/// Leaves out what has no plane. False if a plane is not known, or there are none.
+/// Removes polygons without a plane. False if a plane is not known accurately enough, or none is
+/// left.
 bool PlanesInReach::leave_out_unknown() {
   std::size_t kept = 0;
   for (const PlaneInReach& plane : planes_) {
@@ -383,7 +385,7 @@ Tolerance PlanesInReach::tolerance(const PlaneInReach& plane) const {
   constexpr float kUp = 1.0F + 0x1p-18F;
   const float per_height = plane.per_height;
   const float bent = 4.0F * static_cast<float>(rounding_) * per_height;  // at most 1/4
-  // The longest side is longer than the height on it.
+  // The longest side exceeds the triangle's height on it.
   const float tilt = 2.0F * static_cast<float>(reach_) * per_height * (1.0F + 3.0F * bent) * kUp;
   const float turned = tilt <= 0.5F ? tilt + tilt * tilt + bent + 0x1p-47F : kAnyTurn;
   const auto& [x, y, z] = plane.corners[0];
@@ -393,10 +395,10 @@ Tolerance PlanesInReach::tolerance(const PlaneInReach& plane) const {
   return {turned * kUp + more, off * kUp + more * static_cast<float>(std::max(1.0, farthest_))};
 }
 
-/// Finds the size of cells, and the error of normals that is taken into account there, from some of
-/// the planes.
+/// Finds the size of cells, and the error of normals that they allow for, from a sample of the
+/// planes.
 void PlanesInReach::find_cells() {
-  constexpr float kPart = 0x1p-6F;  // of the tolerance that half of them have
+  constexpr float kPart = 0x1p-6F;  // of the median tolerance
   constexpr double kOfMost = 0.9, kOfNearlyAll = 0.99;
   constexpr double kOfReach = 0x1p-6;
   const std::size_t step = planes_.size() / (4 * kSome) + 1;
@@ -430,7 +432,7 @@ PlaneCells PlanesInReach::put_in_cells() {
   return cells;
 }
 
-/// Most look in one or two cells along each axis.
+/// Searches in cells; most planes examine one or two along each axis.
 bool PlanesInReach::look_in_cells() {
   const PlaneCells cells = put_in_cells();
   std::array<std::uint32_t, kAtOnce> own;
@@ -450,8 +452,8 @@ bool PlanesInReach::look_in_cells() {
   return look_at_badly_known(looking);
 }
 
-/// Compares with all the few polygons that would look in many cells, and those whose normals are
-/// off by more than is taken into account there.
+/// Compares all planes with the few that would examine many cells, and with those whose normals
+/// have a larger error than the cells allow for.
 bool PlanesInReach::look_at_badly_known(std::span<const std::uint32_t> looking) {
   std::vector<std::uint32_t> unknown;
   for (std::uint32_t k = 0; k < planes_.size(); ++k) {
@@ -473,9 +475,10 @@ bool PlanesInReach::look_at_badly_known(std::span<const std::uint32_t> looking) 
   return !takes_long();
 }
 
-/// Several at once, so that memory is read ahead for the next while one is compared.
+/// Searches for several planes at a time, so that memory is prefetched for the next while one is
+/// compared.
 void PlanesInReach::look_around(const PlaneCells& cells, std::span<const std::uint32_t> own) {
-  std::array<std::uint32_t, kAtOnce> few;  // of own, which are in few cells
+  std::array<std::uint32_t, kAtOnce> few;  // those of `own` that examine few cells
   std::array<PlaneCells::Lists, kAtOnce> lists;
   std::array<std::array<PlanesInRow::Run, 4>, kAtOnce> runs;
   std::size_t n = 0;
@@ -486,7 +489,7 @@ void PlanesInReach::look_around(const PlaneCells& cells, std::span<const std::ui
     const auto found = cells.find_lists(range);
     few[n] = k;
     if (found) lists[n++] = *found;
-    // Planes that differ so little may be turned the other way.
+    // Planes that differ this little may have opposite orientations.
     const float to_side = normal[0] * static_cast<float>(kOneSide.x) +
                           normal[1] * static_cast<float>(kOneSide.y) +
                           normal[2] * static_cast<float>(kOneSide.z);
@@ -533,7 +536,7 @@ void PlanesInReach::look_at_pairs() {
   compared_pairs_.clear();
 }
 
-/// True if the first may lie in the plane of the other.
+/// True if the first polygon may lie in the plane of the other.
 bool PlanesInReach::may_touch(std::uint32_t own, std::uint32_t other, double near) const {
   const auto& [n, distance] = planes_[other].plane;
   for (const auto& v : planes_[own].corners) {

@@ -16,9 +16,9 @@ namespace displayfile::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Writes the indices that PlanesInRow::near returns. Without branches that depend on the planes: a
-/// run has few mostly, and an empty one costs less than to find that it is empty. So what is near
-/// is noted in the bits of a word, and looked at together.
+/// Writes the indices that PlanesInRow::near returns. Has no branches that depend on the planes:
+/// most runs are short, and processing an empty run costs less than detecting it. Near planes are
+/// therefore marked as bits of a word, which are processed together.
 std::size_t FindNear(const PlanesInRow::Plane* planes, float near,
                      const std::array<float, 3>& point, std::span<const PlanesInRow::Run> runs,
                      std::uint32_t* found) {
@@ -27,7 +27,7 @@ std::size_t FindNear(const PlanesInRow::Plane* planes, float near,
              z = hn::Set(floats, point[2]), most = hn::Set(floats, near);
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(floats));
   constexpr std::uint32_t kBytes = 8;
-  std::uint32_t first[kBytes];  // of each byte of the word
+  std::uint32_t first[kBytes];  // per byte of the word
   std::uint32_t bytes = 0;
   std::uint64_t word = 0;
   std::size_t n = 0;

@@ -12,7 +12,7 @@ namespace displayfile {
 /// floats. Any coordinate system.
 class PlanesInRow {
  public:
-  /// Indices from begin to before end.
+  /// Indices from begin up to end, excluded.
   struct Run {
     std::uint32_t begin, end;
   };
@@ -32,7 +32,7 @@ class PlanesInRow {
   std::uint32_t number(std::size_t at) const { return numbers_[at]; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(numbers_.size()); }
 
-  /// Begins to load those from the index on that are compared first.
+  /// Prefetches the planes from the index on that are compared first.
   void read_ahead(std::size_t at) const {
     __builtin_prefetch(&planes_[at]);
     __builtin_prefetch(&planes_[at + kAtOnce / 2]);

@@ -25,11 +25,11 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-/// Pays for the rounding of a tolerance's own computation.
+/// Covers the rounding in the computation of a tolerance.
 constexpr double kWider = 1.0 + 0x1p-40;
 
 /// A point near the frame's centre, and directions of lengths below 1 (the first one's is 1.1),
-/// that no scene has a special relation to.
+/// with no special relation to any scene.
 constexpr Point3 kFrom(0.0572, -0.0833, 0.0411), kToward(0.5719, -0.8327, 0.4113);
 constexpr std::array kAlong{Point3(0.6682, 0.3787, -0.6257), Point3(-0.3525, 0.6323, 0.6750)};
 
@@ -41,8 +41,8 @@ std::vector<std::uint32_t> all_of(std::uint32_t polygons) {
 
 }  // namespace
 
-/// While the planes are looked for. Polygons that have a plane are numbered anew, in order of
-/// entry: by their own planes, in `own_`.
+/// The state of the search. Polygons that have a plane are renumbered in order of entry, as indices
+/// of their own planes in `own_`.
 class TouchingPlanes::Search {
  public:
   Search(TouchingPlanes& result, const PolygonOf& polygon_of)
@@ -50,7 +50,7 @@ class TouchingPlanes::Search {
 
   void enter(std::span<const std::uint32_t> polygons);
   void find_planes();
-  /// The same, by comparing these pairs of the polygons that were entered.
+  /// The same, by comparing these pairs of the entered polygons.
   void find_planes(std::span<const std::uint32_t> polygons, std::span<const Pair> pairs);
   void keep(std::uint32_t polygons);
 
@@ -59,17 +59,17 @@ class TouchingPlanes::Search {
   /// A plane in the frame, in doubles.
   struct Estimate {
     Plane plane{0.0};
-    double radius = 0.0;  ///< by how much the distance of a point of the scene from it may be off
-    double tilt = 0.0;    ///< of what touches it, and is not larger: the sine of the angle, at most
+    double radius = 0.0;  ///< error bound of the distance of a scene's point from it
+    double tilt = 0.0;    ///< bound on the sine of the angle to smaller polygons that touch it
   };
-  /// What is known of a plane.
+  /// The best known approximation of a plane.
   struct Known {
     Plane plane;
     double radius;
-    bool is_close;  ///< as closely as it can be known in doubles
+    bool is_close;  ///< as accurate as doubles allow
   };
   static constexpr std::size_t kMostReady = 1024;
-  /// Recently used planes, made ready.
+  /// Recently used planes, prepared for exact tests.
   struct Ready {
     std::uint32_t own = kNone;
     std::optional<EnteredPlane> plane;
@@ -99,7 +99,7 @@ class TouchingPlanes::Search {
     return area_[a] > area_[b] || (area_[a] == area_[b] && a < b);
   }
   const Known& known_closely(std::uint32_t own);
-  /// How close a plane passes to the corners of the polygon that is looked for.
+  /// How close a plane passes to the corners of the current polygon.
   enum class Passage : std::uint8_t { within_reach, near, beyond };
   Passage passage(const Known& plane) const;
   bool touches(std::uint32_t own, std::uint32_t plane);
@@ -112,7 +112,7 @@ class TouchingPlanes::Search {
   std::vector<OwnPlane> own_;
   std::vector<std::uint32_t> sides_;
   std::vector<double> area_;
-  std::vector<std::uint32_t> taken_;  // the plane that each lies in
+  std::vector<std::uint32_t> taken_;  // per polygon, the plane in which it lies
 
   // A frame in which all points lie between -1 and 1.
   Point3 low_{kNoBound}, high_{-kNoBound}, centre_{0.0};
@@ -121,15 +121,15 @@ class TouchingPlanes::Search {
          close_radius_ = 0.0;
 
   std::vector<KeyGrid::Keys> keys_;
-  std::vector<double> wide_;  // by how much more or less the keys of what it touches may be
+  std::vector<double> wide_;  // tolerance of the keys of planes in which it may lie
   std::optional<KeyGrid> grid_;
-  std::vector<std::uint32_t> order_;    // of the definition
+  std::vector<std::uint32_t> order_;    // the definition's order
   std::vector<std::uint32_t> founded_;  // planes that polygons lie in, in the same order
   std::vector<Known> known_;
   std::optional<PlaneTree> tree_;
   WorkSteps steps_;
 
-  std::array<Point3, 3> corners_;  // of the polygon that is looked for, in the frame
+  std::array<Point3, 3> corners_;  // of the current polygon, in the frame
   std::uint32_t first_plane_ = kNone;
   std::vector<Ready> ready_;
 };
@@ -142,7 +142,7 @@ std::uint32_t TouchingPlanes::Search::modelling_of(const EnteredPolygon& polygon
   return static_cast<std::uint32_t>(all.size() - 1);
 }
 
-/// Takes the polygons' own planes, areas and bounds.
+/// Enters the polygons' own planes, areas and bounds.
 void TouchingPlanes::Search::enter(std::span<const std::uint32_t> polygons) {
   std::vector<Point3> world;
   own_.reserve(polygons.size());
@@ -229,8 +229,8 @@ void TouchingPlanes::Search::find_planes(std::span<const std::uint32_t> polygons
   }
 }
 
-/// By comes_before: a radix sort of the areas, whose bits rise with them, in steps that leave equal
-/// ones in order of entry.
+/// Sorts by comes_before: a radix sort of the areas, whose bits increase with them, in stable
+/// steps, so that equal areas stay in order of entry.
 void TouchingPlanes::Search::set_order() {
   constexpr int kBits = 11;
   constexpr std::uint64_t kDigits = 1u << kBits;
@@ -264,7 +264,7 @@ void TouchingPlanes::Search::find_frame() {
   }
   least_reach_ = result_.modellings_.front().reach().low * scale_ / kWider;
   reach_ *= scale_ * kWider;
-  // A coordinate in the world is off by 3.01 roundings of a sum.
+  // A world coordinate has an error of up to 3.01 roundings of a sum.
   const double world_error = 5.3 * rounding_ * magnitude_ * scale_;
   point_error_ = world_error + 2.0 * rounding_;
   diameter_ = 3.5 + 4.0 * world_error;
@@ -272,14 +272,15 @@ void TouchingPlanes::Search::find_frame() {
   close_radius_ = std::max(16.0 * reach_, 0x1p-45);
 }
 
-/// A plane in the frame, of the normal that is the smaller turn from the fixed point's direction.
+/// A plane in the frame, with its normal oriented toward a fixed direction.
 TouchingPlanes::Search::Plane TouchingPlanes::Search::in_frame(const Point3& normal,
                                                                const Point3& through) const {
   const double distance = glm::dot(normal, in_frame(through));
   return glm::dot(normal, kToward) < 0.0 ? Plane(-normal, -distance) : Plane(normal, distance);
 }
 
-/// Two cosines of its normal, times `farthest_` as their tolerance is, and its distance.
+/// Two cosines of the plane's normal, multiplied by `farthest_` like their tolerance, and its
+/// distance.
 KeyGrid::Keys TouchingPlanes::Search::keys_of(const Plane& plane) const {
   const Point3 normal(plane);
   return {farthest_ * std::abs(glm::dot(normal, kAlong[0])),
@@ -317,9 +318,9 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
   return {in_frame(plane.normal(), p), radius, kNoBound};
 }
 
-/// Finds what is known of the next plane.
+/// Finds the estimate of the next plane and stores it as known.
 TouchingPlanes::Search::Estimate TouchingPlanes::Search::find_estimate(const OwnPlane& own) {
-  constexpr double kGood = 0x1p-32;  // so close are the keys of few planes by chance
+  constexpr double kGood = 0x1p-32;  // few planes have keys this close by chance
   steps_.step();
   Estimate of = estimate(own);
   if (!(of.radius <= std::max(close_radius_, kGood))) {
@@ -350,7 +351,7 @@ void TouchingPlanes::Search::find_keys() {
   for (double& wide : wide_) wide += largest_radius;
 }
 
-/// The keys of the other are within the polygon's tolerance.
+/// True if the other plane's keys are within the polygon's tolerance.
 bool TouchingPlanes::Search::keys_are_near(std::uint32_t own, std::uint32_t other) const {
   const KeyGrid::Keys &a = keys_[own], &b = keys_[other];
   const double wide = wide_[own];
@@ -365,7 +366,7 @@ void TouchingPlanes::Search::take_corners(std::uint32_t own) {
   }
 }
 
-/// The first plane that the polygon lies in, or else its own is a new one.
+/// Finds the first plane in which the polygon lies, or founds a new one, its own.
 void TouchingPlanes::Search::find_plane(std::uint32_t own) {
   take_corners(own);
   first_plane_ = kNone;
@@ -378,9 +379,9 @@ void TouchingPlanes::Search::find_plane(std::uint32_t own) {
   if (!tree_ && result_.counts_.compared > most_compared()) build_tree();
 }
 
-/// About what a tree costs.
+/// About the cost of a tree.
 std::uint64_t TouchingPlanes::Search::most_compared() const {
-  constexpr std::uint64_t kPatience = 32;  // comparisons a polygon
+  constexpr std::uint64_t kPatience = 32;  // comparisons per polygon
   return kPatience * own_.size();
 }
 
@@ -396,8 +397,8 @@ bool TouchingPlanes::Search::look_at_all(std::uint32_t own) {
   return true;
 }
 
-/// Compares the polygon with founded planes whose keys are within its tolerance. False if these are
-/// so many that the tree is searched sooner, or all.
+/// Compares the polygon with founded planes whose keys are within its tolerance. False if there are
+/// so many that searching the tree, or all planes, is faster.
 bool TouchingPlanes::Search::look_in_grid(std::uint32_t own) {
   constexpr std::size_t kFew = 64;
   if (!grid_->has_size_for(wide_[own])) return false;
@@ -438,7 +439,7 @@ void TouchingPlanes::Search::look_in_tree(std::uint32_t own) {
   steps_.step(looked_at);
 }
 
-/// The polygon's own plane is one that polygons lie in.
+/// Founds the polygon's own plane: other polygons may lie in it.
 void TouchingPlanes::Search::found(std::uint32_t own) {
   founded_.push_back(own);
   grid_->insert(own, keys_[own]);
@@ -447,7 +448,7 @@ void TouchingPlanes::Search::found(std::uint32_t own) {
   tree_->insert(own, plane.plane, plane.radius, area_[own]);
 }
 
-/// Takes a founded plane if it is the first so far that the polygon lies in.
+/// Takes a founded plane if the polygon lies in it and it is the first such plane so far.
 void TouchingPlanes::Search::consider(std::uint32_t plane, std::uint32_t own) {
   if (!comes_before(plane, first_plane_ == kNone ? own : first_plane_)) return;
   Passage passage = this->passage(known_[plane]);
@@ -469,7 +470,7 @@ const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::
   return plane;
 }
 
-/// By the estimate and its radius. Within reach only where all matrices have the same.
+/// By the estimate and its radius. Only returns within_reach if all polygons have the same matrix.
 TouchingPlanes::Search::Passage TouchingPlanes::Search::passage(const Known& known) const {
   const Plane& n = known.plane;
   const double near = (reach_ + known.radius) * kWider;
@@ -482,7 +483,7 @@ TouchingPlanes::Search::Passage TouchingPlanes::Search::passage(const Known& kno
   return is_within ? Passage::within_reach : Passage::near;
 }
 
-/// None of the polygon's vertices is farther from the plane than the reach, exactly.
+/// True if no vertex of the polygon is farther from the plane than the reach, exactly.
 bool TouchingPlanes::Search::touches(std::uint32_t own, std::uint32_t plane) {
   ++result_.counts_.tested;
   const EnteredPlane& of = ready(plane);
@@ -502,7 +503,7 @@ const EnteredPlane& TouchingPlanes::Search::ready(std::uint32_t plane) {
   return *ready.plane;
 }
 
-/// Keeps the planes that polygons lie in, and which polygons share one.
+/// Stores the planes in which polygons lie, and the polygons that share each.
 void TouchingPlanes::Search::keep(std::uint32_t polygons) {
   std::vector<std::uint32_t> sharing(own_.size(), 0);
   for (const std::uint32_t k : order_) {
@@ -511,7 +512,7 @@ void TouchingPlanes::Search::keep(std::uint32_t polygons) {
     ++result_.touching_;
   }
   keep_members(sharing);
-  std::vector<std::uint32_t>& number = sharing;  // of the planes that are kept
+  std::vector<std::uint32_t>& number = sharing;  // of the stored planes
   result_.plane_.assign(polygons, kNone);
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
@@ -530,7 +531,7 @@ void TouchingPlanes::Search::keep(std::uint32_t polygons) {
   result_.planes_ = std::move(own_);
 }
 
-/// `sharing`: of each plane how many polygons lie in it besides its own.
+/// `sharing`: for each plane the number of other polygons that lie in it.
 void TouchingPlanes::Search::keep_members(const std::vector<std::uint32_t>& sharing) {
   if (result_.touching_ == 0) return;
   std::vector<std::uint32_t> shared;
@@ -586,7 +587,7 @@ std::size_t TouchingPlanes::bytes() const {
 }
 
 void TouchingPlanes::keep_members_alone() {
-  modellings_ = decltype(modellings_)();  // {} would leave their room
+  modellings_ = decltype(modellings_)();  // assigning {} would keep the memory
   planes_ = decltype(planes_)();
   plane_ = decltype(plane_)();
 }

@@ -26,7 +26,7 @@ class TouchingPlanes {
     std::uint64_t tested = 0;    ///< of these, the ones that needed the definition
   };
 
-  /// A polygon and one whose plane it may lie in: indices of those looked at.
+  /// A polygon and one in whose plane it may lie, as indices among the examined polygons.
   struct Pair {
     std::uint32_t polygon, plane;
   };

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> first_equal(std::span<const Point3> points) {
   return first;
 }
 
-/// Points that stand for themselves, by cells of space that are many reaches wide.
+/// Representatives, by cells of space that are many reaches wide.
 class StandingPoints {
  public:
   StandingPoints(std::span<const Point3> points, double reach)
@@ -46,7 +46,7 @@ class StandingPoints {
         first_(std::bit_ceil(2 * points.size() + 1), kNoPoint),
         next_(points.size(), kNoPoint) {}
 
-  /// The first within reach of that one, or itself, which then stands for itself.
+  /// The first representative within reach of the point, or the point, which then becomes one.
   std::uint32_t first_of(std::uint32_t point) {
     const Point3& p = points_[point];
     const Point3 in_cells = p * per_cell_, own = glm::floor(in_cells);
@@ -63,14 +63,14 @@ class StandingPoints {
 
  private:
   static constexpr double kReachesOfCell = 32.0;
-  static constexpr double kReach = 1.5 / kReachesOfCell;  // in cells, and what is rounded
+  static constexpr double kReach = 1.5 / kReachesOfCell;  // in cells, with a margin for rounding
 
   std::size_t place_of(const Point3& key) const { return hash_(key) & (first_.size() - 1); }
   void stand(std::uint32_t point, std::size_t place) {
     next_[point] = first_[place];
     first_[place] = point;
   }
-  /// In the cells that the reach goes into beside the point's own.
+  /// Searches the neighbouring cells into which the reach extends.
   std::uint32_t first_in_neighbours(const Point3& p, const Point3& own, const Point3& off) const {
     std::uint32_t first = kNoPoint;
     glm::ivec3 low(0), high(0);
@@ -96,10 +96,11 @@ class StandingPoints {
   std::span<const Point3> points_;
   double reach_, per_cell_;
   SecretHash hash_;
-  std::vector<std::uint32_t> first_, next_;  // of each place; of the points in one
+  std::vector<std::uint32_t> first_, next_;  // per hash place; per point, the next in its place
 };
 
-/// Sides that may lie along each other, as their lines pass a point at nearly the same place.
+/// Sides that may lie along each other, since their lines pass a given point at nearly the same
+/// place.
 class SidesOfLines {
  public:
   SidesOfLines(std::span<const Point3> points, std::span<const SideOfPoints> sides, double reach)
@@ -107,7 +108,7 @@ class SidesOfLines {
     Bounds bounds;
     for (const auto& [from, to] : sides) bounds.include(points[from]), bounds.include(points[to]);
     const Point3 size = bounds.high - bounds.low;
-    // No line was made to go through this point.
+    // An arbitrary point, which no line is meant to contain.
     from_ = bounds.low + Point3(0.6180, 0.2716, 0.4142) * size;
     diameter_ = glm::length(size);
     if (!(diameter_ > 0.0 && diameter_ <= std::numeric_limits<double>::max())) return;
@@ -115,7 +116,7 @@ class SidesOfLines {
     join();
   }
 
-  /// Calls visit(sides) for those of each line, if they are more than one.
+  /// Calls visit(sides) for the sides of each line that has more than one.
   template <class Visit>
   void for_each(const Visit& visit) {
     std::vector<std::uint32_t> order(sides_.size()), name(sides_.size());
@@ -129,8 +130,8 @@ class SidesOfLines {
   }
 
  private:
-  /// By where the line is that passes the point the closest, in diameters; and by how much another
-  /// is off that at most whose ends are within reach, and the same once more.
+  /// The key is the point of the side's line closest to from_, in diameters. The tolerance is twice
+  /// the maximum difference of keys for a side with both ends within reach, and rounding.
   void find_keys(double reach) {
     constexpr double kRounding = 0x1p-44;
     keys_.reserve(sides_.size());
@@ -145,8 +146,8 @@ class SidesOfLines {
                                    kRounding * (1.0 + diameter_ / length)));
     }
   }
-  /// Where very many have nearly the same keys each is joined to some of the others, and these to
-  /// each other.
+  /// If very many sides have nearly the same keys, each is joined to some of the others only, and
+  /// these to each other.
   void join() {
     constexpr std::size_t kMost = 32;
     KeyGrid grid(tolerances_);
@@ -180,13 +181,14 @@ class SidesOfLines {
 
 struct OnSide {
   std::uint32_t side, vertex;
-  double share;  ///< of the way along it
+  double share;  ///< fraction of the side's length
 };
 
-/// Adds the ends of these sides that are between those of another of them, and within reach of it.
+/// Adds the ends of these sides that are between the ends of another of them, and within reach of
+/// it.
 void find_along(std::span<const Point3> points, std::span<const SideOfPoints> all,
                 std::span<const std::uint32_t> sides, double reach, std::vector<OnSide>& found) {
-  Point3 along(0.0);  // the longest
+  Point3 along(0.0);  // direction of the longest
   for (const std::uint32_t k : sides) {
     const Point3 way = points[all[k].to] - points[all[k].from];
     if (glm::length(way) > glm::length(along)) along = way;
@@ -208,7 +210,7 @@ void find_along(std::span<const Point3> points, std::span<const SideOfPoints> al
   for (const std::uint32_t k : sides) {
     const auto& [from, to] = all[k];
     const Point3 way = points[to] - points[from];
-    // A short side may be of another direction than the longest: its ends tell little then.
+    // A short side may differ in direction from the longest: its ends are then not decisive.
     const double a = end_at(from).place, b = end_at(to).place;
     const double low = std::min(a, b), high = std::max(a, b);
     const auto last = std::ranges::upper_bound(ends, high + reach, {}, &End::place);

@@ -44,7 +44,7 @@ void EarCutting::cut(std::span<const Point2> polygon, std::size_t most_looks,
   std::uint32_t corner = 1, tried = 0;
   for (std::uint32_t left = sides; left >= 3;) {
     if (looks_ > most_looks) tried = left;
-    // Once round without an ear: the polygon crosses itself. Fan what is left.
+    // A full round without an ear: the polygon crosses itself. Fans the remaining corners.
     if (tried < left && !is_ear(corner)) {
       ++tried;
       corner = ring_[corner].next;
@@ -56,7 +56,7 @@ void EarCutting::cut(std::span<const Point2> polygon, std::size_t most_looks,
     ring_[c].previous = a;
     if (tried < left--) {
       tried = 0;
-      corner = ring_[c].next;  // not the neighbour: that would cut slivers round one corner
+      corner = ring_[c].next;  // not the neighbour: that would cut slivers around one corner
     } else {
       tried = left;
       corner = c;

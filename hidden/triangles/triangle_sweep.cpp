@@ -18,14 +18,15 @@ constexpr VertexIndex kNone = 0xFFFFFFFFu;
 /// From bottom to top, of equally high points from left to right.
 bool is_below(const Point2& p, const Point2& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; }
 
-/// How many of a corner's neighbours are below it: the order in which corners at one point are met.
+/// The number of a corner's neighbours below it: the order in which corners at one point are
+/// visited.
 enum class Kind { both_below, one_below, both_above };
 
 struct Corner {
   Point2 at;
   VertexIndex of_polygon;
   Kind kind = Kind::one_below;
-  int turn = 0;                  ///< 1 where the polygon is convex
+  int turn = 0;                  ///< 1 if the polygon is convex there
   Point2 left{0.0}, right{0.0};  ///< its neighbours, if they are on the same side of it
 };
 
@@ -46,18 +47,19 @@ class Sweep {
   }
 
  private:
-  /// A corner in a chain, which the sweep has met and above which not all is triangulated.
+  /// A corner in a chain: visited by the sweep, with untriangulated parts above it.
   struct Link {
     VertexIndex corner, left, right;
   };
-  /// What is inside the polygon between two sides that the sweep line crosses. Below it is a chain
-  /// of corners, from the lower end of the left side to that of the right side; it rises to the
-  /// peak, the corner that was met last, and falls from there.
+  /// A part of the polygon's inside between two sides that the sweep line crosses. It is bounded
+  /// below by a chain of corners, from the lower end of the left side to that of the right side;
+  /// the chain rises to the peak, the corner visited last, and falls from there.
   struct Slab {
     VertexIndex left_side, right_side;
     VertexIndex first, last, peak;
   };
-  /// Slabs are found by where a corner is among them; a new one is put beside one that is known.
+  /// Finds a slab by a corner's position among the slabs; a new slab is inserted beside a known
+  /// one.
   struct RightSideIsLeftOf {
     using is_transparent = void;
     const Sweep* sweep;
@@ -117,17 +119,17 @@ class Sweep {
 
   std::span<const Point2> polygon_;
   std::vector<CornerTriple>& triangles_;
-  std::vector<Corner> corners_;            // none at the point of the one before
-  std::vector<VertexIndex> sequence_;      // of corners, as they are met
-  std::vector<VertexIndex> rank_;          // of each corner in it
+  std::vector<Corner> corners_;            // without successive equal points
+  std::vector<VertexIndex> sequence_;      // of corners, in order of visits
+  std::vector<VertexIndex> rank_;          // per corner, its position in the sequence
   std::vector<VertexIndex> slab_of_side_;  // side i runs from corner i to the next
   std::vector<Link> links_;
   std::vector<Slab> slabs_;
   Order order_;                          // of slabs, from left to right
-  std::vector<Order::iterator> places_;  // of slabs in it
+  std::vector<Order::iterator> places_;  // per slab
 };
 
-/// A corner at the point of the one before is cut off at once: its triangle has no area.
+/// Cuts off a corner that repeats the previous point: its triangle has no area.
 void Sweep::drop_repeated_points() {
   const auto n = static_cast<VertexIndex>(polygon_.size());
   VertexIndex first = 0;  // so that a run of equal points does not begin at the polygon's end
@@ -143,7 +145,8 @@ void Sweep::drop_repeated_points() {
   }
 }
 
-/// Newell's sums are rounded: where they err about which way it runs, x and y are exchanged.
+/// Exchanges x and y if the polygon runs clockwise: rounded Newell's sums may misjudge its
+/// direction.
 void Sweep::turn_counterclockwise() {
   VertexIndex lowest = 0;
   for (VertexIndex v = 1; v < size(); ++v) {
@@ -171,8 +174,9 @@ void Sweep::find_kinds() {
   }
 }
 
-/// Corners at one point: what ends there before what goes on, and that before what starts; of two
-/// that end the inner first, of two that start the outer.
+/// Sorts the corners. At one point, those where slabs end come first, then those where a side
+/// continues, then those where slabs start; of two that end the inner first, of two that start the
+/// outer.
 void Sweep::put_in_order() {
   const auto comes_first = [this](VertexIndex u, VertexIndex v) {
     const Corner &a = corners_[u], &b = corners_[v];
@@ -191,8 +195,9 @@ void Sweep::put_in_order() {
   for (VertexIndex k = 0; k < size(); ++k) rank_[sequence_[k]] = k;
 }
 
-/// Whether a corner with both neighbours above it is right of a side that the sweep line crosses.
-/// On the side, its neighbours tell; `if_on_it` where these are on it too.
+/// True if a corner with both neighbours above it is right of a side that the sweep line crosses.
+/// If the corner is on the side, its neighbours decide; if these are on it too, the result is
+/// `if_on_it`.
 bool Sweep::is_right_of(const Corner& corner, VertexIndex side, bool if_on_it) const {
   const VertexIndex next = next_corner(side, size());
   const bool rises = rank_[side] < rank_[next];
@@ -205,7 +210,7 @@ bool Sweep::is_right_of(const Corner& corner, VertexIndex side, bool if_on_it) c
 }
 
 /// Cuts the triangle of a link and its neighbours off the chain, if it is inside, or has no area
-/// and holds up others.
+/// and would block others.
 bool Sweep::cut_off(VertexIndex middle) {
   const auto [b, left, right] = links_[middle];
   if (left == kNone || right == kNone) return false;
@@ -232,7 +237,7 @@ bool Sweep::meet(VertexIndex v) {
   return true;
 }
 
-/// A side ends, and the next one goes on.
+/// Handles a corner where a side ends and the next continues.
 void Sweep::bend(VertexIndex v, bool on_the_left) {
   const VertexIndex ended = on_the_left ? v : previous_corner(v, size());
   const VertexIndex begun = on_the_left ? previous_corner(v, size()) : v;
@@ -250,7 +255,7 @@ void Sweep::bend(VertexIndex v, bool on_the_left) {
   }
 }
 
-/// Outside a slab starts; inside the slab there is split, and its peak is seen from the corner.
+/// Outside, starts a slab; inside, splits the slab, whose peak is visible from the corner.
 bool Sweep::start_or_split(VertexIndex v) {
   const Corner& corner = corners_[v];
   const VertexIndex falling = previous_corner(v, size()), rising = v;
@@ -280,7 +285,7 @@ bool Sweep::start_or_split(VertexIndex v) {
   return true;
 }
 
-/// The end of the slab between both sides; or of the gap between two slabs, which are merged.
+/// Ends the slab between both sides, or the gap between two slabs, which are merged.
 bool Sweep::end_or_merge(VertexIndex v) {
   const VertexIndex s = slab_of_side_[previous_corner(v, size())], t = slab_of_side_[v];
   assert(s != kNone && t != kNone);  // both sides' lower ends were met
@@ -292,7 +297,7 @@ bool Sweep::end_or_merge(VertexIndex v) {
   put_first(right, v);
   cut_to_the_right(right.first);
   order_.erase(places_[t]);
-  if (s == t) return links_[links_[left.first].right].right == left.last;  // all but two is cut off
+  if (s == t) return links_[links_[left.first].right].right == left.last;  // two corners are left
   left.peak = left.last;
   join(left.last, links_[right.first].right);
   left.last = right.last;

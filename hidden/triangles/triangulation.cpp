@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// Counterclockwise when seen against the normal: the axis of its largest component dropped.
+/// Drops the axis of the normal's largest component. Orientation is as seen against the normal.
 Point2 along_axis(const Point3& p, const Point3& normal) {
   const Point3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
   if (size.z >= size.x && size.z >= size.y)
@@ -37,7 +37,7 @@ void Triangulation::find_corners() {
   }
 }
 
-/// Whether no triangle is reversed: then together they wind around each point as often as the
+/// True if no triangle is reversed: together they then wind around each point as often as the
 /// polygon does.
 bool Triangulation::tiles() const {
   return std::ranges::none_of(corners_, [&](const CornerTriple& corners) {
@@ -47,8 +47,8 @@ bool Triangulation::tiles() const {
   });
 }
 
-/// The triangles found: a side of the polygon joins neighbours in its order, all else is a
-/// diagonal.
+/// The triangles with marked sides: a polygon's side joins successive vertices, all others are
+/// diagonals.
 std::span<const Triangulation::Triangle> Triangulation::with_sides() {
   const auto sides = static_cast<std::uint32_t>(flattened_.size());
   const auto is_side = [&](std::uint32_t from, std::uint32_t to) {

@@ -21,7 +21,7 @@ using AnnotationKind = KeptAnnotation::Kind;
 
 constexpr double kFarthestOnPage = 10'000.0;  // pixels outside of the picture
 
-/// What is drawn, on the page.
+/// Collects the figure drawn on the page: its points and rectangles, in pixels.
 class DrawnFigure {
  public:
   DrawnFigure(const AnnotationPage& page, PageFigure& figure) : page_(page), figure_(figure) {}
@@ -85,7 +85,7 @@ bool is_near(const Point2& p, const AnnotationPage& page) {
          p.y >= -kFarthestOnPage && p.y <= page.height + kFarthestOnPage;
 }
 
-/// At the places where it was entered; none if it is far outside.
+/// Converts to pixels of the page, at the entered places; none if a point is far outside.
 std::optional<PageAnnotation> on_page(const KeptAnnotation& kept, const AnnotationPage& page) {
   const bool in_pixels = kept.style.unit == AnnotationStyle::Unit::pixels;
   const double unit = in_pixels ? page.pixel : page.millimetre;
@@ -103,7 +103,7 @@ std::optional<PageAnnotation> on_page(const KeptAnnotation& kept, const Annotati
   return result;
 }
 
-/// All annotation of a page at its place.
+/// All annotation of a page in its final places.
 struct LaidOut {
   std::vector<PageAnnotation> all;
   std::vector<std::size_t> numbers;  // of each, in order of entry

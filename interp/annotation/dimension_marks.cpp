@@ -58,7 +58,7 @@ std::vector<Point2> part_of_path(std::span<const Point2> path, double from, doub
 
 }  // namespace
 
-/// From a point of the model to an end of the dimension line.
+/// Draws a line from a point of the model to an end of the dimension line.
 void AnnotationPencil::extension_line(const Point2& from, const Point2& to) {
   const double length = glm::distance(from, to), gap = kExtensionGap * height_;
   if (length <= gap) return;
@@ -66,13 +66,14 @@ void AnnotationPencil::extension_line(const Point2& from, const Point2& to) {
   line({from + gap * direction, to + gap * direction});
 }
 
-/// An arrowhead from outside, with its line.
+/// Draws an arrowhead from outside, with its line.
 void AnnotationPencil::outer_arrow(const Point2& tip, const Point2& direction) {
   line({tip - 2.0 * arrow_length() * direction, tip - 0.5 * arrow_length() * direction});
   arrow(tip, direction);
 }
 
-/// Arrowheads that have no room between the ends are outside of them; returns true if they have.
+/// Draws arrowheads between the ends, or outside of them if there is no room; returns true if there
+/// is.
 bool AnnotationPencil::arrows_of_line(const Point2& start, const Point2& end,
                                       const Point2& direction) {
   const double half_arrow = 0.5 * arrow_length();
@@ -89,8 +90,8 @@ bool AnnotationPencil::arrows_of_line(const Point2& start, const Point2& end,
   return have_room;
 }
 
-/// A line from a point in a direction, with the number above its end; `before` it is a length
-/// without.
+/// Draws a line from a point in a direction, with the number above its end, after a length `before`
+/// without a number.
 void AnnotationPencil::number_on_line(const Point2& start, double before, const Point2& direction) {
   const double room = width_of(kept_->characters) + kRoomOfNumber * height_;
   const Point2 read = readable(direction);
@@ -100,7 +101,7 @@ void AnnotationPencil::number_on_line(const Point2& start, double before, const 
        TextStyle::Alignment::centre, read);
 }
 
-/// A number that has no room stands beyond the end that is read last.
+/// A number without room on the line is placed beyond the end that is read last.
 void AnnotationPencil::dimension_line(const Point2& from, const Point2& to) {
   const double length = glm::distance(from, to);
   if (length < line_width(height_)) return;

@@ -109,7 +109,7 @@ LabelCells label_cells(std::span<PageAnnotation* const> labels, const Rectangle&
 
 namespace {
 
-/// Labels in cells: which anchor has which.
+/// The assignment of label cells to anchors.
 class Assignment {
  public:
   Assignment(std::span<const Point2> anchors, std::span<const LabelCell> cells,

@@ -38,9 +38,9 @@ LabelCells label_cells(std::span<PageAnnotation* const> labels, const Rectangle&
 /// crosses(i, c): whether the line from anchor i to the port of cell c crosses other annotation.
 using CrossesOthers = std::function<bool(std::size_t anchor, std::size_t cell)>;
 
-/// Gives each anchor a cell of its own so that no two lines from anchors to ports cross, and as few
-/// as is found cross other annotation. Returns the number of each anchor's cell, or the number of
-/// cells where none was left.
+/// Gives each anchor a cell of its own so that no two lines from anchors to ports cross, and few of
+/// them cross other annotation (a local minimum). Returns the number of each anchor's cell, or the
+/// number of cells where none was left.
 std::vector<std::size_t> assigned_cells(std::span<const Point2> anchors,
                                         std::span<const LabelCell> cells,
                                         const CrossesOthers& crosses);

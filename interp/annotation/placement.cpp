@@ -100,7 +100,7 @@ class Placement {
   bool find_place_of_list(PageAnnotation& list) const;
   void place_around();
   using PageLine = std::pair<Point2, Point2>;
-  /// Labels in cells, and what is to be avoided, the worst first.
+  /// The assignment of labels to cells, and its costs, the most important first.
   struct Labelling {
     std::vector<LabelCell> cells;
     std::vector<std::size_t> cell_of;
@@ -182,8 +182,8 @@ void Placement::move_numbers_outward() {
   }
 }
 
-/// Takes the place if what is drawn there, `alone`, is clear of the figure and of other annotation,
-/// in the picture.
+/// Takes the place if the marks drawn there, `alone`, are clear of the figure and of other
+/// annotation, in the picture.
 bool Placement::try_place(PageAnnotation& dimension, std::vector<Point2> alone,
                           std::span<const Point2> axes) {
   const double height = dimension.height;
@@ -249,7 +249,7 @@ void Placement::move_arc_outward(PageAnnotation& dimension) {
 
 // ---- Step 3: parts lists --------------------------------------------------------------------
 
-/// Clear of the figure's convex outline, or, which takes longer, of each of its parts.
+/// True if clear of the figure's convex outline, or, which takes longer, of each of its parts.
 bool Placement::is_clear_place_of_list(const PageAnnotation& list, ClearOf figure) const {
   const std::vector<Point2> points = points_of_annotation(list);
   const Rectangle box = rectangle_of(points);
@@ -262,8 +262,8 @@ bool Placement::is_clear_place_of_list(const PageAnnotation& list, ClearOf figur
                              [&](const Rectangle& part) { return are_apart(box, part, by); });
 }
 
-/// The corner in which it was entered, or the first in which it is clear, or the place where it is
-/// that is nearest to the one where it was entered.
+/// Tries the corner in which the list was entered, the other corners, and then all places; the
+/// nearest clear one to the entered place is taken.
 bool Placement::find_place_of_list(PageAnnotation& list) const {
   const Point2 entered = list.corner;
   const Point2 corners[] = {entered, {-entered.x, entered.y}, {entered.x, -entered.y}, -entered};
@@ -304,7 +304,7 @@ void Placement::place_lists() {
 
 // ---- Steps 4 and 5: leaders and balloons ----------------------------------------------------
 
-/// The lines, and the sides of areas and texts, of all that does not stand in cells.
+/// The lines, and the sides of areas and texts, of all annotation that is not placed in cells.
 std::vector<Placement::PageLine> Placement::lines_of_others() const {
   std::vector<PageLine> lines;
   for (const Rectangle& box : room_.occupied) {

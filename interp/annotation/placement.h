@@ -11,8 +11,8 @@
 
 namespace displayfile {
 
-/// What a picture shows beside annotation, in pixels: the points of its polygons and lines, and the
-/// rectangle around each of them.
+/// The figure beside which annotation is placed, in pixels: the points of its polygons and lines,
+/// and the rectangle around each of them.
 struct PageFigure {
   std::vector<Point2> points;
   std::vector<Rectangle> boxes;

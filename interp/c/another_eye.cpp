@@ -17,7 +17,7 @@ const RetainedScene& retained(const df_system& system) {
 
 namespace {
 
-/// A system that retains, seen from where it is looked from.
+/// The system's other eye, in the view set by df_look_from, or else the application's.
 OtherEye& other_eye(df_system& system) {
   if (!system.other) {
     system.other.emplace(system.system, retained(system), system.recorded.str());

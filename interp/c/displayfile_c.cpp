@@ -59,7 +59,7 @@ std::optional<Background> background_of(const df_options& options) {
                           options.background));
 }
 
-/// The options in the words of the application API. Of a structure that is known.
+/// Converts the options of a structure of a known version to the application API's.
 DrawOptions draw_options(const df_options& options) {
   DrawOptions result;
   if (options.width != 0) result.width = options.width;
@@ -129,7 +129,8 @@ std::span<const Value> array(const void* values, std::size_t count, const char* 
   return {static_cast<const Value*>(values), values == nullptr ? 0 : count};
 }
 
-/// An array of a mesh, which null leaves out. A count of 0 does not, where there are corners.
+/// An array of a mesh, or null for none. An empty array that is not null is an error if the mesh
+/// has corners.
 template <class Value>
 std::span<const Value> array_or_null(const void* values, std::size_t count, const df_mesh& mesh,
                                      const char* what) {

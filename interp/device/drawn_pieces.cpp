@@ -22,7 +22,7 @@ namespace {
 
 using Kind = DrawnPieces::Kind;
 
-/// Instructions in order, with what is in force.
+/// Gathers pieces from instructions in order, with the attributes in force.
 class PieceGatherer {
  public:
   explicit PieceGatherer(DrawnPieces& pieces) : pieces_(pieces) {}
@@ -76,7 +76,7 @@ class PieceGatherer {
     }
     end_piece(solid ? Kind::solid : Kind::hollow, even_colour(), pick_);
   }
-  /// Sides in other styles than the polygon's are lines after it.
+  /// Sides whose styles differ from the polygon's become lines after it.
   void polygon_and_sides(std::span<const Point3> vertices, std::span<const std::int32_t> sides) {
     own_.assign(sides.size(), op::move);
     styled_.for_each(line_, of_sides_, sides, [&](const LineStyle& style, const auto& of_style) {

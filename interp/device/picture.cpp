@@ -47,7 +47,7 @@ void require_sheet(double width, double height) {
       fmt::format("paper of {}x{} mm: expected sides of 1 to {} mm", width, height, kLargestSheet));
 }
 
-/// WxH, if the word is that.
+/// The width and height of a word of the form WxH; none for another word.
 std::optional<std::pair<double, double>> sides_of(std::string_view word) {
   double width = 0.0, height = 0.0;
   const char *const begin = word.data(), *const end = begin + word.size();

@@ -23,7 +23,7 @@ HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& opt
 
 namespace {
 
-/// Why it is a method that was not picked.
+/// The reason for a method that `automatic` did not choose.
 std::string_view reason_of_method(const GraphicsSystem& system, const DrawOptions& options) {
   if (options.surfaces.method || system.hidden_surfaces().z_buffer ||
       system.hidden_surfaces().removal)
@@ -64,8 +64,8 @@ MethodChoice choice_for(const GraphicsSystem& system, const PicturePlan& plan, P
     return {HiddenMethod::map, "for pens: visible fills are hatched"};
   }
   std::optional<Background> background = options.background.value_or(system.looks().background);
-  if (!options.ids.empty() || !options.depth.empty()) background.reset();  // fills are wanted
-  if (is_colour_rule(method)) background.reset();                          // they hide at least
+  if (!options.ids.empty() || !options.depth.empty()) background.reset();  // need fills
+  if (is_colour_rule(method)) background.reset();                          // fills hide lines
   MethodChoice chosen = choose_method(system.display_file(), kind, background);
   const bool by_depth = plan.surfaces.line_order == LineOrder::depth;
   if (by_depth && chosen.method == HiddenMethod::none) {

@@ -9,16 +9,16 @@
 
 namespace displayfile {
 
-/// How the item buffer of a system's picture comes about.
+/// How the item buffer of a system's picture is determined.
 enum class ItemBufferIs {
-  truth,   ///< what is nearest is seen, exactly; by methods of lines, what hides
-  drawn,   ///< by a method that rounds, or by a device of its own
+  truth,   ///< the nearest fill, exactly; for methods that find lines, the fill that hides
+  drawn,   ///< the fill drawn, by a method that rounds or by a device's own z-buffer
   layers,  ///< in layers (interp/visibility/drawn_layers.h)
 };
 ItemBufferIs item_buffer_of(const GraphicsSystem& system, const PicturePlan& plan);
 
-/// The layers in which the display file is drawn, whose scene that is: its segments, each sorted or
-/// in order of entry.
+/// The layers in which the display file is drawn, of which `scene` is the scene: its segments, each
+/// sorted or in order of entry.
 DrawnLayers layers_of(const DisplayFile& drawn, const ViewedScene& scene, HiddenMethod method);
 
 /// Options for the row of one pixel, with ids and depths.

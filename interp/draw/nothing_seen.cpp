@@ -66,7 +66,7 @@ constexpr std::array kPlanes{
     std::pair{ClipPlane::left, Reason::left},     std::pair{ClipPlane::right, Reason::right},
     std::pair{ClipPlane::bottom, Reason::bottom}, std::pair{ClipPlane::top, Reason::top}};
 
-/// All vertices are on one line, but for the rounding of their coordinates.
+/// True if all vertices lie on one line, up to the rounding of their coordinates.
 bool is_edge_on(std::span<const Point3> vertices) {
   constexpr double kRounding = 1e-12;
   const auto [p, q, r] = support_vertices(vertices).index;
@@ -77,12 +77,12 @@ bool is_edge_on(std::span<const Point3> vertices) {
   return std::abs(newell_c(farthest)) <= kRounding * size * size;
 }
 
-/// Looks at what is drawn in device coordinates, after the image transformation.
+/// Tests the visibility of primitives in device coordinates, after the image transformation.
 class Shown {
  public:
   explicit Shown(const SeenIn& in) : pixels_(in.pixels) {}
 
-  /// Why nothing is seen of a polygon or a line; nothing if something is.
+  /// The reason why a polygon or a line is invisible; none if part of it is visible.
   std::optional<Reason> why_not(std::span<const Point3> points, bool is_filled, bool has_lines) {
     if (is_off_picture(points)) return Reason::moved;
     if (has_lines) return std::nullopt;
@@ -173,7 +173,7 @@ bool shows(const Segment& segment, Shown& shown) {
 
 // ---- A retained scene --------------------------------------------------------------------
 
-/// One segment in the view in which it is looked at.
+/// A segment in the view in which it is seen.
 struct SegmentSeen {
   const RetainedScene& scene;
   PolygonStage stage;
@@ -201,7 +201,7 @@ std::optional<Reason> why_not(SegmentSeen& at, std::uint32_t i) {
                           attributes.fill.kind == FillStyle::Kind::solid, has_lines);
 }
 
-/// The same, and where it is, if it is in no view.
+/// The same, and for a primitive that is in no view, its position relative to the view volume.
 Reason reason_of(SegmentSeen& at, std::uint32_t i) {
   const RetainedScene& scene = at.scene;
   ClipPipeline& pipeline = at.stage.pipeline();

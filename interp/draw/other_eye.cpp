@@ -21,7 +21,7 @@ namespace displayfile {
 
 namespace {
 
-/// What pictures follow beside what was drawn.
+/// The settings on which pictures depend besides the scene.
 auto settings_of(const GraphicsSystem& system) {
   return std::tuple(system.hidden_surfaces().removal, system.hidden_surfaces().z_buffer,
                     system.hidden_surfaces().method, system.hidden_surfaces().scope,
@@ -43,7 +43,7 @@ struct OtherEye::Kept {
   Renderer renderer = {};
   std::optional<GraphicsSystem> replayed = std::nullopt;
 
-  /// The program is that of the system as it was.
+  /// Throws Error if the system has changed, since the recorded program is then outdated.
   void require_same() const {
     const bool is_there = !taken.is_gone() && &taken.attributes() == file;
     if (is_there && taken.is_same() && settings_of(told) == settings) return;

@@ -48,7 +48,8 @@ void require_drawn_by_pens(HiddenMethod method, const Pens& pens) {
 
 namespace {
 
-/// The plain z-buffer decides by depths as they are stored, and in vectors is the map.
+/// Refuses a ROUNDOFF for the plain z-buffer, which decides by depths as stored; in vectors it is
+/// replaced by the map.
 void require_precision_of_plain_z_buffer(HiddenMethod method, const PicturePlan& plan) {
   const bool decides = plan.kind() == PictureKind::raster && plan.is_on_first_device();
   if (!decides || !is_plain_z_buffer(method) || plan.surfaces.precision.exact) return;
@@ -91,7 +92,7 @@ void require_hidden_lines_drawn(HiddenLines hidden_lines, HiddenMethod method,
 
 namespace {
 
-/// Why lines that overlap stay in the order of entry; empty if they do not.
+/// The reason why overlapping lines stay in order of entry; empty if they do not.
 std::string why_not_by_depth(HiddenMethod method, const PicturePlan& plan, PictureKind kind) {
   const HiddenMethod surfaces = surfaces_of(method);
   if (!plan.is_on_first_device()) {
@@ -169,7 +170,7 @@ bool is_method_of(const OrderMade& order, HiddenMethod method) {
          (surfaces == HiddenMethod::back_face && order.method() == HiddenMethod::none);
 }
 
-/// `what` is as it is, and not as asked for.
+/// Throws Error: setting `what` of the order is `made`, but the options set `asked`.
 [[noreturn]] void refuse_for_order(std::string_view what, std::string_view asked,
                                    std::string_view made) {
   throw Error(fmt::format(
@@ -178,8 +179,8 @@ bool is_method_of(const OrderMade& order, HiddenMethod method) {
       what, asked, what, made, made, what));
 }
 
-/// Whether a picture that is `wider` times as wide as its view is stretched, and not
-/// only in whole pixels.
+/// True if a picture whose aspect ratio is `wider` times its view's is stretched by more than
+/// rounding to whole pixels.
 bool is_stretched(double wider, const DrawOptions& options) {
   constexpr double kRounded = 0.01;
   return std::abs(wider - 1.0) > kRounded + 1.0 / std::min(options.width, options.height);
@@ -220,7 +221,7 @@ void warn_if_stretched(const View& view, const GraphicsSystem* settings,
 
 namespace {
 
-/// True if nothing that is drawn was put in order.
+/// True if no visible segment was sorted.
 bool is_in_order_of_entry(const DisplayFile& drawn) {
   return drawn.sorted() == nullptr &&
          std::ranges::none_of(drawn.segments(), [](const Segment& segment) {
@@ -228,7 +229,7 @@ bool is_in_order_of_entry(const DisplayFile& drawn) {
          });
 }
 
-/// Lines that are drawn over the map's pieces are found by a ROUNDOFF, its pieces are not.
+/// A ROUNDOFF affects the lines drawn over the map's pieces, not the pieces themselves.
 bool is_map_without_lines(const DisplayFile& drawn) {
   const auto& sorted = drawn.sorted();
   return sorted != nullptr && sorted->plan.method == HiddenMethod::map &&
@@ -236,7 +237,7 @@ bool is_map_without_lines(const DisplayFile& drawn) {
                               [](const auto& part) { return part->scene->has_lines(); });
 }
 
-/// Why a ROUNDOFF decides nothing; empty if it does.
+/// The reason why a ROUNDOFF has no effect; empty if it has one.
 std::string why_nothing_rounds(HiddenMethod method, const DisplayFile& drawn, FoundBy by) {
   const std::string_view name = name_of(method);
   if (is_image_space(method)) {
@@ -250,7 +251,7 @@ std::string why_nothing_rounds(HiddenMethod method, const DisplayFile& drawn, Fo
   return fmt::format("hidden-surface method '{}' draws in order of entry", name);
 }
 
-/// Why no scope is obeyed; empty if it is.
+/// The reason why the scope has no effect; empty if it has one.
 std::string why_nothing_has_a_scope(HiddenScope scope, const SurfacePlan& plan, HiddenMethod method,
                                     const DisplayFile& drawn, FoundBy by) {
   const std::string_view name = name_of(plan.method);
@@ -287,7 +288,8 @@ std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
 
 namespace {
 
-/// Settings of the application; the same options are refused.
+/// Warnings of the application's line settings without effect; set as options, the same are
+/// refused.
 std::vector<std::string> line_settings_without_effect(const PicturePlan& plan) {
   const bool by_depth = plan.surfaces.line_order == LineOrder::depth;
   const std::string why = by_depth ? why_not_by_depth(plan.method, plan, plan.kind()) : "";
@@ -302,7 +304,7 @@ std::vector<std::string> line_settings_without_effect(const PicturePlan& plan) {
   return {};
 }
 
-/// The page that the devices lay annotation out on.
+/// The page on which the devices lay out annotation.
 AnnotationPage annotation_page(const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
   AnnotationPage page{options.width, options.height, kPixelsOfMillimetre};
@@ -344,8 +346,8 @@ void warn_of_annotation_without_room(const PicturePlan& plan, const DisplayFile&
 
 namespace {
 
-/// Whether a picture with several samples a pixel takes hardly more memory than one without: the
-/// device draws some rows at a time, and the method holds no more.
+/// True if a picture with several samples a pixel takes hardly more memory than one without: the
+/// device draws a few rows at a time, and the method holds no more.
 bool holds_few_rows(const PicturePlan& plan) {
   return plan.device->draw_rows != nullptr && !is_plain_z_buffer(plan.surfaces.method);
 }

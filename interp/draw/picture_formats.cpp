@@ -43,7 +43,7 @@ constexpr std::array kFormats{
     PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, write_eps},
 };
 
-/// Those that are asked for, of a device that draws the whole picture.
+/// The requested rows of a picture from a device that draws whole pictures only.
 Picture rows_of(Picture picture, const RasterRequest& request) {
   if (!request.rows) return picture;
   const auto width = static_cast<std::size_t>(picture.width);
@@ -86,7 +86,7 @@ constexpr auto choices_of(const Table& table) {
 constexpr auto kFormatChoices = choices_of(kFormats);
 constexpr auto kDeviceChoices = choices_of(kDevices);
 
-/// The names of those lines of a table that are asked for, with something between.
+/// The names of a table's rows for which `which` is true, separated by `between`.
 template <class Table, class Which>
 std::string names(const Table& table, const char* between, Which which) {
   std::string all;

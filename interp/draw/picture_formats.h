@@ -24,7 +24,7 @@ namespace displayfile {
 /// One line per format: how it is written from pixels, or from the display file itself.
 struct PictureFormat {
   using Density = std::optional<double>;  ///< pixels per inch
-  /// What it has beside the drawing.
+  /// Capabilities beyond the drawing itself.
   struct Extras {
     bool density = false, alpha = false, ids = false, layers = false;
   };

@@ -49,7 +49,8 @@ void require_numbers(const DrawOptions& options) {
                   options.width, options.height, samples, samples, most, most));
 }
 
-/// The density is that of pixels.
+/// Throws Error for a density with a format that has none, and for rows, ids or depth of a sheet of
+/// paper in pixels.
 void require_density(const Destination& to, const PictureFormat& format,
                      const DrawOptions& options) {
   if (!options.dpi) return;
@@ -64,7 +65,8 @@ void require_density(const Destination& to, const PictureFormat& format,
   }
 }
 
-/// Paper and pens are of vectors; paper of pixels too, if their density is known.
+/// Throws Error for paper or pens with a format other than vectors; pixels may have paper if their
+/// density is set.
 void require_paper_and_pens(const Destination& to, const PictureFormat& format,
                             const DrawOptions& options) {
   if (!options.vectors.paper && !options.pens) return;
@@ -79,7 +81,7 @@ void require_paper_and_pens(const Destination& to, const PictureFormat& format,
   if (options.pens) require_pens(*options.pens);
 }
 
-/// Names and layers of vectors. Formats without them are refused.
+/// Throws Error for names and layers with formats that do not have them.
 void require_names(const Destination& to, const PictureFormat& format, const DrawOptions& options) {
   const auto refuse = [&](const char* what, bool (PictureFormat::*which)() const) {
     throw Error(fmt::format("{}: {} files have no {}: expected {}", to.name(), format.choice.name,
@@ -101,7 +103,7 @@ void require_names(const Destination& to, const PictureFormat& format, const Dra
   }
 }
 
-/// What the format cannot do.
+/// Throws Error for options that the format does not support.
 void require_format(const Destination& to, const PicturePlan& plan) {
   const PictureFormat& format = *plan.format;
   if (!format.is_of_pixels() && !plan.is_on_first_device()) {
@@ -150,7 +152,7 @@ DrawOptions PicturePlan::without_system() const {
 
 namespace {
 
-/// Trees of no other method have roots.
+/// Only BSP trees have roots.
 void require_root(const PicturePlan& plan) {
   const HiddenMethod method = plan.surfaces.method;
   if (plan.surfaces.root == RootChoice::free || surfaces_of(method) == HiddenMethod::bsp) return;
@@ -170,7 +172,8 @@ void set_line_picture(PicturePlan& plan) {
                           plan.surfaces.line_halo));
 }
 
-/// Those in force, once the method is known. Only samples that were set can be refused.
+/// The samples per pixel side, once the method is known. Only samples set by the options can be
+/// refused.
 int samples_in_force(const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
   if (plan.kind() == PictureKind::vector) return 1;
@@ -187,7 +190,7 @@ void require_background(const PicturePlan& plan) {
                           names_of_formats(&PictureFormat::can_be_transparent, " ")));
 }
 
-/// How surfaces are found is known.
+/// Completes the plan once its surface plan is set.
 void finish(PicturePlan& plan) {
   require_background(plan);
   require_root(plan);
@@ -247,7 +250,7 @@ SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const HiddenSurfac
 
 namespace {
 
-/// All but the method.
+/// Takes all settings except the choice of a method for `automatic`.
 void take_settings(PicturePlan& plan, const GraphicsSystem* system) {
   if (system == nullptr) {
     plan.surfaces = resolve_surfaces(plan.options.surfaces);
@@ -266,7 +269,7 @@ void settle(PicturePlan& plan, const GraphicsSystem* system) {
   if (system == nullptr) return;
   const NamedWork named(drawing_work(plan));
   plan.choice = choice_for(*system, plan, plan.kind());
-  // For pixels it is the renderer that picks a method.
+  // For pixels the renderer chooses the method.
   if (plan.kind() == PictureKind::vector) plan.method = plan.choice.method;
 }
 

@@ -47,9 +47,9 @@ struct PicturePlan {
 /// order of entry holds.
 SurfacePlan surfaces_of_picture(const GraphicsSystem& system, const HiddenSurfaceOptions& options);
 
-/// What the call alone decides: format and device are looked up, and numbers are checked. To be
-/// settled. In memory, or in the file or stream `to` if not null. Throws Error for an option out of
-/// range, an unknown format or device, and invalid combinations, here and below.
+/// Resolves the call alone: looks up format and device, and checks numbers; the plan is to be
+/// settled. The picture is in memory, or in the file or stream `to` if not null. Throws Error for
+/// an option out of range, an unknown format or device, and invalid combinations, here and below.
 PicturePlan resolve_call(const DrawOptions& options, const Destination* to = nullptr);
 /// Completes it by the application's settings; nothing was set if there is no system. The display
 /// file may be examined to choose the method for vectors.

@@ -83,11 +83,11 @@ std::string DisplayFileSource::why_nothing_is_seen(const SeenIn& in) const {
 
 namespace {
 
-/// Whether pixels show more than the background: then something is seen, without a look at what was
-/// to be drawn.
+/// Records whether pixels differ from the background: then something is visible, and the scene need
+/// not be examined.
 class PixelsShown {
  public:
-  /// Does not look if nobody is to be warned.
+  /// Pixels are not examined if the options have no `warn`.
   PixelsShown(const DrawOptions& options, const RasterRequest& request)
       : shown_(!options.warn), background_(pixel_of(request.background)) {}
   void look_at(const Picture& rows) {
@@ -115,7 +115,7 @@ void warn_if_nothing_is_seen(const PictureSource& source, const PicturePlan& pla
   plan.options.warn({DrawWarning::Kind::nothing_seen, "nothing is seen: " + why});
 }
 
-/// A pixel's samples in place of the pixel: colours only.
+/// The request for a picture whose pixels are the samples: colours only.
 RasterRequest request_of_samples(RasterRequest request, int samples) {
   request.width *= samples;
   request.height *= samples;
@@ -136,7 +136,7 @@ void draw_colours(const PictureSource& source, const RasterRequest& request, int
 
 namespace {
 
-/// A picture of nothing, with memory for its pixels if the source has some.
+/// An empty picture, which reuses the source's spare memory if it has some.
 Picture empty_picture(const PictureSource& source) {
   Picture picture;
   picture.pixels = source.take_spare().pixels;

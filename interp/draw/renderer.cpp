@@ -55,7 +55,7 @@ RasterRequest raster_request(const DisplayFile& file, const PicturePlan& plan) {
   return request;
 }
 
-/// What is drawn in the order that the display file has.
+/// The plan for drawing in the display file's own order.
 PicturePlan in_its_order(PicturePlan plan) {
   const bool colour_rule = is_colour_rule(plan.surfaces.method);
   plan.method = colour_rule ? colour_rule_by(HiddenMethod::none) : HiddenMethod::none;
@@ -86,14 +86,14 @@ void require_drawn(const PicturePlan& plan) {
   require_line_order_obeyed(plan.method, plan, plan.kind());
 }
 
-/// Lines are to be drawn where they are hidden, and the method draws in order of entry.
+/// True if hidden lines are to be drawn and the method draws in order of entry.
 bool may_leave_hidden_lines(const PicturePlan& plan) {
   return plan.surfaces.hidden_lines != HiddenLines::none && !is_image_space(plan.method) &&
          !is_object_space(plan.method);
 }
 
-/// Hidden lines that the options set are refused; those that the application set are left out, with
-/// a warning. The display file has been brought up to date.
+/// Throws Error if hidden lines set by the options would be left out, and warns of those set by the
+/// application. The display file must be up to date.
 void look_for_hidden_lines_left(const DisplayFile& drawn, const PicturePlan& plan) {
   const DrawOptions& options = plan.options;
   if (!options.surfaces.hidden_lines && !options.warn) return;
@@ -128,7 +128,8 @@ void require_drawable(const GraphicsSystem& system, const DrawOptions& options) 
 
 namespace {
 
-/// What tells why nothing is seen, if the display file is what is drawn.
+/// The application's primitives that explain why nothing is visible, where the display file is
+/// drawn.
 EnteredSource retained_beside(const GraphicsSystem& system) {
   return {.scene = SystemInside::retains_alone(system) ? nullptr : system.retained()};
 }
@@ -139,10 +140,10 @@ DisplayFileSource source_of(const ViewedWorld& world, const PicturePlan& plan,
   return {world.display_file, true, plan, software, {&world.rays->scene(), view}};
 }
 
-/// What is made of a retained scene for all its views, each when it is first needed.
+/// Data cached for all views of a retained scene, each built when it is first needed.
 class KeptTrees {
  public:
-  /// Lets go of what was made of another scene.
+  /// Prepares for a scene, and releases the data of another one.
   void take(const RetainedScene& scene, const DisplayFile& attributes) {
     const bool is_same = taken_ && !taken_->is_gone() && &taken_->scene() == &scene &&
                          &taken_->attributes() == &attributes;
@@ -159,7 +160,7 @@ class KeptTrees {
     if (viewer_->bring_up_to_date()) drop_casters();  // they are those of the scene as it was
     return *viewer_;
   }
-  /// Null where no shadows are seen.
+  /// Null if no shadows are shown.
   RetainedCasters* casters(int threads) {
     if (viewer_->shows_shadows() && casters_ == nullptr) {
       casters_ = std::make_unique<RetainedCasters>(viewer_->scene(), threads);
@@ -218,11 +219,11 @@ class KeptTrees {
 
 }  // namespace
 
-/// What is kept from one picture to the next.
+/// Data cached between pictures.
 struct Renderer::Kept {
   SortedDisplayFile sorted;
   SoftwareRenderer software;
-  Picture picture;  ///< where the software renderer has not the whole of it
+  Picture picture;  ///< used where the software renderer does not hold the whole picture
   std::optional<Picker> picker;
   KeptTrees of_scene;
 };
@@ -235,7 +236,8 @@ struct KeptForPictures {
   KeptTrees& of_scene;
 };
 
-/// What the application drew, where the method in force casts rays before viewing.
+/// The retained scene in the application's views, if the method in force casts rays in world
+/// coordinates.
 std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMethod method,
                                           KeptTrees& kept) {
   if (surfaces_of(method) != HiddenMethod::world_ray_cast) return std::nullopt;
@@ -248,7 +250,7 @@ std::optional<ViewedWorld> world_in_force(const GraphicsSystem& system, HiddenMe
   return kept.world().as_drawn();
 }
 
-/// What draw(source, request, plan) returns: of the display file, brought up to date, or of the
+/// Returns the result of draw(source, request, plan) for the updated display file, or for the
 /// retained scene in its views.
 template <class Draw>
 auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
@@ -311,7 +313,7 @@ void require_drawn_in_view(const InView& scene, const PicturePlan& plan) {
   require_drawn(plan);
 }
 
-/// What draw(source, request, plan) returns, of the scene in that view.
+/// Returns the result of draw(source, request, plan) for the scene in that view.
 template <class Draw>
 auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareRenderer& software,
                   const Draw& draw) {
@@ -517,7 +519,7 @@ DrawnPixel pixel_drawn(const GraphicsSystem& system, const DrawOptions& options,
   return drawn;
 }
 
-/// After it the software renderer has the lines of the picture.
+/// Draws one row, so that the software renderer holds the picture's lines.
 void draw_row_of_lines(const GraphicsSystem& system, const DrawOptions& options,
                        const Picker::Pixel& at, const KeptForPictures& kept) {
   DrawOptions row = row_of_pixel(options, at);

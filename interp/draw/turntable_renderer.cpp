@@ -30,7 +30,7 @@ Turntable turntable_of(const TakenScene& taken, const View& otherwise,
   return turntable;
 }
 
-/// By one tree, where nothing else is set.
+/// Sets one BSP tree for all views, where no method is set.
 DrawOptions by_tree(DrawOptions options) {
   const HiddenMethod method = options.surfaces.method.value_or(HiddenMethod::automatic);
   if (surfaces_of(method) != HiddenMethod::automatic) return options;
@@ -41,7 +41,7 @@ DrawOptions by_tree(DrawOptions options) {
 
 }  // namespace
 
-/// As far as views follow the settings.
+/// The settings that apply to views are included.
 DrawOptions options_of_views(const GraphicsSystem& system, const DrawOptions& given) {
   const PicturePlan plan = resolve(system, given);
   const HiddenMethod method = plan.surfaces.method;
@@ -93,7 +93,7 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number, in
 
 namespace {
 
-/// With the outputs of one view.
+/// The options with the output paths of one view.
 DrawOptions of_view(DrawOptions options, int number, int views) {
   if (!options.ids.empty()) options.ids = numbered(options.ids, number, views).string();
   if (!options.depth.empty()) options.depth = numbered(options.depth, number, views).string();
@@ -104,7 +104,7 @@ DrawOptions of_view(DrawOptions options, int number, int views) {
 
 void require_views_drawable(const TurntableViews& views, const std::filesystem::path& file,
                             const DrawOptions& options) {
-  picture_kind(file, options);  // an unknown extension is told with the name as given
+  picture_kind(file, options);  // an error for an unknown extension names the file as given
   for (int k = views.first; k < views.end; ++k) {
     require_drawable(numbered(file, k, views.number), of_view(options, k, views.number));
   }
@@ -119,9 +119,9 @@ struct TurntableRenderer::Kept {
   bool is_stretch_set;  // by the application
   Renderer renderer = {};
   Turntable::Turn turn = {};           // of the view drawn last
-  std::vector<std::string> told = {};  // that holds of all views
+  std::vector<std::string> told = {};  // warnings given that apply to all views
 
-  /// For one view: what holds of all of them is warned of once.
+  /// Options of one view: a warning that applies to all views is given once.
   DrawOptions of_one(const DrawOptions& all) {
     DrawOptions one = by_tree(all);
     if (!one.warn) return one;

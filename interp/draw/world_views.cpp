@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// Enters the segments of a scene, each in one of some views.
+/// Enters the segments of a scene, each in one of several views.
 class EnteredSegments {
  public:
   explicit EnteredSegments(std::shared_ptr<const WorldRays> rays) {
@@ -62,7 +62,7 @@ struct WorldViews::Kept {
 WorldViews::WorldViews(const RetainedScene& scene, const DisplayFile& attributes)
     : kept_(std::make_shared<Kept>(scene, attributes)) {}
 
-/// Rays into the scene as it is now.
+/// Rays into the current scene.
 std::shared_ptr<const WorldRays> WorldViews::rays() const {
   const RoundToNearest nearest;
   const std::lock_guard in_turn(kept_->mutex);

@@ -183,7 +183,7 @@ struct Header {
   std::vector<long long> shape;
 };
 
-/// Nothing if the text is not a dictionary of descr, fortran_order and shape.
+/// None if the text is not a dictionary of descr, fortran_order and shape.
 std::optional<Header> parse_header(std::string_view text) {
   DictionaryReader in(text);
   Header header;
@@ -240,7 +240,7 @@ Header read_header(BinaryInput& input) {
   return *header;
 }
 
-/// What stands column after column, as Fortran has it, row after row.
+/// Converts column-major (Fortran) order to row-major order.
 template <class Value>
 std::vector<Value> row_after_row(const std::vector<Value>& columns, std::size_t width,
                                  std::size_t height) {
@@ -251,8 +251,7 @@ std::vector<Value> row_after_row(const std::vector<Value>& columns, std::size_t 
   return rows;
 }
 
-/// The array's elements in the order in which they stand, stored as Stored, each put through
-/// `convert`.
+/// The array's elements in stored order, read as type Stored, each passed through `convert`.
 template <class Stored, class Value, class Convert>
 std::vector<Value> read_values(BinaryInput& input, std::size_t width, std::size_t height,
                                Convert&& convert) {

@@ -59,7 +59,7 @@ constexpr std::uint32_t kPaper = 0xFFFFFFFF;
 
 std::uint32_t grey(std::uint32_t tone) { return 0xFF000000u | tone << 16 | tone << 8 | tone; }
 
-/// Light enough for the marks to stand out; neighbours in number are told apart.
+/// Light enough for the marks to stand out; consecutive identifiers have distinguishable tones.
 std::uint32_t tone_of(std::int32_t id) {
   return id < 0 ? kPaper : grey(192u + static_cast<std::uint32_t>(id) * 23u % 48u);
 }

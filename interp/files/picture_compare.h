@@ -28,8 +28,8 @@ struct PictureDifference {
   bool differs() const { return !same_size || wrong_pixels != 0; }
 };
 
-/// Compares colours; the item and depth buffers are not looked at. Pixels whose channels, 0 to 255,
-/// differ by no more than the tolerance are not wrong.
+/// Compares colours, not the item and depth buffers. Pixels whose channels, 0 to 255, differ by no
+/// more than the tolerance are not wrong.
 PictureDifference compare(const Picture& a, const Picture& b, int tolerance = 0);
 
 /// Compares values; NaN equals NaN, and an int32 array may be compared with a float64 one.

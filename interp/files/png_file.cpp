@@ -23,7 +23,8 @@ namespace displayfile {
 
 namespace {
 
-/// What libpng said last. A fixed array: the function that fills it jumps and must own nothing.
+/// The last message of libpng. A fixed array: the function that fills it jumps and must own
+/// nothing.
 struct PngMessage {
   std::array<char, 128> text{};
 };
@@ -83,7 +84,7 @@ struct PngReader {
   ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// Asks libpng for R, G, B, A bytes, whatever the file holds.
+/// Sets libpng to deliver R, G, B, A bytes, whatever the file's colour type.
 void ask_for_rgba(png_structp png) {
   png_set_expand(png);
   png_set_strip_16(png);
@@ -109,7 +110,7 @@ void lay_over_white(std::span<std::uint8_t> rgba) {
   }
 }
 
-/// The colour of what is wholly transparent is nobody's.
+/// Sets fully transparent pixels, whose colour has no meaning, to 0.
 void clear_transparent(std::span<std::uint32_t> pixels) {
   for (std::uint32_t& pixel : pixels) {
     if (pixel >> 24 == 0) pixel = 0;

@@ -13,7 +13,7 @@ namespace displayfile {
 /// False in a build without libpng: the functions below then throw Error.
 extern const bool kHasPng;
 
-/// Whether a file of pixels has alpha.
+/// Alpha in a pixel file.
 enum class Alpha { none, stored };
 
 /// Writes the pixels as a PNG file, 8-bit RGB, or RGBA if one is not opaque. The bytes depend on
@@ -21,12 +21,12 @@ enum class Alpha { none, stored };
 /// Error, naming the file, if it cannot be written or the picture's size is not 1 to kLargestSide.
 void write_png(const Picture& picture, const Destination& to);
 
-/// The file that write_png writes, byte for byte, of a picture of width x height that comes row by
-/// row: with RGB, or with RGBA.
+/// The file that write_png writes, byte for byte, for a picture of width x height that arrives row
+/// by row: RGB, or RGBA.
 std::unique_ptr<RowFile> png_row_file(const Destination& to, int width, int height);
 std::unique_ptr<RowFile> png_alpha_row_file(const Destination& to, int width, int height);
-/// The same, which states how large the picture is if the density is known, in pixels per inch
-/// (pHYs, in whole pixels per metre).
+/// The same, which states the picture's size if the density is known, in pixels per inch (pHYs, in
+/// whole pixels per metre).
 std::unique_ptr<RowFile> png_row_file_at(const Destination& to, int width, int height, Alpha alpha,
                                          std::optional<double> dpi);
 

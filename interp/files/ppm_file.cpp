@@ -20,8 +20,8 @@ namespace {
 
 bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// The next number of the header: blanks and comments are passed over, and the one character
-/// that ends it is taken.
+/// The next number of the header: skips blanks and comments, and consumes the one character that
+/// ends the number.
 int read_header_number(BinaryInput& input, const char* what) {
   std::istream& in = input.stream();
   int c = in.get();

@@ -13,7 +13,7 @@ namespace displayfile {
 /// naming the file, if it cannot be written or the picture's size is not 1 to kLargestSide.
 void write_ppm(const Picture& picture, const Destination& to);
 
-/// The file that write_ppm writes, of a picture of width x height that comes row by row.
+/// The file that write_ppm writes, for a picture of width x height that arrives row by row.
 std::unique_ptr<RowFile> ppm_row_file(const Destination& to, int width, int height);
 
 /// Reads a PPM file (P6, largest value 255; the first picture of several). Throws Error, naming

@@ -19,7 +19,7 @@ class RowFile {
   RowFile(const RowFile&) = delete;
   RowFile& operator=(const RowFile&) = delete;
 
-  /// Appends rows, of what the file is of: the picture's pixels, ids or depth.
+  /// Appends rows of the file's data: the picture's pixels, ids or depth.
   virtual void write(const Picture& rows) = 0;
   /// Must be called once, after all rows: puts all data, except the name, on the disk. For several
   /// files, all are finished before the first is committed.

@@ -48,7 +48,8 @@ struct DepthMapping {
   DepthMapping(const TriangleList& a, const TriangleList& b) {
     const double z_min = std::min(a.z_min, b.z_min), z_max = std::max(a.z_max, b.z_max);
     if (z_min > z_max) return;
-    // A flat scene has no range of its own; and no range is finer than doubles near it are.
+    // A flat scene has no range of its own; and no range is smaller than the spacing of doubles
+    // near it.
     const double size = std::max({std::abs(z_min), std::abs(z_max), 1e-300});
     const double range = std::max(z_max - z_min, size * 1e-12);
     constexpr double kRoom = 1.0 / 1024;
@@ -155,7 +156,7 @@ bool has_even_odd(const TriangleList& list) {
   });
 }
 
-/// Memory that cannot be had is an Error like any other.
+/// Reports a lack of memory as an Error.
 template <class Work>
 auto within_memory(const RasterRequest& request, Work&& work) {
   try {
@@ -168,8 +169,8 @@ auto within_memory(const RasterRequest& request, Work&& work) {
 
 }  // namespace
 
-/// A scene in its context. With the z-buffer the fills are drawn before the lines; without it
-/// all are drawn in order, and the fills are kept apart only if they are to be measured.
+/// A scene in its context. With the z-buffer the fills are drawn before the lines; without it all
+/// are drawn in order, and the fills are kept separately only if they are to be measured.
 class OsmesaBuffers::Drawing {
  public:
   Drawing(const DisplayFile& display_file, const RasterRequest& request, int depth_bits)
@@ -230,21 +231,21 @@ class OsmesaBuffers::Drawing {
   void set_state() const {
     gl().Viewport(0, 0, request_.width, request_.height);
     gl().Enable(GL_DEPTH_TEST);
-    gl().Enable(GL_DEPTH_CLAMP);  // what lines are moved by may exceed the room at the front
+    gl().Enable(GL_DEPTH_CLAMP);  // line offsets may exceed the room at the front
     gl().Disable(GL_DITHER);
     gl().Disable(GL_BLEND);
     gl().Disable(GL_CULL_FACE);
     gl().Disable(GL_MULTISAMPLE);
-    // A line on a polygon meets its depth but for the renderer's rounding, which grows with the
-    // slope: moved toward the viewer by that much, it wins where they are equal. The fills are
-    // not moved, so that among them nothing changes.
+    // A line on a polygon has the polygon's depth up to the renderer's rounding, which grows with
+    // the slope: moved toward the viewer by that much, it wins at equal depth. The fills are not
+    // moved, so their order does not change.
     gl().PolygonOffset(1.0f / 64, 8.0f);
     gl().PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl().ClearDepth(0.0);
     gl().ClearStencil(0);
   }
 
-  /// To a pixel's bytes, R, G, B, A.
+  /// Clears to a pixel's bytes, R, G, B, A.
   static void clear(std::uint32_t pixel) {
     const auto part = [&](int shift) { return static_cast<float>(pixel >> shift & 0xFF) / 255.0f; };
     gl().ClearColor(part(0), part(8), part(16), part(24));
@@ -260,7 +261,8 @@ class OsmesaBuffers::Drawing {
     gl().Disable(GL_POLYGON_OFFSET_FILL);
   }
 
-  /// A pixel's 32 bits are the pick identifier's own; all ones, white, is the background's -1.
+  /// The 32 bits of a pixel are the pick identifier itself; all ones, white, is the background's
+  /// -1.
   void measure(Picture& picture) const {
     clear(0xFFFFFFFF);
     fills_.draw(Paint::ids, is_image_space(request_.surfaces.method) ? GL_GEQUAL : GL_ALWAYS);

@@ -11,7 +11,7 @@ namespace displayfile {
 /// bits, and is not copied for each finished picture. All objects are destroyed with the context.
 class OsmesaContext {
  public:
-  /// Throws Error if this system has no OSMesa, or if it gives none.
+  /// Throws Error if this system has no OSMesa, or if it cannot create a context.
   OsmesaContext();
   ~OsmesaContext() { gl().DestroyContext(context_); }
   OsmesaContext(const OsmesaContext&) = delete;
@@ -33,8 +33,8 @@ class OsmesaContext {
 
 // The functions below act on the context that is current.
 
-/// Makes a framebuffer object and binds it; returns the depth bits that it has. Throws Error if
-/// OSMesa cannot draw into such a one.
+/// Creates a framebuffer object and binds it; returns its depth bits. Throws Error if OSMesa cannot
+/// draw into it.
 int bind_framebuffer(int width, int height, int depth_bits, bool stencil);
 
 /// Throws Error, with `doing`, if OpenGL reports an error.

@@ -68,8 +68,9 @@ struct WideLine {
   double from_z, to_z, z_slack;
   const DepthPlane* plane;
 
-  /// Depth follows the plane, or the line where that is null, but leaves the line's own depth
-  /// by no more than z_slack: beyond a polygon seen nearly edge-on its plane is anywhere.
+  /// Depth follows the plane, or the line where that is null, but differs from the line's own depth
+  /// by no more than z_slack: beyond a polygon seen nearly edge-on the depth of its plane is
+  /// arbitrary.
   WideLine(const Point3& from, const Point3& to, double line_width, const DepthPlane* its_plane,
            double slack, double picture_width, double picture_height)
       : a(from.x * picture_width, from.y * picture_height),
@@ -95,9 +96,9 @@ struct WideLine {
     upright = line_width <= 1.0 ? 1.0 : line_width * (run == 0.0 ? 1.0 : length / std::abs(run));
   }
 
-  /// A line of one pixel that runs along a border between pixels takes those above, by the rule
-  /// for polygons, or those on the right, where that rule would say left; on the picture's own
-  /// border it takes the last.
+  /// A line one pixel wide along a border between pixels covers those above, by the rule for
+  /// polygons, or those on the right, where that rule would choose the left; on the picture's own
+  /// border it covers the last pixels.
   double within_a_pixel(double v) const {
     if (v == (steep ? width : height)) return v - 0.5;
     return steep ? v + 1.0 / 256 : v;
@@ -181,8 +182,8 @@ class TriangleCollector final : public OutputDevice {
                        polygon.vertices[support.index[2]]);
   }
 
-  /// Enters a line as parallelograms, one for each dash. Nothing beyond the picture is worth a
-  /// dash, so a long line costs no more than one across it.
+  /// Enters a line as parallelograms, one for each dash. Parts outside of the picture get no
+  /// dashes, so a long line costs no more than one across it.
   void stroke(const Point3& from, const Point3& to, const LineStyle& style, const DepthPlane* plane,
               double z_slack, DashPhase& phase) {
     const WideLine line(from, to, style.width, plane, z_slack, width_, height_);

@@ -25,7 +25,7 @@ namespace {
   throw Error(fmt::format("{}: expected {}, not {}", what, expected, type_name(value)));
 }
 
-/// Decimal, Fraction and other numbers are what float() makes of them.
+/// True for anything that float() converts, such as Decimal and Fraction.
 bool is_real(py::handle value) {
   return PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
          (py::hasattr(value, "__float__") && !py::hasattr(value, "__len__"));
@@ -203,15 +203,15 @@ class Words {
 
 namespace {
 
-/// Of how many numbers each point is that the routine takes; 1 if it takes others.
+/// The number of coordinates of each point that the routine takes; 1 if it takes no points.
 std::size_t numbers_of_point(const UserRoutine& routine) {
   constexpr std::string_view kPoints = "a multiple of ";
   if (!routine.expected.starts_with(kPoints)) return 1;
   return static_cast<std::size_t>(routine.expected[kPoints.size()] - '0');
 }
 
-/// Of a list or a tuple of nothing but numbers, and of an array's last dimension, how many they
-/// hold; nothing of anything else. Asks nothing of the objects, which could change others.
+/// The number of elements of a list or a tuple of numbers alone, or of an array's last dimension;
+/// none for anything else. Calls no Python code of the objects, which could change others.
 std::optional<py::ssize_t> numbers_held(py::handle value) {
   PyObject* const object = value.ptr();
   if (py::isinstance<py::array>(value)) {
@@ -251,7 +251,7 @@ void require_whole_points(const py::args& arguments, const UserRoutine& routine)
 
 namespace {
 
-/// The name of an argument, from a word of what a routine expects; empty if that has none.
+/// The name of an argument, taken from a word of the routine's expectation; empty if that has none.
 std::string argument_name(std::string_view word) {
   if (word == "on|off") return "on";
   if (word == "\"characters\"") return "characters";
@@ -304,7 +304,7 @@ std::string signature_of(const UserRoutine& routine) {
 
 namespace {
 
-/// One number, word or text.
+/// Throws Error unless the value is one number, word or text.
 void require_one(py::handle value, std::string_view what) {
   PyObject* const object = value.ptr();
   if (PyUnicode_Check(object) != 0 || PyBool_Check(object) != 0) return;

@@ -12,7 +12,7 @@
 
 namespace displayfile::python {
 
-/// NumPy's numbers as Python's; anything else as it is. `what` names it in messages.
+/// NumPy's numbers as Python's; other values unchanged. `what` names the argument in messages.
 pybind11::object plain(pybind11::handle value, std::string_view what);
 
 // Arguments from Python, with an Error for wrong types. `what` names the argument in messages.
@@ -42,10 +42,10 @@ struct ArgumentNames {
   std::size_t optional = 0;
 };
 ArgumentNames names_of(const UserRoutine& routine);
-/// As in a docstring: "x, y, z, radius, facets", or "/, *arguments".
+/// The arguments as in a docstring: "x, y, z, radius, facets", or "/, *arguments".
 std::string signature_of(const UserRoutine& routine);
-/// The arguments with those by name in their places. Throws Error for a name that the routine does
-/// not have, has twice, or after one that is missing.
+/// The arguments with keyword arguments in their places. Throws Error for a name that the routine
+/// does not have, one given twice, or one after a missing argument.
 pybind11::args in_places(const pybind11::args& arguments, const pybind11::kwargs& by_name,
                          const UserRoutine& routine);
 
@@ -58,7 +58,7 @@ void require_whole_points(const pybind11::args& arguments, const UserRoutine& ro
 /// flattened. Strings are quoted where the routine expects a quoted text.
 std::string words_of(const pybind11::args& arguments, const UserRoutine& routine);
 
-/// The same of numbers alone: adds them, or returns false for anything else.
+/// The same for numbers alone: adds them, or returns false for anything else.
 bool add_numbers(const pybind11::args& arguments, std::vector<double>& numbers);
 
 }  // namespace displayfile::python

@@ -15,7 +15,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// What NumPy is asked for: in C's order, aligned, in this machine's order of bytes.
+/// The requested NumPy array: C order, aligned, native byte order.
 template <class T>
 using Block = py::array_t<T, py::array::c_style | py::array::forcecast |
                                  py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
@@ -30,14 +30,14 @@ std::string shape_of(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// Whether it is an array of which some numbers are masked.
+/// True for an array with masked numbers.
 bool has_masked(py::handle value) {
   return py::isinstance<py::array>(value) && py::hasattr(value, "mask") &&
          py::hasattr(value, "filled") && py::bool_(value.attr("mask").attr("any")());
 }
 
-/// What NumPy makes of it, if that holds numbers. Masked ones are not known: NaN. An empty list,
-/// which it takes for doubles, is as good as an empty array of whole numbers.
+/// The NumPy array made of a value, if it holds numbers. Masked ones are unknown: NaN. An empty
+/// list, which NumPy converts to doubles, is accepted as an empty array of integers.
 py::array array_of(py::handle value, std::string_view what, Numbers numbers) {
   const auto refuse = [&](const std::string& is) -> Error {
     return Error(fmt::format("{}: expected an array of {}numbers, not {}", what,
@@ -68,7 +68,7 @@ std::span<const T> span_of(const Block<T>& block) {
   return {block.data(), static_cast<std::size_t>(block.size())};
 }
 
-/// Its numbers in C's order.
+/// The array's numbers in C order.
 template <class T>
 Block<T> block_of(const py::array& array, std::string_view what) {
   return reading(fmt::format("{}: numbers that cannot be read", what),
@@ -83,8 +83,7 @@ std::vector<To> copied(std::span<const From> from) {
   return to;
 }
 
-/// Whole numbers from 0 to `largest`; of those that are not whole or out of range the first is
-/// told.
+/// Integers from `least` to `largest`; throws Error that reports the first one out of range.
 template <class To>
 std::vector<To> whole(const py::array& array, std::string_view what, std::int64_t least,
                       std::int64_t largest) {
@@ -168,14 +167,14 @@ std::int64_t last_index(std::size_t vertices) {
   return static_cast<std::int64_t>(vertices) - 1;
 }
 
-/// A list, or what is like one; but not what becomes an array by itself.
+/// True for a list or a similar sequence; false for objects that convert themselves to arrays.
 bool is_sequence(py::handle value) {
   return PySequence_Check(value.ptr()) != 0 && PyUnicode_Check(value.ptr()) == 0 &&
          PyObject_CheckBuffer(value.ptr()) == 0 && !py::hasattr(value, "__array__");
 }
 
-/// Calls visit(part) for each part of a sequence, until it returns false. A part is held meanwhile:
-/// it may be nobody else's.
+/// Calls visit(part) for each part of a sequence, until it returns false. Holds a reference to the
+/// part meanwhile: it may be the only one.
 template <class Visit>
 void for_each_part(py::handle sequence, std::string_view what, const Visit& visit) {
   reading(fmt::format("{}: a sequence that cannot be read", what), [&] {

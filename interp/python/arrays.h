@@ -23,14 +23,14 @@ namespace displayfile::python {
 std::string type_name(pybind11::handle value);
 
 std::vector<double> numbers_in(pybind11::handle value, std::string_view what);
-/// Adds the numbers of an array of doubles that stand one after another; false if it is none, or of
-/// a subclass, whose numbers may mean something else: masked ones are not known.
+/// Adds the numbers of a contiguous array of doubles; false for anything else, including a
+/// subclass, whose numbers may mean something else: masked ones are unknown.
 bool add_array(pybind11::handle value, std::vector<double>& numbers);
-/// (N, 3).
+/// Reads an array (N, 3).
 std::vector<Point3> points_in(pybind11::handle value, std::string_view what);
-/// (N, 3), each in [0,1], as the routine requires.
+/// Reads an array (N, 3) of components, each in [0,1], as the routine requires.
 std::vector<FillStyle> fills_in(pybind11::handle value, std::string_view what);
-/// (N,).
+/// Reads an array (N,).
 std::vector<std::int32_t> whole_numbers_in(pybind11::handle value, std::string_view what);
 
 /// Polygons over vertices: `sides[k]` corners of polygon k, or 3 of each if it is empty.
@@ -56,12 +56,12 @@ struct Grid {
   std::size_t rows = 0, columns = 0;
 };
 Grid grid_in(pybind11::handle value, std::string_view what);
-/// The number of dimensions of what NumPy makes of it.
+/// The number of dimensions of the NumPy array made of the value.
 int dimensions_of(pybind11::handle value, std::string_view what);
 
 // ---- Out ---------------------------------------------------------------------------------
 
-/// An array over what the vector holds, which lives on with it.
+/// An array over the vector's memory, which lives as long as the array.
 template <class T, class Element>
 pybind11::array owned(std::vector<Element>&& values, std::vector<pybind11::ssize_t> shape) {
   auto kept = std::make_unique<std::vector<Element>>(std::move(values));

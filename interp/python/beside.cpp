@@ -17,7 +17,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// On the front plane, so that nothing hides it.
+/// The depth of the front plane, where nothing hides the marks.
 constexpr double kFront = 1.0;
 
 /// Rectangles (left, right, bottom, top), lines from x, y to x, y, and texts (x, y, size,

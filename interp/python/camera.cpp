@@ -51,7 +51,7 @@ double angle_of_view_in(py::handle value) {
 
 using Read = void (*)(py::handle value, Camera& camera);
 
-/// By their names.
+/// The readers of the camera's arguments, by name.
 const std::map<std::string_view, Read>& readers() {
   static const std::map<std::string_view, Read> all{
       {"eye", [](py::handle v, Camera& c) { c.eye = eye_in(v); }},

@@ -63,7 +63,7 @@ int in_segment_with_looks(GraphicsSystem& system, FollowedView& followed, const 
       segment = in_segment(system, entry.segment, enter);
     });
   };
-  // Where no segment is open, all is as it was if it throws.
+  // If no segment is open and this throws, the system is unchanged.
   system.open_segment_name() ? enter_all() : system.enter_segments(enter_all);
   return segment;
 }

@@ -12,8 +12,8 @@
 
 namespace displayfile::python {
 
-/// Words in UTF-8 as Python has them. Other bytes, as paths may have, become lone surrogates, as in
-/// the names that os.listdir returns.
+/// UTF-8 text as a Python string. Other bytes, as paths may have, become lone surrogates, as in the
+/// names that os.listdir returns.
 pybind11::str text_of(std::string_view words);
 
 /// An error whose place in a file is known.
@@ -30,11 +30,11 @@ struct ErrorInFile : Error {
   bool is_limit;  ///< it is a LimitReached
 };
 
-/// The error with the place with which the readers of files begin their messages,
-/// "FILE:LINE:COLUMN: " or "FILE:LINE: "; nothing if it has none.
+/// The error with the place that readers of files put before their messages, "FILE:LINE:COLUMN: "
+/// or "FILE:LINE: "; none if the message has no place.
 std::optional<ErrorInFile> with_place(const Error& error);
 
-/// Calls read(), which reads files, and gives its Error the place that it names.
+/// Calls read(), which reads files, and adds to its Error the place named in the message.
 template <class Read>
 auto placing_errors(Read&& read) {
   try {
@@ -61,7 +61,8 @@ auto reading(const std::string& message, Read&& read) {
   }
 }
 
-/// Adds displayfile.Error and LimitReached to the module, which those of C++ become from then on.
+/// Adds displayfile.Error and LimitReached to the module; C++ exceptions are translated to them
+/// from then on.
 void add_errors(pybind11::module_& module);
 
 }  // namespace displayfile::python

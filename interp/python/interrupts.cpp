@@ -18,13 +18,13 @@ void stop_work() noexcept {
   if (WorkBudget* const budget = stopped_by_interrupt.load()) budget->stop();
 }
 
-/// True if the interrupts that Python handles, or another handler, stop work too from now on.
+/// True if Python's interrupts, or another handler's, stop work from now on.
 bool listen() { return stopped_by_interrupt.load() == nullptr && call_at_interrupts(stop_work); }
 
 }  // namespace
 
-/// Asked each time: any thread may be the first to import the package, and after a fork the thread
-/// that called it is the main one.
+/// Checked at each call: any thread may be the first to import the package, and after a fork the
+/// thread that called it is the main one.
 bool Caller::is_on_main_thread() {
   const py::module_ threading = py::module_::import("threading");
   const py::object main_thread = threading.attr("main_thread")();

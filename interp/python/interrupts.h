@@ -38,8 +38,8 @@ class StoppedByInterrupt {
   BudgetInForce in_force_;
 };
 
-/// Waits, without the interpreter's lock, until no other thread is in a call on the same object. A
-/// limit and an interrupt end that.
+/// Waits, without the interpreter's lock, until no other thread is in a call on the same object.
+/// Limits and interrupts end the wait.
 std::unique_lock<std::timed_mutex> turn_of(std::timed_mutex& mutex);
 
 /// Calls work() without the interpreter's lock. If a keyboard interrupt has stopped it, Python's

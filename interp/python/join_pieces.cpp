@@ -10,24 +10,23 @@ namespace displayfile::python {
 
 namespace {
 
-/// Two pieces that overlap only within a strip of this width, in a picture from 0 to 1, are drawn
-/// in either order: nobody sees which.
+/// Two pieces that overlap only within a strip of this width, in a picture from 0 to 1, may be
+/// drawn in either order: the difference is invisible.
 constexpr double kTolerance = 1e-9;
 /// Polygons of more pieces stay in pieces.
 constexpr std::size_t kMostPieces = 512;
-/// A piece that so many others lie beside stays where it is: large polygons upon each other would
-/// all be held against all.
+/// A piece with more neighbours than this keeps its place: large overlapping polygons would need a
+/// comparison of all pairs.
 constexpr std::size_t kMostLooks = 4096;
-/// The cells of all pieces together, for each of them, at most: cells grow until they are.
+/// The largest mean number of cells per piece: cells are enlarged until it holds.
 constexpr std::size_t kMostCells = 16;
 
 using Corners = std::span<const Point3>;
 
-/// Whether, across one of the sides of `a`, the two reach over each other by no more than `reach`.
-/// If so, all that they share lies in a strip of that width along the side, whatever the polygons:
-/// they may be concave, and the side may be short and its direction that of rounding. A corner that
-/// is repeated, as one that a cut made may be, is a side of length 0: it has no direction, and
-/// separates nothing.
+/// True if, across one of the sides of `a`, the two overlap by no more than `reach`. Then their
+/// intersection lies in a strip of that width along the side, for any polygons: they may be
+/// concave, and the side may be short and its direction a result of rounding. A repeated corner, as
+/// from a cut, is a side of length 0: it has no direction, and separates nothing.
 bool a_side_separates(Corners a, Corners b, double reach) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point3& p = a[i];
@@ -45,9 +44,9 @@ bool a_side_separates(Corners a, Corners b, double reach) {
   return false;
 }
 
-/// False only if the two share nothing but a strip of width kTolerance; of two of which one is a
-/// line, only if there is a gap of that width between them, since lines are drawn with a width.
-/// Pieces that are not convex may count as overlapping where only their hulls do.
+/// False only if the two have at most a strip of width kTolerance in common; if one is a line, only
+/// if there is a gap of that width between them, since lines are drawn with a width. Pieces that
+/// are not convex may count as overlapping where only their hulls do.
 bool overlap(Corners a, Corners b) {
   const bool is_line = a.size() == 2 || b.size() == 2;
   const double reach = is_line ? -kTolerance : kTolerance;
@@ -74,8 +73,8 @@ class Cells {
     return Corners(pieces.points).subspan(pieces.first[k], pieces.first[k + 1] - pieces.first[k]);
   }
 
-  /// Whether a piece after `from` and before `to` overlaps piece `from`, but for those of the same
-  /// polygon that are drawn at `to` too; or too many would have to be looked at.
+  /// True if a piece after `from` and before `to` overlaps piece `from`, except those of the same
+  /// polygon that are drawn at `to` too; or if too many would have to be examined.
   bool covered(const DrawnPieces& pieces, std::span<const std::uint32_t> places, std::uint32_t from,
                std::uint32_t to) {
     const Corners corners = corners_of(pieces, from);
@@ -96,7 +95,7 @@ class Cells {
     return static_cast<std::size_t>(std::clamp(value * cells, 0.0, cells - 1.0));
   }
 
-  /// Columns and rows, from the first to the last.
+  /// A range of columns and rows, both ends included.
   struct Block {
     std::size_t left, right, bottom, top;
   };
@@ -115,7 +114,7 @@ class Cells {
     return all;
   }
 
-  /// Until `enter` returns true, which is then returned.
+  /// Calls `enter` for the cells of a block until it returns true, which is then returned.
   template <class Enter>
   bool visit(Corners corners, Enter&& enter) {
     const Block block = block_of(corners);

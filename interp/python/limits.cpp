@@ -45,7 +45,7 @@ void set_blocks_of_context(const py::list& known) {
   if (!token) throw py::error_already_set();
 }
 
-/// Those that have not ended; in a context that was copied others may stand.
+/// The blocks that have not ended; a copied context may also hold ended ones.
 py::list blocks_that_last() {
   py::list last;
   for (const py::handle known : blocks_of_context()) {
@@ -63,8 +63,8 @@ void begin_limits(const py::object& limits, py::handle pieces, py::handle compar
   set_blocks_of_context(known);
 }
 
-/// The last one that these limits began, which need not be the innermost: blocks of generators
-/// begin and end in any order.
+/// Ends the last block that these limits began, which need not be the innermost: blocks of
+/// generators begin and end in any order.
 void end_limits(const py::object& limits) {
   const py::list known = blocks_that_last();
   for (std::size_t k = known.size(); k-- > 0;) {

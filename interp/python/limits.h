@@ -9,11 +9,11 @@
 
 namespace displayfile::python {
 
-/// The name of waiting for another thread's call on the same object.
+/// The name in messages of waiting for another thread's call on the same object.
 inline constexpr WorkDone kWaiting{"waiting for another thread's call", nullptr};
 
-/// A `with limits(...)` block. Contexts (Python's contextvars) know those that began in them, and
-/// in the context that they were copied from.
+/// A `with limits(...)` block. Contexts (Python's contextvars) hold the blocks that began in them
+/// and in the context that they were copied from.
 struct LimitsBlock {
   pybind11::object limits;
   std::thread::id thread;

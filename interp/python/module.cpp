@@ -19,7 +19,7 @@ py::list names_of_routines() {
   return names;
 }
 
-/// The name, arguments, meaning and section of each, as Python has them.
+/// The name, arguments, meaning and section of each routine, in Python's form.
 py::list table_of_routines() {
   py::list table;
   for (const UserRoutine& routine : user_routines()) {

@@ -113,14 +113,14 @@ std::vector<Colour> layers_in(py::handle value) {
   return layers;
 }
 
-/// Those that are read after the paper and the pens are known.
+/// True for options that must be read after the paper and the pens.
 bool needs_pens(std::string_view option) {
   return option == "margin" || option == "pen_order" || option == "pen_layers";
 }
 
 using Read = void (*)(py::handle value, DrawOptions& options);
 
-/// By their names.
+/// The readers of the options, by name.
 const std::map<std::string_view, Read>& readers() {
   static const std::map<std::string_view, Read> all{
       {"hidden", [](py::handle v,
@@ -259,8 +259,8 @@ std::optional<double> aspect_of(const DrawOptions& options) {
 
 namespace {
 
-/// The pixels as an array over the picture's own memory, which is the system's again when the array
-/// is gone.
+/// The pixels as an array over the picture's own memory, which returns to the system when the array
+/// is destroyed.
 py::array pixels_of(Picture&& picture, std::shared_ptr<SparePictures> spare) {
   struct Kept {
     std::vector<std::uint32_t> pixels;
@@ -300,7 +300,7 @@ void warn(const std::string& message) {
   }
 }
 
-/// What drawing warns of, without the interpreter's lock: collected for tell(), but that a picture
+/// Warnings of drawing without the interpreter's lock: collected for tell(), except that a picture
 /// is stretched, which is known before anything is drawn or written.
 class Warned {
  public:
@@ -334,7 +334,7 @@ py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
   return arrays_of(std::move(picture), options, self.spare());
 }
 
-/// Refuses what drawing would refuse before it draws anything, here or in another process, into
+/// Throws the Errors that drawing would throw before it begins, here or in another process, into
 /// memory or a file. Returns width and height.
 py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::kwargs& keywords) {
   const DrawOptions options = draw_options_in(size, keywords);

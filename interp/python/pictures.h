@@ -17,8 +17,8 @@ DrawOptions draw_options_in(pybind11::handle size, const pybind11::kwargs& keywo
 /// Width over height of such a picture; none if its size is not valid.
 std::optional<double> aspect_of(const DrawOptions& options);
 
-/// The picture's pixels, and its ids and depth or None, as arrays over its own memory. That of the
-/// pixels is for the next picture when their array is gone.
+/// The picture's pixels, and its ids and depth or None, as arrays over its own memory. The pixels'
+/// memory is reused for the next picture when their array is destroyed.
 pybind11::tuple arrays_of(Picture&& picture, const DrawOptions& options,
                           std::shared_ptr<SparePictures> spare);
 

@@ -6,10 +6,10 @@
 
 namespace displayfile::python {
 
-/// The members of Pieces, in their order, as arrays.
+/// The members of Pieces, in order, as arrays.
 pybind11::tuple arrays_of(DrawnPieces&& pieces);
 
-/// sort, visible_pieces and visible_lines.
+/// Adds sort, visible_pieces and visible_lines.
 void add_polygons(pybind11::module_& module);
 
 }  // namespace displayfile::python

@@ -66,8 +66,8 @@ struct DevicePolygons {
   GraphicsSystem system;
 };
 
-/// What touches along the given axes, in device coordinates: along each the reach is that of the
-/// numbers given, and the largest counts.
+/// The tolerance for touching, along the given axes, in device coordinates: along each axis that of
+/// the given numbers; the largest counts.
 Touching in_device(const Touching& touching, double unit, std::span<const Point3> given,
                    const std::array<Axis, 3>& axes) {
   if (touching.kind == Touching::Kind::off) return touching;
@@ -88,8 +88,8 @@ void require_coordinates(std::span<const Point3> points) {
   throw Error("polygons: expected finite coordinates up to 1e100 in magnitude");
 }
 
-/// `given` has the polygons' points, and after them those of the segments, two each, whose pick
-/// identifiers follow those of the polygons.
+/// Enters the polygons' points in `given`, and the segments' points after them, two each, whose
+/// pick identifiers follow those of the polygons.
 void enter(const Polygons& polygons, const std::vector<Point3>& given, bool sides_drawn,
            const std::optional<LineSelection>& lines, const Touching& touching, double unit,
            DevicePolygons& device) {
@@ -141,7 +141,7 @@ bool precedes(const Point3& p, const Point3& q) {
   return std::array{p.x, p.y, p.z} < std::array{q.x, q.y, q.z};
 }
 
-/// Finds the corners of polygons by where they are.
+/// Finds the corners of polygons by their coordinates.
 class Corners {
  public:
   explicit Corners(const DevicePolygons& device) : device_(device), sorted_(device.first.back()) {
@@ -150,7 +150,7 @@ class Corners {
       std::ranges::sort(of(k), precedes, [&](std::size_t i) { return device.points[i]; });
     }
   }
-  /// Which of all points is the polygon's corner there; none if it has no such corner.
+  /// The index, among all points, of the polygon's corner at `p`; none if it has no such corner.
   std::optional<std::size_t> find(std::size_t polygon, const Point3& p) {
     const auto own = of(polygon);
     const auto at = std::ranges::lower_bound(own, p, precedes,
@@ -168,8 +168,8 @@ class Corners {
   std::vector<std::size_t> sorted_;
 };
 
-/// Back from device coordinates. A corner of the polygon that a piece is of has the very
-/// coordinates that it was given.
+/// Converts back from device coordinates. A corner of the polygon from which a piece was cut gets
+/// exactly the coordinates given.
 void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
                 DrawnPieces& pieces) {
   Corners corners(device);
@@ -185,7 +185,7 @@ void place_back(const std::vector<Point3>& given, const DevicePolygons& device,
   }
 }
 
-/// The arguments of a call, checked: the ends of segments stand after the polygons' points.
+/// The checked arguments of a call: the ends of segments follow the polygons' points.
 struct PiecesRequest {
   Polygons polygons;
   std::vector<Point3> points;
@@ -264,8 +264,8 @@ DrawnPieces found(const PiecesRequest& request) {
   return pieces;
 }
 
-/// Points, the first of each piece, what it is of, its sides, which lines are hidden, and which
-/// points are cuts. Kinds of sides are without kHiddenLine.
+/// Points, the first point of each piece, the source of each piece, its sides, which lines are
+/// hidden, and which points are cuts. Kinds of sides are without kHiddenLine.
 py::tuple arrays_found(const PiecesRequest& request) {
   DrawnPieces pieces = without_interpreter([&] { return found(request); });
   std::vector<std::uint8_t> is_hidden(pieces.size());
@@ -280,8 +280,9 @@ py::tuple arrays_found(const PiecesRequest& request) {
                         owned(std::move(is_hidden)), owned(std::move(pieces.cuts)));
 }
 
-/// Segments in the order of depth: of which each part is, its points, and which of its ends another
-/// segment cuts. x and y times `pixels` are pixels; equal `looks` continue each other.
+/// Segments in order of depth: the segment of each part, its points, and which of its ends another
+/// segment cuts. x and y times `pixels` are pixels; segments with equal `looks` continue each
+/// other.
 py::tuple segments_by_depth(py::handle segments, py::handle widths, py::handle looks,
                             py::handle pixels, py::handle halo, py::handle apart) {
   const std::vector<Point3> ends = segments_in(segments, "segments");

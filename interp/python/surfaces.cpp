@@ -92,7 +92,7 @@ SurfacePoints surface_points(py::handle x, py::handle y, py::handle z) {
   return surface;
 }
 
-/// True if the numbers stand at even steps, but for what their rounding moves them, and rise.
+/// True if the numbers increase at even steps, up to their rounding.
 bool rise_evenly(std::span<const double> numbers) {
   const double low = numbers.front(), high = numbers.back();
   if (!(low < high)) return false;
@@ -105,7 +105,7 @@ bool rise_evenly(std::span<const double> numbers) {
   return true;
 }
 
-/// Turned round so that x and y rise, if they fall.
+/// Reverses x and y where they decrease, so that they increase.
 void make_rise(SurfacePoints& surface) {
   const std::size_t columns = surface.z.columns;
   auto& heights = surface.z.values;
@@ -124,7 +124,7 @@ void make_rise(SurfacePoints& surface) {
   }
 }
 
-/// Its cells as polygons of four sides; those with an unknown height are left out.
+/// Enters the surface's cells as quadrilaterals, except those with an unknown height.
 void enter_cells(const SurfacePoints& surface, GraphicsSystem& system) {
   const std::size_t rows = surface.z.rows, columns = surface.z.columns;
   if (rows * columns > std::numeric_limits<std::uint32_t>::max()) {
@@ -211,7 +211,7 @@ void cropping(GraphicsSystem& system, std::span<const std::array<double, 4>> pla
   off();
 }
 
-/// In the line style that the application set, or else in black.
+/// Enters lines in the line style that the application set, or else in black.
 void enter_lines(GraphicsSystem& system, std::span<const Point3> ends) {
   SystemInside::keep_line_style(system, [&] {
     SystemInside::by_default(system, Setting::line_style, [&] { system.set_line_style({}); });

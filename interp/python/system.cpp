@@ -82,7 +82,7 @@ std::string in_python(std::string_view sentence) {
 
 namespace {
 
-/// Routines that do little more than to note what they are told.
+/// Routines that do little more than store their arguments.
 bool is_over_soon(std::string_view name) {
   constexpr std::string_view kBegin[] = {"move-",   "line-",  "polygon-", "set-", "translate-",
                                          "rotate-", "scale-", "open-",    "text"};
@@ -92,8 +92,8 @@ bool is_over_soon(std::string_view name) {
 
 using EnterPoints = void (*)(GraphicsSystem& system, std::span<const Point3> points);
 
-/// What programs in Python call very often, with numbers alone: without words between. Null for
-/// what is not, or not so many numbers.
+/// The direct entry point of a routine that Python programs call very often with numbers alone,
+/// without conversion to words. Null for other routines and other numbers of arguments.
 EnterPoints entered_at_once(std::string_view name, std::size_t numbers) {
   if (name == "polygon-abs-3" && numbers % 3 == 0) {
     return [](GraphicsSystem& system, std::span<const Point3> p) { system.polygon_abs_3(p); };
@@ -143,7 +143,7 @@ void call_routine(System& self, const UserRoutine& routine, const py::args& by_p
   self.work([&](GraphicsSystem& system, Renderer&) { call(system); });
 }
 
-/// In lines that fit on a terminal.
+/// Wraps text to lines that fit on a terminal.
 std::string wrapped(const std::string& text) {
   constexpr std::size_t kWidth = 88;
   std::string lines = text;
@@ -261,7 +261,7 @@ void replay_path(System& self, py::handle file) {
   });
 }
 
-/// A mesh beside others that a camera follows. Returns what was skipped.
+/// Imports a mesh beside others that a camera follows. Returns the skipped parts.
 Mesh::Skipped import_followed(const std::string& path, GraphicsSystem& system,
                               FollowedView& followed, const MeshOptions& options) {
   const bool is_smooth = system.looks().attributes.shading != Shading::flat;
@@ -272,7 +272,7 @@ Mesh::Skipped import_followed(const std::string& path, GraphicsSystem& system,
   return std::move(mesh.skipped);
 }
 
-/// What of the mesh is not drawn, a sentence each.
+/// Imports a mesh; returns a sentence for each kind of content that is not drawn.
 std::vector<std::string> import_path(System& self, py::handle file, py::handle colour,
                                      const py::kwargs& camera) {
   const std::string path = path_in(file, "path");

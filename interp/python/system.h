@@ -21,7 +21,7 @@
 
 namespace displayfile::python {
 
-/// Memory of pictures whose arrays are gone, for the next ones: of one at most.
+/// Memory of pictures whose arrays were destroyed, for reuse: of one picture at most.
 class SparePictures {
  public:
   Picture take() {
@@ -42,7 +42,7 @@ class SparePictures {
 /// are serialised. Waiting and long work release the interpreter's lock.
 class System {
  public:
-  /// A call that takes long, or may. It may be called again after an interrupt.
+  /// A call that may take long. It may be repeated after an interrupt.
   template <class Work>
   auto work(Work&& work) {
     return without_interpreter([&] {
@@ -62,8 +62,8 @@ class System {
 
   const std::shared_ptr<SparePictures>& spare() const { return spare_; }
 
-  /// The same for a picture of that aspect ratio, or for another use of what was entered: with the
-  /// view fitted to it, if that follows it.
+  /// The same for a picture of that aspect ratio, or for another use of the scene: with the view
+  /// fitted to it, if the view follows the scene.
   template <class Work>
   auto viewed(std::optional<double> aspect, Work&& work) {
     return this->work([&](GraphicsSystem& system, Renderer& renderer) {
@@ -110,7 +110,7 @@ class System {
     followed_.changed();
   }
 
-  /// So far, with each part in the view that was fitted to it.
+  /// The recording so far, with each part in the view that was fitted to it.
   std::string recorded() const;
 
   CollectedText recording_;
@@ -132,15 +132,15 @@ using SystemClass = pybind11::class_<System>;
 SystemClass add_system(pybind11::module_& module);
 /// Adds the methods that draw and query the drawing.
 void add_pictures(SystemClass& system);
-/// The views of a turntable.
+/// Adds the views of a turntable.
 void add_turntable(pybind11::module_& module, SystemClass& system);
 /// The methods that enter surfaces of heights, with lines on them, in pieces.
 void add_surfaces(SystemClass& system);
-/// What stands beside the scene, such as a colour bar.
+/// Adds the methods for content beside the scene, such as a colour bar.
 void add_beside(SystemClass& system);
-/// Functions for colours of scalars, and for their triangles.
+/// Adds functions for colours of scalars, and for their triangles.
 void add_scalars(pybind11::module_& module);
-/// The camera that follows what is entered, and views of a retained scene from any eye.
+/// Adds the camera that follows the scene, and views of a retained scene from any eye.
 void add_views(pybind11::module_& module, SystemClass& system);
 
 /// The words of a user routine's name as Python writes them.
@@ -150,7 +150,7 @@ std::string in_python(std::string_view sentence);
 
 }  // namespace displayfile::python
 
-/// Refuses a System whose __init__ was not called: it has memory, and nothing in it.
+/// Refuses a System whose __init__ was not called: its memory is allocated but uninitialised.
 template <>
 class pybind11::detail::type_caster<displayfile::python::System>
     : public type_caster_base<displayfile::python::System> {

@@ -22,8 +22,8 @@ namespace py = pybind11;
 
 namespace {
 
-/// The views of what a system had retained when it was made, whatever becomes of the system later.
-/// Several threads may call it: their calls come one after another.
+/// Views of a system's retained scene as it was at construction, independent of later changes to
+/// the system. Several threads may call it: calls are serialised.
 class Turntable {
  public:
   Turntable(System& system, const TurntableViews& views, const DrawOptions& options)
@@ -76,7 +76,7 @@ Point3 axis_in(py::handle value, std::string_view what) {
   return direction;
 }
 
-/// What the keywords leave open of the views is as it was fitted to imported meshes.
+/// Parameters of the views that the keywords do not set are those fitted to imported meshes.
 TurntableViews views_in(System& system, py::handle number, py::handle axis, py::handle fit) {
   TurntableViews views{whole_number_in(number, "views")};
   require_turntable_views(views.number);
@@ -99,7 +99,7 @@ std::unique_ptr<Turntable> turntable(System& system, py::handle views, py::handl
   return std::make_unique<Turntable>(system, views_in(system, views, axis, fit), options);
 }
 
-/// Refuses what turntable would refuse without a look at the scene.
+/// Throws the Errors of turntable that do not depend on the scene.
 void require_turned(System& system, py::handle views, py::handle size, py::handle axis,
                     py::handle fit, const py::kwargs& keywords) {
   require_turntable_method(draw_options_in(size, keywords));

@@ -28,18 +28,18 @@ namespace py = pybind11;
 
 namespace {
 
-/// As for arrays: z is up, unless the camera has another axis.
+/// The camera for arrays: z is up, unless the camera has another axis.
 Camera camera_of_arrays(const py::kwargs& keywords, const Camera& otherwise) {
   Camera camera = camera_in(keywords, otherwise);
   if (std::holds_alternative<UprightBy>(camera.upright)) camera.upright = upright("z");
   return camera;
 }
 
-/// The viewer's right, up and back, in world coordinates: the rows.
+/// The viewer's right, up and back axes in world coordinates, as rows.
 glm::dmat3 axes_of(const View& view) { return glm::dmat3(ViewVolume(view).view_plane()); }
 
-/// What a system had retained when it was made, from any eye, whatever becomes of the system later.
-/// Several threads may call it: their calls come one after another.
+/// A system's retained scene as it was at construction, seen from any eye, independent of later
+/// changes to the system. Several threads may call it: calls are serialised.
 class Views {
  public:
   Views(System& system, const DrawOptions& options) : spare_(system.spare()) {

@@ -35,8 +35,8 @@ void SampleAverage::add_row(const std::uint32_t* samples) {
   ++rows_added_;
 }
 
-/// The mean colour of the samples, each as much as it covers, and how much all cover. Each
-/// component is rounded to the nearest.
+/// Averages the samples' colours, weighted by their alpha, and their alpha. Each component is
+/// rounded to the nearest.
 void SampleAverage::pass_on(Picture& averaged) {
   const auto of_pixel = static_cast<std::uint32_t>(samples_ * samples_);
   const auto divided = [](std::uint32_t sum, std::uint32_t by) {

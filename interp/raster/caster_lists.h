@@ -19,23 +19,24 @@ namespace displayfile {
 class CasterLists {
  public:
   using Primitive = WorldCasters::Primitive;
-  /// A longer list is no shorter way than the tree of all.
+  /// The length above which a list is no faster than the tree of all casters.
   static constexpr std::size_t kLongest = 24;
 
   /// For a scene with this many primitives; the casters must outlive this.
   CasterLists(const WorldCasters& casters, std::size_t primitives);
 
-  /// Forgets all, and keeps the memory: other lights. Not while others ask.
+  /// Clears all lists, keeping the memory, for other lights. Must not be called during use by
+  /// others.
   void clear();
-  /// The list of a polygon whose light comes from that unit direction, the same each time until all
-  /// is forgotten; none if there are too many.
+  /// The list of a polygon whose light comes from that unit direction, the same until cleared; none
+  /// if there are too many casters.
   std::optional<std::span<const Primitive>> of(Primitive receiver, const Point3& toward);
 
   std::size_t made() const { return made_; }  ///< since the beginning
   std::size_t bytes() const;
 
  private:
-  /// How many there are, or kTooMany; these follow it.
+  /// The number of casters, or kTooMany; the casters follow it.
   using List = const Primitive*;
   static constexpr Primitive kTooMany = ~Primitive{0};
   static constexpr std::size_t kRoom = 1 << 14;  // of a block

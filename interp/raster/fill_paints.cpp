@@ -10,7 +10,7 @@ Colour painted(const Colour& colour) { return painted_colour({FillStyle::Kind::s
 
 }  // namespace
 
-/// A palette is that of many scenes.
+/// One palette serves many scenes.
 void FillPaints::take_palette(const ViewedScene& scene) {
   if (palette_ == scene.palette()) return;
   palette_ = scene.palette();

@@ -11,22 +11,22 @@
 
 namespace displayfile {
 
-/// What the fills of a scene are painted with, for a device of pixels.
+/// The paints of a scene's fills, for a pixel device.
 class FillPaints {
  public:
   using Fill = ViewedScene::Fill;
 
   FillPaints() = default;
   explicit FillPaints(const ViewedScene& scene) { take(scene); }
-  /// Takes those of a scene, in place of those before.
+  /// Replaces the paints by those of a scene.
   void take(const ViewedScene& scene);
-  /// As in Picture::pixels; white until then.
+  /// As in Picture::pixels; white by default.
   void set_background(std::uint32_t pixel) { pixel_[ViewedScene::kBackground] = pixel; }
 
   std::uint32_t pixel(Fill fill) const { return pixel_[fill]; }  ///< as in Picture::pixels
-  /// The same of all fills, by number.
+  /// The pixels of all fills, by number.
   const std::uint32_t* pixels() const { return pixel_.data(); }
-  /// A fill whose colour is not the same everywhere, but multiplied by an intensity.
+  /// A fill whose colour is multiplied by a varying intensity.
   struct Shade {
     Colour colour;
     IntensityPlane intensity;
@@ -46,7 +46,7 @@ class FillPaints {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// What some fills have.
+  /// A paint that only some fills have.
   template <class Paint>
   struct OfFills {
     std::vector<std::uint32_t> number;  // of the fills up to the last that has one: in `all`

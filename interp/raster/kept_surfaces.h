@@ -28,8 +28,8 @@ class KeptSurfaces {
   };
 
   bool are(const Of& of) const { return of_ == of; }
-  /// From here on those are kept, in place of others; all rows, by several threads, before they
-  /// are complete.
+  /// Begins keeping new surfaces in place of others: all rows, written by several threads, before
+  /// they are complete.
   void begin(const PictureSize& size) {
     of_.reset();
     size_ = size;

@@ -42,7 +42,7 @@ class LinePainter {
   void line(const DrawnLine& line, Plot&& plot) {
     draw_line(line, WholeLine(), plot);
   }
-  /// The part of a line that is_seen.
+  /// Draws the parts of a line for which is_seen is true.
   template <class Plot>
   void line(const DrawnLine& line, const SeenOfLine& is_seen, Plot&& plot) {
     draw_line(line, is_seen, plot);
@@ -57,7 +57,7 @@ class LinePainter {
         [](std::size_t) { return WholeLine(); }, plot);
   }
 
-  /// Lines, each with ends and a style of its own.
+  /// Draws lines, each with its own ends and style.
   template <class Strokes, class Plot>
   void strokes(const Strokes& lines, double line_scale, Plot&& plot) {
     for (const auto& [from, to, style] : lines) {
@@ -110,7 +110,7 @@ class LinePainter {
     dash_end_ = pixel(line.to);
   }
 
-  /// The sides that are drawn, each in style_of(side) and where seen_of(side) says.
+  /// Draws the drawn sides, each in style_of(side), where seen_of(side) is true.
   template <class StyleOf, class IsDrawn, class SeenOf, class Plot>
   void outline(std::span<const Point3> vertices, const StyleOf& style_of, const IsDrawn& is_drawn,
                const SeenOf& seen_of, Plot&& plot) {

@@ -14,10 +14,10 @@
 
 namespace displayfile {
 
-/// Lines and edges by the picture's depths, as the colour rule has them with a method of image
-/// space (interp/raster/colour_rule.md): at each of a line's pixels the line's depth is compared
-/// with that of the fill seen at the pixel's centre, and it is drawn unless the fill is nearer. An
-/// edge's depth there is that of its polygon's support plane.
+/// Lines and edges by the picture's depths, for the colour rule with an image-space method
+/// (interp/raster/colour_rule.md): at each of a line's pixels its depth is compared with that of
+/// the fill visible at the pixel's centre, and it is drawn unless the fill is nearer. An edge's
+/// depth there is that of its polygon's support plane.
 class LinesByDepth : public OutputDevice {
  public:
   explicit LinesByDepth(const RasterBand& band) : band_(band), lines_(band.region) {}
@@ -32,8 +32,8 @@ class LinesByDepth : public OutputDevice {
     const PixelDepth depth(polygon.vertices, support, band_.size().width, band_.size().height);
     const DepthRange range = depth_range(polygon.vertices);
     lines_.edges(polygon, [&](int x, int y, double /*z*/, std::uint32_t colour) {
-      // The polygon's plane, but half a pixel beyond a polygon seen nearly edge-on that plane is
-      // anywhere: no nearer or farther than the polygon itself.
+      // The polygon's plane. Half a pixel beyond a polygon seen nearly edge-on its depth is
+      // arbitrary: it is clamped to the depths of the polygon itself.
       const double at_centre = depth.at(depth.row(y), x);
       plot(x, y, std::clamp(at_centre, range.farthest, range.nearest), colour);
     });
@@ -46,7 +46,7 @@ class LinesByDepth : public OutputDevice {
   struct DepthRange {
     double nearest, farthest;
   };
-  /// The range of the vertices' depths, and a little more: rounding may put the polygon's own fill
+  /// The range of the vertices' depths, slightly enlarged: rounding may put the polygon's own fill
   /// there.
   static DepthRange depth_range(std::span<const Point3> vertices) {
     double nearest = vertices[0].z, farthest = nearest;

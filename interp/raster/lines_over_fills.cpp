@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// The others that are wanted, each a stroke of its own.
+/// Takes the other requested lines, each as a stroke of its own.
 void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
   const SortedPieces order =
       lines_beside_sides(*group.scene, found, group.wanted.plan.hidden_lines);
@@ -30,7 +30,7 @@ void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
   }
 }
 
-/// All lines, in the order of depth, without crumbs.
+/// Takes all lines, in order of depth, without crumbs.
 void take_by_depth(LinesOverFills::Group& group, const FoundLines& found) {
   const ViewedScene& scene = *group.scene;
   const SurfacePlan& plan = group.wanted.plan;

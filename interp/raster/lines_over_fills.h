@@ -21,16 +21,16 @@ namespace displayfile {
 /// Lines of a scene are found together; where segments were sorted separately, per segment.
 class LinesOverFills {
  public:
-  /// Which lines, and how exactly.
+  /// The lines to find, and their accuracy.
   struct Wanted {
     SurfacePlan plan = {};  ///< by Franklin's method, whatever finds the fills
     Point2 pixels{0.0};     ///< OutputDevice::pixels, in the unit of widths as they are set
 
-    /// True if what was found for `o`, within the limit of pieces that was in force, will do.
+    /// True if the lines found for `o`, within the limit of pieces in force then, can be reused.
     bool are_as(const Wanted& o) const {
       return plan.finds_as(o.plan) && pixels == o.pixels && plan.most_pieces >= o.plan.most_pieces;
     }
-    /// Those that go with fills which are found by that plan.
+    /// The lines that accompany fills found by that plan.
     static Wanted beside(const SurfacePlan& fills, const Point2& pixels);
   };
   /// A line that is drawn as a whole.
@@ -38,14 +38,14 @@ class LinesOverFills {
     Point3 from, to;
     LineStyle style;
   };
-  /// A part of a line that is drawn in its place in the order of depth.
+  /// A part of a line, drawn at its place in the order of depth.
   struct DeepPart {
     Stroke stroke;
     double from, to;     ///< the part, as fractions of it
     std::uint32_t item;  ///< whose line it is
     bool is_hidden = false;
   };
-  /// Lines of one scene, which lives as long as it is drawn.
+  /// Lines of one scene, which must live until they are drawn.
   struct Group {
     std::shared_ptr<const ViewedScene> scene;
     Wanted wanted;
@@ -58,7 +58,7 @@ class LinesOverFills {
     bool is_nothing() const {
       return hidden.empty() && pieces.empty() && intersections.empty() && by_depth.empty();
     }
-    /// By a LinePainter.
+    /// Draws the lines with a LinePainter.
     template <class Painter, class Plot>
     void draw(Painter& painter, double line_scale, const Plot& plot) const {
       painter.strokes(hidden, line_scale, plot);
@@ -75,21 +75,21 @@ class LinesOverFills {
     }
   };
 
-  /// There are none.
+  /// Removes all lines.
   void clear();
-  /// Those of one scene, which since the last clear() was always one of the same items.
+  /// Finds the lines of one scene. Since the last clear(), all scenes must have had the same items.
   void take(const std::shared_ptr<const ViewedScene>& scene, const Wanted& wanted);
-  /// Those of each visible segment that has an order of polygons of its own: those that the order
-  /// was made with.
+  /// Finds the lines of each visible segment that has its own order of polygons, with the settings
+  /// of that order.
   void take_sorted_segments(const DisplayFile& display_file, const Point2& pixels, int threads);
 
-  /// Null if they are not found together.
+  /// Null if lines are not found together.
   const Group* all() const { return all_ ? &*all_ : nullptr; }
-  /// Null if it has none that are found.
+  /// Null if the segment has no lines found separately.
   const Group* of_segment(int name) const;
 
  private:
-  /// With the data that determine the lines.
+  /// The lines of a segment, with the data that determine them.
   struct OfSegment {
     std::shared_ptr<const Instructions> entered;
     ImageTransformation image;

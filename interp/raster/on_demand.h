@@ -20,8 +20,8 @@ class OnDemand {
     }
     for (std::size_t i = 0; i < size; ++i) state_[i].store(kNone, std::memory_order_relaxed);
   }
-  /// The value of that number: make(), the same each time. In `spare`, while another thread is
-  /// working it out.
+  /// The value of that number: the result of make(), the same each time. While another thread
+  /// computes it, a copy is made in `spare`.
   template <class Make>
   const T& at(std::size_t i, T& spare, Make&& make) {
     std::uint8_t state = state_[i].load(std::memory_order_acquire);

@@ -9,7 +9,7 @@
 
 namespace displayfile {
 
-/// Draws in order: each fill over the earlier ones, and also lines that are not found beforehand.
+/// Draws in order: each fill over the earlier ones, and also lines that were not found beforehand.
 class Painter : public OutputDevice {
   auto plot() {  // first: it is used before
     return [this](int x, int y, double /*z*/, std::uint32_t colour) {
@@ -27,7 +27,7 @@ class Painter : public OutputDevice {
   void fill(const DrawnPolygon& polygon) override;
   void edges(const DrawnPolygon& polygon) override { lines_.edges(polygon, plot()); }
   void line(const DrawnLine& line) override { lines_.line(line, plot()); }
-  /// After all instructions.
+  /// Must be called after all instructions.
   void end() { lines_.end(plot()); }
 
  private:

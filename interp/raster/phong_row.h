@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-/// What PhongShade (interp/raster/phong_shade.h) paints a row of pixels from.
+/// The data from which PhongShade (interp/raster/phong_shade.h) paints a row of pixels.
 struct PhongRow {
   Point3 normal;  ///< at column x0
   Point3 step;    ///< increment per column

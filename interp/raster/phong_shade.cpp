@@ -19,7 +19,7 @@ namespace displayfile::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The operations of PhongShade::at, in its order, on some pixels at a time.
+/// The operations of PhongShade::at, in the same order, on several pixels at a time.
 void PaintPhong(const PhongRow& row, int first, std::span<std::uint32_t> pixels) {
   constexpr hn::CappedTag<double, 4> kPixels;  // more seldom fit into a run
   constexpr hn::Rebind<std::int32_t, decltype(kPixels)> kWhole;
@@ -67,7 +67,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace displayfile {
 
-/// A few pixels are painted before vectors are filled with what all have in common.
+/// Paints a few pixels one by one: filling vectors with common values would cost more.
 void PhongShade::paint(int row, int first, std::span<std::uint32_t> pixels) const {
   constexpr std::size_t kFew = 2;
   if (pixels.size() <= kFew) {

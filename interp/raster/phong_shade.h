@@ -29,7 +29,7 @@ class PhongShade {
   /// Paints the columns first, first + 1, ... of a row, as in Picture::pixels, in the widest
   /// vectors that the processor has.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const;
-  /// One of them, without vectors: the plain form of what paint does.
+  /// The colour of one pixel, without vectors: the plain form of paint.
   std::uint32_t at(int row, int column) const;
 
  private:

@@ -50,14 +50,14 @@ class PixelShade {
   double x0_, y0_, di_dx_, di_dy_;
 };
 
-/// The colour of a fill where it is lit and of full intensity. Modifications of it are added here,
-/// for fills painted in an order (FillColour) and for visible fills (FillPaints).
+/// The colour of a fill that is lit and of full intensity. Modifications are added here, for fills
+/// painted in order (FillColour) and for visible fills (FillPaints).
 inline Colour painted_colour(const FillStyle& fill) { return fill.colour; }
 
-/// What a polygon is filled with: one colour, or a shade; and another colour in shadow.
+/// The paint of a polygon: one colour, or a shade; and another colour in shadow.
 class FillColour {
  public:
-  /// Null: no shadows.
+  /// `shadows` may be null: no shadows.
   FillColour(const DrawnPolygon& polygon, const PictureSize& size, const Shadows* shadows) {
     const Colour colour = painted_colour(polygon.fill);
     if (polygon.intensities.empty()) {
@@ -77,7 +77,7 @@ class FillColour {
     shadow_.emplace(*shadows, Shadows::on(v, plane, size), plane, *polygon.fill.shadow, size);
   }
 
-  /// Paints what PixelShade::paint does; at() is the pixel at one place.
+  /// Paints as PixelShade::paint does; at() is the pixel at one place.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const {
     if (const auto* colour = std::get_if<std::uint32_t>(&paint_)) {
       std::ranges::fill(pixels, *colour);

@@ -16,8 +16,8 @@ struct RowRange {
   int begin, end;
 };
 
-/// The rows that one thread draws, of those that are in memory: a picture of the rows `held` of the
-/// whole one, or of all of them.
+/// The rows drawn by one thread, of those in memory: a picture of the rows `held` of the whole one,
+/// or of all rows.
 struct RasterBand {
   RasterBand(Picture& picture_, const PictureSize& size, std::uint32_t background_,
              const RowRange& held, const RowRange& drawn, const Shadows* shadows_ = nullptr,
@@ -35,7 +35,7 @@ struct RasterBand {
   ScanConverter::Region region;
   int held_end;
   const Shadows* shadows;  ///< null: none
-  bool shows_fills;        ///< or else all are the background, by the colour rule
+  bool shows_fills;        ///< false: all show the background, by the colour rule
   bool crumbs;             ///< RasterRequest::crumbs
 
   /// OutputDevice::pixels.

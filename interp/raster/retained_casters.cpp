@@ -7,10 +7,10 @@ namespace displayfile {
 
 namespace {
 
-/// What pays for a point that is not on its polygon, against the margin, more than once over.
+/// The factor that accounts, with a margin, for a point that is off its polygon.
 constexpr double kOffPolygon = 16.0;
 
-/// What hides light counts, fills that are edge-on too.
+/// The largest depth of everything that hides light, including edge-on fills.
 double largest_depth(const ViewedScene& seen) {
   double largest = 0.0;
   for (const Point3& p : seen.primitives().points) largest = std::max(largest, std::abs(p.z));
@@ -34,7 +34,7 @@ bool RetainedCasters::take(const SceneViewer& viewer, const SceneViewer::Wanted&
   return true;
 }
 
-/// Lists are of the lights that they were made for.
+/// Lists are valid only for the lights for which they were made.
 void RetainedCasters::take_lights(const glm::dmat3& turned) {
   const auto attributes = scene_->all_attributes();
   bool stayed = toward_.size() == attributes.size();

@@ -38,8 +38,8 @@ class RetainedCasters {
     std::uint32_t open = 0;  ///< those of them, a bit each, that are not ruled out
     bool is_never_hidden() const { return few && open == 0; }
   };
-  /// The item's depths are off by no more than that. In `few` are the items of the view that are
-  /// not ruled out by hides_none(item).
+  /// The search for an item whose depths are off by at most the given error. `few` gets the items
+  /// of the view that hides_none(item) does not rule out.
   template <class HidesNone>
   Search search_on(Item item, double depth_error, HidesNone&& hides_none) {
     Search search = begin_search(item, depth_error);
@@ -51,7 +51,7 @@ class RetainedCasters {
     return search;
   }
   /// Calls hides(item) for the items of the view that may lie between the light and a point, until
-  /// it returns true: then true. Device coordinates.
+  /// it returns true; then returns true. Device coordinates.
   template <class Hides>
   bool any(const Search& search, const Point3& point, Hides&& hides) const {
     const auto is_hidden_by = [&](WorldCasters::Primitive primitive) {

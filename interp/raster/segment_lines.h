@@ -8,9 +8,9 @@
 
 namespace displayfile {
 
-/// The lines of a display file that is painted in its order: lines found beforehand are drawn where
-/// they are visible, over everything with which they were found; others in order. The painters pass
-/// their calls to it, with the plot of LinePainter.
+/// The lines of a display file painted in order: lines found beforehand are drawn where they are
+/// visible, over everything with which they were found; others in order. The painters forward their
+/// calls to it, with the plot of LinePainter.
 class SegmentLines {
  public:
   SegmentLines(const ScanConverter::Region& region, const LinesOverFills& found, double line_scale)
@@ -36,7 +36,7 @@ class SegmentLines {
     if (group_ != nullptr && group_ != found_.all()) draw(*group_, plot);
     group_ = nullptr;
   }
-  /// After all segments.
+  /// Must be called after all segments.
   template <class Plot>
   void end(Plot&& plot) {
     if (found_.all() != nullptr) draw(*found_.all(), plot);

@@ -15,19 +15,19 @@ namespace displayfile {
 
 namespace {
 
-/// How far rounding on the way into the display file may have moved a vertex off the plane that it
-/// was meant to lie on, as a part of the picture's side. Beyond all that the matrices lose unless
-/// the scene is thousands of times farther from the origin than it is large.
+/// The largest displacement by rounding, on the way into the display file, of a vertex from its
+/// intended plane, as a fraction of the picture's side. It exceeds all errors of the matrices
+/// unless the scene is thousands of times farther from the origin than it is large.
 constexpr double kVertexError = 0x1p-40;
 
-/// Pays for what the bounds leave out, and their own rounding.
+/// A safety factor for terms that the bounds omit, and for their own rounding.
 constexpr double kSafety = 2.0;
 
-/// A thickness that nothing is beyond.
+/// A thickness without bound.
 constexpr double kNotBounded = std::numeric_limits<double>::infinity();
 
-/// Bounds the plane's values at points that lie on the polygon: how far its vertices are off the
-/// plane, and what rounding, or what touches, adds.
+/// Bounds the plane's values at points of the polygon: its vertices' distances from the plane, plus
+/// rounding or the tolerance for touching.
 double largest_value(std::span<const Point3> vertices, const Plane& plane,
                      double vertex_error = kVertexError) {
   double largest = 0.0;
@@ -56,8 +56,8 @@ void Shadows::take(const ViewedScene& scene, RetainedCasters& retained) {
   take_lights();
 }
 
-/// The plane is that of the vertices that spread the most in space: one that is edge-on to the
-/// viewer has none by its picture.
+/// The plane is that of the vertices that spread the most in space: a polygon edge-on to the viewer
+/// has none in the picture.
 Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   const auto vertices = scene_->points(item);
   const SupportVertices spread = spread_vertices(vertices);
@@ -70,7 +70,7 @@ Shadows::Polygon Shadows::caster_of(ViewedScene::Item item) const {
   return {plane.p, plane.normal, largest_value(vertices, plane, vertex_error), item};
 }
 
-/// Boxes are made larger by more than what the tests of rays lose.
+/// Boxes are enlarged by more than the rounding of the ray tests.
 void Shadows::build_tree() {
   double largest = 1.0;
   for (const Polygon& caster : casters_) {
@@ -91,8 +91,8 @@ void Shadows::build_tree() {
   casters_ = std::move(ordered);
 }
 
-/// From a point toward the light. Looked at along the ray, the point is the origin: the other
-/// points are moved along it on to the plane through the origin that it crosses the most steeply.
+/// A ray from a point toward the light. Seen along the ray, the point is the origin: the other
+/// points are projected along it on to the plane through the origin that it crosses most steeply.
 struct Shadows::Ray {
   const LitPoint& point;
   Point3 direction;  // of the points (p + u light) / (1 + u w), u from 0
@@ -116,8 +116,8 @@ struct Shadows::Ray {
 };
 
 /// A polygon hides the light if its plane lies between the point and the light, and the line
-/// through both meets the polygon. Where a ray leads behind the eye, and beyond what is infinitely
-/// far, there are no polygons: they were clipped.
+/// through both meets the polygon. There are no polygons where a ray passes behind the eye and
+/// beyond infinity: they were clipped.
 bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
   const auto& [at, depth_error, light] = ray.point;
   const double value = glm::dot(polygon.normal, at - polygon.p);
@@ -128,8 +128,8 @@ bool Shadows::hides(const Polygon& polygon, const Ray& ray) const {
   return side * at_light < 0.0 && is_met(polygon, ray);
 }
 
-/// Decided by the even-odd rule, seen along the ray. An edge that two polygons share is always
-/// taken from its lower end: one of the two is met and not the other, bit for bit.
+/// Decided by the even-odd rule, seen along the ray. An edge shared by two polygons is always taken
+/// from its lower end: exactly one of the two is met, bit for bit.
 bool Shadows::is_met(const Polygon& polygon, const Ray& ray) const {
   const auto vertices = scene_->points(polygon.item);
   bool inside = false;
@@ -169,8 +169,8 @@ Shadows::OnFill Shadows::on(ViewedScene::Fill fill, const PictureSize& size) con
   return on_items_.at(scene_->item_of(fill), spare, [&] { return work_out(fill, size); });
 }
 
-/// A fill as the light sees it, against what may hide the light: a fast way to see that something
-/// hides none of it, without a ray. Both tests hold with all rounding of Shadows::hides.
+/// A fill seen from the light, compared with possible casters: a fast test, without a ray, that a
+/// caster hides none of it. Both tests hold with all rounding of Shadows::hides.
 class Shadows::FromFill {
  public:
   FromFill(std::span<const Point3> fill, const Plane& plane, const HomogeneousPoint& light,
@@ -200,8 +200,8 @@ class Shadows::FromFill {
   }
 
  private:
-  /// No point of the fill is behind the caster, seen from the light, but for what counts as lying
-  /// on it.
+  /// True if no point of the fill is behind the caster, seen from the light, except points that
+  /// count as lying on it.
   bool is_before(const Polygon& caster) const {
     const double at_light = glm::dot(caster.normal, Point3(light_) - light_.w * caster.p);
     const double side = at_light > 0.0 ? 1.0 : -1.0;
@@ -209,8 +209,8 @@ class Shadows::FromFill {
       return side * glm::dot(caster.normal, v - caster.p) >= -0.5 * caster.thickness;
     });
   }
-  /// Rays lead away from the fill's plane, and the caster does not rise above it: only where both
-  /// touch can it be met.
+  /// True if rays lead away from the fill's plane, and the caster does not rise above it: only
+  /// where both touch can it be met.
   bool is_above(const PointRow& vertices) const {
     return side_ != 0.0 && highest_ > 0.0 && std::ranges::all_of(vertices, [&](const Point3& v) {
              return side_ * glm::dot(plane_.normal, v - plane_.p) <= highest_ &&
@@ -219,10 +219,10 @@ class Shadows::FromFill {
   }
 
   static constexpr double kLostByRays = 64.0 * kUnit;
-  /// What is this close to a caster's plane counts as lying on it, whatever its normal: less than
-  /// what kVertexError makes of every thickness.
+  /// The distance from a caster's plane up to which points count as lying on it, for any normal:
+  /// less than the part of kVertexError in every thickness.
   static constexpr double kTouchingPart = kSafety * kVertexError;
-  static constexpr double kTilted = 0.5;  // pays for rounding here
+  static constexpr double kTilted = 0.5;  // a safety margin for rounding here
 
   std::span<const Point3> fill_;
   const Plane& plane_;

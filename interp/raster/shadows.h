@@ -15,9 +15,9 @@
 
 namespace displayfile {
 
-/// Shadows: finds what hides the light from visible points (interp/raster/shadows.md). Every solid
-/// fill of the visible segments hides light, including those edge-on to the viewer; device
-/// coordinates after the image transformation.
+/// Shadows: finds the fills that hide the light from visible points (interp/raster/shadows.md).
+/// Every solid fill of the visible segments hides light, including those edge-on to the viewer;
+/// device coordinates after the image transformation.
 class Shadows {
  public:
   using Caster = std::uint32_t;
@@ -34,22 +34,22 @@ class Shadows {
   /// True if they are found by this cached data of a retained scene.
   bool is_by(const RetainedCasters* retained) const { return retained_ == retained; }
 
-  /// A point of a fill, from which the light is looked at (FillShadow::light).
+  /// A point of a fill, for which the visibility of the light is tested (FillShadow::light).
   struct LitPoint {
     Point3 at;
     double depth_error;  ///< how far it may be off the fill, along z
     HomogeneousPoint light;
   };
-  /// What all points of a fill have in common.
+  /// Data common to all points of a fill.
   using Search = RetainedCasters::Search;
   struct OnFill {
     double depth_error;  ///< how far a point's depth may be off
     Search search = {};  ///< where to search for casters
   };
-  /// What there is to know of any fill in device coordinates; the plane is its support plane.
+  /// The data of any fill in device coordinates; the plane is its support plane.
   static OnFill on(std::span<const Point3> fill, const Plane& plane, const PictureSize& size);
-  /// The same for a fill of the scene that shows shadows, in pictures of one size: it is worked out
-  /// once, and with it which of those that come into question hide no light.
+  /// The same for a fill of the scene that shows shadows, in pictures of one size: computed once,
+  /// along with the candidate casters that hide no light from it.
   OnFill on(ViewedScene::Fill fill, const PictureSize& size) const;
   /// True if a fill lies between the point and the light. A fill on which the point lies, up to
   /// rounding, hides nothing. `last` is the previous caster, or kNone: it is tested first, and set
@@ -59,8 +59,8 @@ class Shadows {
  private:
   struct Polygon {
     Point3 p, normal;  // of its plane: a point, and A, B, C
-    // How far from 0 the plane's value may be at points that lie on the fill; infinite if it has no
-    // plane, and hides nothing.
+    // The largest magnitude of the plane's value at points that lie on the fill; infinite if it has
+    // no plane, and hides nothing.
     double thickness;
     ViewedScene::Item item;
   };
@@ -96,9 +96,9 @@ class ShadowedFill {
         light_(shadow.light),
         colour_(pixel_of(shadow.colour)) {}
 
-  /// Paints the columns first, first + 1, ... of a row, where the fill is visible: those in shadow
-  /// get its colour there, as in Picture::pixels. A pixel is always tested by the same expressions
-  /// of its centre, wherever a run begins.
+  /// Paints the columns first, first + 1, ... of a row, where the fill is visible: pixels in shadow
+  /// get the shadow's colour there, as in Picture::pixels. A pixel is always tested by the same
+  /// expressions of its centre, wherever a run begins.
   void paint(int row, int first, std::span<std::uint32_t> pixels) const;
 
  private:

@@ -33,11 +33,11 @@ using Fill = ViewedScene::Fill;
 
 constexpr double kNothingSeen = -std::numeric_limits<double>::infinity();
 
-/// Pixels that are held at a time where the picture is not: so few that they are no burden.
+/// The number of pixels in memory where the picture is drawn in strips.
 constexpr int kPixelsAtATime = 1 << 20;
 
-/// Calls draw(rows) for bands of rows that together are `all`, each from one of the threads; so
-/// many rows at a time, except that there is a band for each thread.
+/// Calls draw(rows) for bands that together are the rows `all`, each in one of the threads; bands
+/// have about at_a_time rows, but there is one for each thread.
 template <class Draw>
 void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at_a_time,
                        Draw&& draw) {
@@ -52,8 +52,8 @@ void for_bands_of_rows(const RasterRequest& request, const RowRange& all, int at
   });
 }
 
-/// Every band costs a walk over all polygons; where they are few for the picture's size, more
-/// bands share the work evenly.
+/// Every band costs a walk over all polygons; if they are few for the picture's size, more bands
+/// balance the work better.
 int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
   constexpr std::size_t kPixelsForEachPolygon = 64;
   constexpr std::size_t kLeast = 64;
@@ -62,14 +62,14 @@ int rows_worth_a_walk(const RasterRequest& request, std::size_t polygons) {
   return static_cast<int>(std::min(rows, static_cast<std::size_t>(request.height)));
 }
 
-/// Makes room for so many values, in place of those held.
+/// Resizes to that number of values, discarding the contents.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
   if (size > values.capacity()) values = std::vector<T>();
   values.resize(size);
 }
 
-/// Colours, identifiers and depths of the fills seen.
+/// Writes colours, identifiers and depths of the visible fills.
 class FillsShown {
  public:
   FillsShown(const ViewedScene& scene, const FillPaints& paints, const RasterBand& band)
@@ -147,7 +147,7 @@ class FillsShown {
   ShownDepth depth_;
 };
 
-/// Whether the items of a display file draw lines, in the order in which they were sorted together.
+/// True if a display file whose segments were sorted together draws lines.
 bool has_lines(const SortedScene& sorted) {
   return std::ranges::any_of(sorted.parts,
                              [](const auto& part) { return part->scene->has_lines(); });
@@ -191,7 +191,7 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const DisplayFile& display_fil
   return {&display_file, display_file.polygons()};
 }
 
-/// Its scene, unless that is the one drawn last.
+/// Prepares for the display file's scene, unless it is the one drawn last.
 void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
   if (scene_ != nullptr && scene_->is_of(display_file)) return;
   prepared_.reset();
@@ -201,7 +201,8 @@ void SoftwareRenderer::take_up_scene_of(const DisplayFile& display_file) {
   paints_.take(*scene_);
 }
 
-/// Those that are found together are of the one scene, whoever finds its surfaces.
+/// Lines that are found together belong to the one scene, by whatever method its surfaces are
+/// found.
 void SoftwareRenderer::take_up_lines(const DisplayFile& display_file,
                                      const RasterRequest& request) {
   const SortedScene* const together = display_file.sorted().get();
@@ -244,7 +245,7 @@ SoftwareRenderer::Drawn SoftwareRenderer::prepare(const ViewedScene& scene,
   return {nullptr, scene.items(), kept.surfaces && geometry_ != 0 && (same || is_first)};
 }
 
-/// Those that find them anew are made when they are needed.
+/// Shadows found without cached casters are created on first use.
 void SoftwareRenderer::take_up_shadows(const ViewedScene& scene, RetainedCasters* casters,
                                        bool same_geometry) {
   const bool of_same_kind = shadows_ != nullptr && shadows_->is_by(casters);
@@ -258,7 +259,7 @@ void SoftwareRenderer::take_up_shadows(const ViewedScene& scene, RetainedCasters
   }
 }
 
-/// The method and the shadows take up the scene, unless they have it.
+/// Prepares the method and the shadows for the scene, unless they are prepared for it.
 void SoftwareRenderer::take_up_scene(const RasterRequest& request) {
   paints_.set_background(pixel_of(request.background));
   if (scene_->has_shadows() && shadows_ == nullptr) shadows_ = std::make_unique<Shadows>(*scene_);
@@ -283,7 +284,7 @@ void SoftwareRenderer::take_up_scene(const RasterRequest& request) {
   prepared_->world = request.world;
 }
 
-/// No fewer are drawn as cheaply each.
+/// The least number of rows that are as cheap to draw by themselves.
 int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& request) const {
   const int rows = rows_worth_a_walk(request, drawn.polygons);
   if (!is_image_space(request.surfaces.method)) return rows;
@@ -291,7 +292,7 @@ int SoftwareRenderer::rows_at_a_time(const Drawn& drawn, const RasterRequest& re
   return scene_->has_lines() ? std::max(rows, of_method) : of_method;
 }
 
-/// The picture becomes these rows of it.
+/// Draws these rows; they become the picture's contents.
 void SoftwareRenderer::draw_rows(const Drawn& drawn, const RasterRequest& request,
                                  const RowRange& rows) {
   const bool image_space = is_image_space(request.surfaces.method);
@@ -348,7 +349,7 @@ struct NearPart {
   double distance, depth;
 };
 
-/// How far the part's axis is from the pixel's centre, in pixels, and its depth there.
+/// The distance of the part's axis from the pixel's centre, in pixels, and its depth there.
 NearPart nearest_of(const LinesOverFills::DeepPart& part, const PictureSize& size,
                     const Picker::Pixel& at) {
   const Point2 pixels(size.width, size.height), centre(at.column + 0.5, at.row + 0.5);
@@ -416,7 +417,7 @@ void SoftwareRenderer::paint_in_order(const DisplayFile& display_file, const Ras
   picture_.undecided_centres = undecided;
 }
 
-/// As they are found, or as they were kept.
+/// Shows the visible fills, newly found or kept.
 void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& request,
                                        const RowRange& rows) {
   const PictureSize size{request.width, request.height};
@@ -443,7 +444,7 @@ void SoftwareRenderer::show_fills_seen(const Drawn& drawn, const RasterRequest& 
       if (keeps) surfaces_.keep(row, first, seen);
       shown.show(row, first, seen);
     };
-    finder.draw_rows(band.begin, band.end, std::cref(show));  // a copy would ask for memory
+    finder.draw_rows(band.begin, band.end, std::cref(show));  // copying would allocate memory
   });
   if (keeps) surfaces_.complete(of);
 }

@@ -33,17 +33,17 @@ namespace displayfile {
 /// Prepared data are reused while the display file's fills, the size and the method are the same.
 class SoftwareRenderer {
  public:
-  /// The picture stays until the next call; its memory is used again. Throws Error for a size
+  /// The picture is valid until the next call, which reuses its memory. Throws Error for a size
   /// outside of 1 to kLargestSide.
   const Picture& draw(const DisplayFile& display_file, const RasterRequest& request);
-  /// Draws the same picture, some rows at a time from the top: no more of it is in memory than a
-  /// few rows for each thread.
+  /// Draws the same picture in strips from the top: only a few rows for each thread are in memory
+  /// at a time.
   void draw(const DisplayFile& display_file, const RasterRequest& request, const TakeRows& take);
   /// Data cached between views of a retained scene, besides memory.
   struct KeptBetweenPictures {
-    RetainedCasters* casters = nullptr;  ///< that have taken up the view; null: found anew
-    /// The fills seen, 4 bytes a pixel, for the same view in other lights: those of the first
-    /// picture, and from then on where a view comes again. An eye that moves pays for none.
+    RetainedCasters* casters = nullptr;  ///< prepared for the view; null: found anew
+    /// Keeps the visible fills, 4 bytes a pixel, for the same view in other lights: those of the
+    /// first picture, and later those of views that recur. A moving eye costs nothing.
     bool surfaces = false;
   };
   /// The same for a scene without a display file, by an image-space method other than
@@ -68,13 +68,13 @@ class SoftwareRenderer {
   std::size_t bytes_of_picture() const;  ///< held for the next one
   /// How often a method computed the visible surfaces, for all pictures or their rows.
   std::size_t surfaces_found() const { return surfaces_found_; }
-  /// The scene of a display file: the one drawn last if it is that, or else a new one.
+  /// The scene of a display file: the cached one if the file was drawn last, otherwise a new one.
   std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) const;
 
  private:
-  /// An image-space method that has taken up the scene.
+  /// An image-space method prepared for the scene.
   struct Prepared {
-    HiddenMethod method;  // as asked for
+    HiddenMethod method;  // as requested
     PictureSize size{};
     std::optional<double> roundoff = std::nullopt;
     const ViewedScene* scene = nullptr;
@@ -110,7 +110,7 @@ class SoftwareRenderer {
   FillPaints paints_;                 // of the scene
   std::unique_ptr<Shadows> shadows_;  // null: none
   std::optional<Prepared> prepared_;
-  std::uint64_t geometry_ = 0;  // of the scene of a view that was made ready
+  std::uint64_t geometry_ = 0;  // of the scene last prepared for a view
   KeptSurfaces surfaces_;
   std::size_t surfaces_found_ = 0;
   bool has_drawn_views_ = false;
@@ -119,7 +119,7 @@ class SoftwareRenderer {
   std::vector<AnnotationMark> annotation_;
 };
 
-/// One picture by a renderer of its own.
+/// Draws one picture with a renderer of its own.
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
 void draw_rows_with_software(const DisplayFile& display_file, const RasterRequest& request,
                              const TakeRows& take);

@@ -13,8 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// The fills as entered, to judge some pixel centres by. Segments that were sorted together are
-/// one layer.
+/// The fills as entered, for deciding some pixel centres. Segments sorted together are one layer.
 class EnteredFills : public OutputDevice {
  public:
   /// `scene` has the display file's polygons.
@@ -28,7 +27,7 @@ class EnteredFills : public OutputDevice {
                                                               : NearestAtCentres::Layer::painted);
   }
   void fill(const DrawnPolygon& polygon) override {
-    if (support_vertices(polygon.vertices).edge_on) return;  // which is no fill of the scene
+    if (support_vertices(polygon.vertices).edge_on) return;  // not a fill of the scene
     ++fill_;
     nearest_.enter(polygon, fill_, scene_.plane_in_common(fill_));
   }
@@ -63,8 +62,9 @@ struct Coverage {
 
 }  // namespace
 
-/// Notes the centres close to boundaries of polygons that a map left out. Where one touches what
-/// hides it, without being seen on any side of that, it may be seen at a centre by its later entry.
+/// Records the centres close to boundaries of polygons that a map omitted. Where one touches the
+/// polygon that hides it, without being visible on any side of that, it may be visible at a centre
+/// by its later entry.
 class SortedPainter::HiddenBoundaries : public OutputDevice {
  public:
   explicit HiddenBoundaries(SortedPainter& painter) : painter_(painter) {}
@@ -118,7 +118,7 @@ void SortedPainter::note_boundary(const DrawnPolygon& polygon) {
                   [&](int row, int first, int end) { undecided_.add(row, first, end); });
 }
 
-/// How far the segment's boundaries may be off besides (SortedScene::boundary_error).
+/// The additional error of the segment's boundaries (SortedScene::boundary_error).
 double SortedPainter::sort_boundary_error(int segment_name) const {
   if (display_file_.sorted()) return display_file_.sorted()->boundary_error;
   const Segment& segment = display_file_.segment(segment_name);
@@ -135,8 +135,8 @@ void SortedPainter::begin_segment(int name) {
   }
 }
 
-/// Back to front. Close to its boundary, and so where it is too narrow to have a plane or to
-/// cover a centre, it does not matter what is painted.
+/// Called back to front. Close to its boundary, and so where it is too narrow to have a plane or to
+/// cover a centre, any paint will do: the centres are decided later.
 void SortedPainter::fill(const DrawnPolygon& polygon) {
   const bool at_boundaries = undecided_fills_ == Undecided::at_boundaries;
   Point2 error(0.0);
@@ -188,8 +188,8 @@ std::size_t SortedPainter::decide_centres() {
   return undecided_.size();
 }
 
-/// A cut polygon's own plane is anywhere where rounding has moved its vertices: the depth of
-/// what is seen is that of the polygon as entered.
+/// A cut polygon's own plane is unreliable where rounding has moved its vertices: the depth shown
+/// is that of the polygon as entered.
 void SortedPainter::show_depth_of_whole_polygons() {
   undecided_.for_each([&](int row, int column) { covered_.add(row, column, column + 1); });
   for_each_nearest(covered_, [&](int row, int column, const NearestAtCentres::Seen* seen) {
@@ -201,7 +201,7 @@ void SortedPainter::show_depth_of_whole_polygons() {
 
 namespace {
 
-/// The scene that the sort read, with the planes that it found, or else one like it.
+/// The scene used by the sort, with the planes found for it, or else an equal one.
 std::shared_ptr<const ViewedScene> scene_of(const DisplayFile& display_file) {
   const auto& sorted = display_file.sorted();
   if (sorted && sorted->parts.size() == 1 && sorted->parts.front()->scene->is_of(display_file)) {

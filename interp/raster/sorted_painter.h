@@ -42,8 +42,8 @@ class SortedPainter : public OutputDevice {
   std::size_t decide_centres();
 
  private:
-  /// Which of the centres that a segment's fills cover may have a nearest polygon that the order of
-  /// drawing does not show.
+  /// The centres covered by a segment's fills where the drawing order may not show the nearest
+  /// polygon.
   enum class Undecided {
     none,           ///< not sorted exactly: the last drawn is visible
     at_boundaries,  ///< of fills

@@ -29,21 +29,21 @@ class NearestAtCentres {
     FillColour colour;
     std::int32_t pick;
   };
-  /// Which of a layer's polygons that cover a centre is visible.
+  /// The rule for the visible one of a layer's polygons that cover a centre.
   enum class Layer {
     nearest,  ///< the nearest, of equally near ones the one entered later
     painted,  ///< the one entered last
   };
 
-  /// The set and the fills must outlive this. Null: no shadows.
+  /// The set and the fills must outlive this. `shadows` may be null: none.
   NearestAtCentres(const PixelSet& centres, const PictureSize& size, FillsAsEntered& fills,
                    const Shadows* shadows = nullptr);
 
-  /// The polygons that follow, until the next layer begins, cover those before.
+  /// The polygons entered until the next layer begins cover the earlier ones.
   void begin_layer(Layer layer);
 
-  /// A polygon that is a fill of the scene, whose depth is shown as that of the plane: its own, or
-  /// that in which it lies with others as entered.
+  /// Enters a polygon that is a fill of the scene, whose depth is shown as that of the plane: its
+  /// own, or the one that it shares with others as entered.
   void enter(const DrawnPolygon& polygon, FillsAsEntered::Fill fill, const Plane& plane);
 
   /// Calls show(row, column, seen) for each centre; seen is null if no polygon covers it.

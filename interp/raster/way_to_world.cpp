@@ -12,13 +12,13 @@ namespace displayfile {
 
 namespace {
 
-/// Operations on the way of a coordinate, clipping and the test of a ray included, and what their
-/// bounds leave out.
+/// Bounds the rounding of a coordinate on its way, including clipping, the ray test and terms that
+/// the bounds omit.
 constexpr double kOperations = 64.0 * kUnit;
 
 constexpr int kAxes = 3, kW = 3;
 
-/// The viewport included: device coordinates, not those of the unit cube.
+/// Maps to device coordinates, including the viewport, rather than to the unit cube.
 glm::dmat4 to_device_coordinates(const View& view) {
   const ViewVolume volume(view);
   const Rectangle& v = view.viewport;
@@ -30,14 +30,14 @@ glm::dmat4 to_device_coordinates(const View& view) {
   return in_viewport * volume.matrix();
 }
 
-/// A bound of a row's product with columns that are no larger than these.
+/// A bound of a row's product with columns bounded by `largest`.
 double row_bound(const glm::dmat4& m, int row, const HomogeneousPoint& largest) {
   double sum = 0.0;
   for (int column = 0; column < 4; ++column) sum += std::abs(m[column][row]) * largest[column];
   return sum;
 }
 
-/// The same of all rows that are coordinates.
+/// The largest such bound of the coordinate rows.
 double largest_bound(const glm::dmat4& m, const HomogeneousPoint& largest) {
   double bound = 0.0;
   for (int row = 0; row < kAxes; ++row) bound = std::max(bound, row_bound(m, row, largest));
@@ -63,8 +63,8 @@ WayToWorld::WayToWorld(const View& view, const Bounds& box)
   // A ray's direction in the view is that of the light less W times the point. It may come close
   // to zero, where the light is seen behind the point; it is no less than 1 / (|N| + |x| |n|).
   steepest_ = back(direction) * largest_bound(to_device_, direction);
-  // Vertices are off by rounding in homogeneous coordinates, where W is no matter; and the matrix
-  // back is not quite the inverse.
+  // Vertices are off by rounding in homogeneous coordinates, where W does not matter; and the
+  // matrix back is not exactly the inverse.
   const double coordinates = std::max(largest_bound(to_device_, world), w);
   of_vertices_ = back(any) * kOperations * coordinates;
   glm::dmat4 off = to_world_ * to_device_ - glm::dmat4(1.0);

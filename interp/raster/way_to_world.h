@@ -12,7 +12,7 @@ namespace displayfile {
 /// below the allowed value (interp/raster/shadows.md).
 class WayToWorld {
  public:
-  /// The box is that of the scene. Throws Error as ViewVolume does.
+  /// `box` bounds the scene. Throws Error as ViewVolume does.
   WayToWorld(const View& view, const Bounds& box);
 
   Point3 operator()(const Point3& device) const {

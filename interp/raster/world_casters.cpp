@@ -9,8 +9,8 @@ namespace displayfile {
 
 namespace {
 
-/// As a part of the scene's size: far less than what is looked at, and far more than what viewing
-/// and the tests of rays lose.
+/// As a fraction of the scene's size: far less than visible details, and far more than the rounding
+/// of viewing and of ray tests.
 constexpr double kMargin = 0x1p-24;
 
 bool is_caster(const RetainedScene& scene, std::uint32_t i) {
@@ -23,8 +23,8 @@ Bounds box_of(const PointRow& points) {
   return box;
 }
 
-/// A box that moves along a ray without end, against the boxes of a tree: these grow by as much as
-/// that one is large, and it becomes a point.
+/// A box swept along an infinite ray, tested against the boxes of a tree: these are enlarged by the
+/// size of the box, which becomes a point.
 class MovedBox {
  public:
   MovedBox(const Bounds& box, const Point3& toward)
@@ -47,7 +47,7 @@ class MovedBox {
   SpaceRay ray_;
 };
 
-/// A polygon as the light sees it: across, up, and how far toward the light.
+/// A polygon projected along the light: across, up, and its extent toward the light.
 class SeenByLight {
  public:
   struct Axes {
@@ -72,7 +72,8 @@ class SeenByLight {
     }
   }
 
-  /// Certainly hides no light from any point of the other, which lies behind it if anything does.
+  /// True if it certainly hides no light from any point of the other, which lies behind it if at
+  /// all.
   bool misses(const SeenByLight& other, double margin) const {
     if (sides_ > kMost || other.sides_ > kMost) return false;
     return nearest_ < other.farthest_ - margin || is_apart_along_sides(other, margin) ||
@@ -80,9 +81,9 @@ class SeenByLight {
   }
 
  private:
-  static constexpr std::size_t kMost = 16;  // sides; of polygons of more no more is asked
+  static constexpr std::size_t kMost = 16;  // sides; for polygons of more, no further test is made
 
-  /// The other one lies beyond a line along one of the sides of this, which need not be convex.
+  /// True if the other lies beyond a line along one of the sides of this, which need not be convex.
   bool is_apart_along_sides(const SeenByLight& other, double margin) const {
     Point2 from = at_[sides_ - 1];
     for (std::size_t i = 0; i < sides_; ++i) {

@@ -12,7 +12,7 @@
 
 namespace displayfile {
 
-/// What may hide light in a retained scene, in any view of it: its solid polygons in a tree of
+/// The possible shadow casters of a retained scene, in any view: its solid polygons in a tree of
 /// boxes, made once for all eyes and all lights (interp/raster/shadows.md). World coordinates.
 ///
 /// Searches return every polygon within the margin of being met, and others: the view decides which
@@ -29,8 +29,8 @@ class WorldCasters {
   const Bounds& bounds() const { return bounds_; }  ///< of all casters
   std::size_t bytes() const { return tree_.bytes() + primitive_of_.size() * sizeof(Primitive); }
 
-  /// Calls visit(primitive) for what the ray from that point in that direction may meet, until it
-  /// returns true: then true.
+  /// Calls visit(primitive) for each polygon that the ray from that point in that direction may
+  /// meet, until it returns true; then returns true.
   template <class Visit>
   bool any(const Point3& from, const Point3& toward, Visit&& visit) const {
     return tree_.any(SpaceRay(from, toward),

@@ -11,8 +11,9 @@ namespace displayfile {
 
 namespace {
 
-/// How far a boundary may be off, as a part of the largest coordinate. Rounding moves a vertex by
-/// half of kUnit; the rest is more than the tests lose (interp/raster/undecided_centres.md).
+/// The largest displacement of a boundary, as a fraction of the largest coordinate. Rounding moves
+/// a vertex by half of kUnit; the rest exceeds the rounding of the tests
+/// (interp/raster/undecided_centres.md).
 constexpr double kBoundaryError = 64.0 * kUnit;
 
 /// An error up to which a vertex is close to one row of centres at most.
@@ -49,8 +50,8 @@ void note_bounding_box(std::span<const Point3> polygon, const Point2& error,
   for (int row = rows.first; row < rows.end; ++row) noted.add(row, columns.first, columns.end);
 }
 
-/// The x of the side from `at`, whose y is close to a row of centres, to `to`, as far as the side
-/// is close to the row; pixel units.
+/// The x range of the side from `at`, whose y is close to a row of centres, toward `to`, as far as
+/// the side is close to the row; pixel units.
 Interval close_part(const Point2& at, const Point2& to, const Point2& error) {
   const double rise = std::abs(to.y - at.y), run = to.x - at.x;
   const double part = rise > 4.0 * error.y ? 4.0 * error.y / rise : 1.0;
@@ -106,7 +107,8 @@ NotedCentres::NotedCentres(const PixelSet& centres, const PictureSize& size)
   }
 }
 
-/// Most polygons are far from all centres: rows have none, or the bits of the bounding box tell.
+/// A fast test for most polygons, which are far from all centres: no centre in its rows, or none in
+/// the bits of the bounding box.
 ScanConverter::Region NotedCentres::rows_of(std::span<const Point3> polygon) const {
   const Rectangle box = bounding_box(polygon, size_, {1.0, 1.0});
   Pixels rows = centres_in({box.y_min, box.y_max}, centres_.row_begin(), centres_.row_end());

@@ -12,13 +12,13 @@
 
 namespace displayfile {
 
-/// How far a polygon's boundary may lie from where it would be had no vertex been rounded, along x
-/// and along y; in pixels, with what the tests for closeness lose to rounding. Device coordinates.
+/// Bounds the displacement of a polygon's boundary by the rounding of its vertices, along x and
+/// along y; in pixels, including the rounding of the tests for closeness. Device coordinates.
 Point2 boundary_error(std::span<const Point3> polygon, const PictureSize& size);
 
-/// Adds the centres closer to the polygon's boundary than that in the rows of its vertices: what
-/// ScanConverter::watch leaves out, since a side does not cross the rows that it only touches. If
-/// the error is not small against a pixel, all centres that the polygon may cover.
+/// Adds the centres closer than `error` to the polygon's boundary in the rows of its vertices:
+/// ScanConverter::watch omits these, since a side does not cross the rows that it only touches. If
+/// the error is not small compared with a pixel, adds all centres that the polygon may cover.
 void note_rows_of_vertices(std::span<const Point3> polygon, const Point2& error,
                            const PictureSize& size, PixelSet& noted);
 

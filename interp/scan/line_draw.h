@@ -15,7 +15,7 @@ struct DashPhase {
   double length = 0.0;  ///< drawn so far, in pixels
 };
 
-/// The steps of a line: whole numbers from first to last.
+/// The steps of a line: integers from first to last.
 struct LineSteps {
   double first, last;
 };

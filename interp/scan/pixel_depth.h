@@ -36,9 +36,8 @@ struct PixelDepth {
   /// The depth at any point.
   double at_point(double x, double y) const { return z0 + dz_dy * (y - y0) + dz_dx * (x - x0); }
 
-  /// Bounds the error of at() for the plane that this is of, at centres that are no farther
-  /// than dx and dy pixels from (x0, y0). Infinite where nothing is known. Derived in
-  /// interp/visibility/close_depths.md.
+  /// Bounds the error of at() for the plane from which this was made, at centres at most dx and dy
+  /// pixels from (x0, y0). Infinite if unknown. Derived in interp/visibility/close_depths.md.
   double error(const Plane& plane, double width, double height, double dx, double dy) const {
     const double c = std::abs(plane.normal.z) - plane.bound.z;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -35,15 +35,15 @@ class ScanConverter {
     int first, end;
   };
 
-  /// Takes up a polygon (device coordinates) of any number of vertices; it may be concave or
-  /// cross itself.
+  /// Begins a polygon (device coordinates) of any number of vertices; it may be concave or cross
+  /// itself.
   Rows begin(std::span<const Point3> polygon, const Region& region);
 
-  /// For the polygon begun, scan() shall also tell which centres may lie this close (in pixels,
-  /// along x and along y) to a side that crosses their row.
+  /// For the polygon begun, scan() also reports which centres may lie this close (in pixels, along
+  /// x and along y) to a side that crosses their row.
   void watch(const Point2& distance);
 
-  /// Does nothing with the centres that are close to a side.
+  /// Ignores the centres that are close to a side.
   struct Unwatched {
     void operator()(int, int, int) const {}
   };
@@ -54,7 +54,7 @@ class ScanConverter {
   template <class FillSpan, class Close = Unwatched>
   void scan(FillSpan&& fill_span, Close&& close = {});
 
-  /// Does begin and scan in one.
+  /// begin and scan in one call.
   template <class FillSpan>
   void scan_convert(std::span<const Point3> polygon, const Region& region, FillSpan&& fill_span) {
     begin(polygon, region);

@@ -47,8 +47,8 @@ struct ScanEdge {
 };
 
 /// The textbook adds dx_dy row by row; one product from the edge's lower end gives the same
-/// crossing without the error that adding gathers, in whatever row one starts. Where a centre
-/// is too close to the crossing for the rounded one to tell, exact arithmetic does.
+/// crossing without accumulated error, whatever the first row. Where a centre is too close to the
+/// rounded crossing, exact arithmetic decides.
 template <class Close>
 int ScanEdge::column(int row, const PictureSize& size, Close&& close) const {
   if (!(error < 0.25)) [[unlikely]] {

@@ -14,8 +14,9 @@ namespace displayfile {
 /// The active edge list of a row as shown in steps.
 using ActiveEdgesOfRow = std::span<const ActiveEdgeList::Edge>;
 
-/// As rows of a table: polygon, x of the crossing in pixels, its change a row, last row, IN or OUT
-/// from there on. Those first <= k < end are marked active; of a long list those around them.
+/// Rows of a table: polygon, x of the crossing in pixels, its change per row, last row, IN or OUT
+/// from there on. Edges first <= k < end are marked active; of a long list, only those around them
+/// are shown.
 inline constexpr std::string_view kEdgeColumns = "polygon|x|change of x|last row|flag";
 std::vector<StepRow> rows_of(const StepItems& scene, const StepRecord& record,
                              ActiveEdgesOfRow edges, std::size_t first = 0, std::size_t end = 0);

@@ -11,8 +11,8 @@ namespace displayfile {
 class StepItems;
 class StepRecord;
 
-/// An algorithm that tells steps: one file, which ends with its entry, and one line of the table in
-/// algorithms.cpp.
+/// An algorithm that records steps: one file, which ends with its entry, and one line of the table
+/// in algorithms.cpp.
 struct SteppedAlgorithm {
   HiddenMethod method;
   std::string_view title;

@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// The plain form (hidden/lines/plain_appel.h), whose observer this is.
+/// Observer of the plain form (hidden/lines/plain_appel.h).
 class AppelSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({

@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// The plain binary space partition (hidden/sort/plain_bsp.h), whose observer this is.
+/// Observer of the plain binary space partition (hidden/sort/plain_bsp.h).
 class BspSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -201,7 +201,7 @@ class BspSteps {
     for (const Index i : list) pieces.push_back(table_.piece(i));
     return pieces;
   }
-  /// The one linked in last comes first.
+  /// The list in reverse order of linking: the last one linked in comes first.
   static List as_linked(const List& list) { return {list.rbegin(), list.rend()}; }
   std::string names(const List& list) const { return record_.names(pieces(as_linked(list))); }
   void show_looks(Index root, const List& in_plane, StepRole role) {

@@ -104,7 +104,7 @@ class DepthSortSteps {
     }
   }
 
-  /// The place of the first Q that all tests leave open.
+  /// The place of the first Q for which all tests are inconclusive.
   std::optional<std::size_t> first_perhaps_hidden() {
     const Listed& p = list_.front();
     for (std::size_t k = 1; k < list_.size(); ++k) {
@@ -153,7 +153,7 @@ class DepthSortSteps {
     record_.show(panel("tests"), std::move(rows));
   }
 
-  /// A cut of one of two polygons that hide one another.
+  /// A cut of one of two polygons that hide each other.
   struct Parting {
     bool cuts_p;
     std::uint32_t plane;
@@ -166,8 +166,8 @@ class DepthSortSteps {
   }
 
   /// The first plane that cuts one of the two: P's, Q's, those of sides of both, then those of all
-  /// others. There is none only if the projections are apart after all, which test 5 may miss of
-  /// what is not convex.
+  /// others. None only if the projections are disjoint after all, which test 5 may miss for
+  /// polygons that are not convex.
   std::optional<Parting> parting(const Listed& p, const Listed& q) {
     const auto by_plane = [&](const Listed& of) -> std::optional<Parting> {
       const std::string by = fmt::format("the plane of {}", name(of));

@@ -14,8 +14,8 @@ namespace displayfile {
 
 namespace {
 
-/// Franklin's method as the system has it (hidden/lines/franklin.md), with cells of several sizes
-/// where the original has one: its observer tells the cells along a line.
+/// Observer of the system's form of Franklin's method (hidden/lines/franklin.md), with cells of
+/// several sizes where the original has one: records the cells along a line.
 class FranklinSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -53,7 +53,7 @@ class FranklinSteps {
     lines_.find_all(order, *this, at("seen"));
   }
 
-  /// For find_seen.
+  /// Called by find_seen.
   const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     line_ = &line;
     hidden_.clear();
@@ -102,7 +102,7 @@ class FranklinSteps {
     }
   }
 
-  /// The finest cells' borders, which stay.
+  /// Marks the borders of the finest cells in all further steps.
   void mark_grid() {
     const auto& [columns, rows] = static_cast<const CellLayout::Size&>(grid_.levels()[0]);
     const Point2 low = grid_.layout().origin();
@@ -118,7 +118,7 @@ class FranklinSteps {
     }
   }
 
-  /// As a closed chain of points: cells are not of whole pixels.
+  /// Marks a cell as a closed chain of points: cells do not consist of whole pixels.
   void mark_cell(StepRole role, std::size_t level, std::uint32_t column, std::uint32_t row) {
     const double cell = std::ldexp(grid_.layout().cell(), static_cast<int>(level));
     const Point2 low = grid_.layout().origin() + Point2(column * cell, row * cell);

@@ -14,7 +14,7 @@ struct ListingLine {
   std::string_view text;
 };
 
-/// What a step shows beside the picture.
+/// A panel that steps show beside the picture.
 struct PanelEntry {
   enum class Kind {
     list,     ///< rows of one cell, in order
@@ -30,7 +30,7 @@ struct PanelEntry {
   std::string_view columns = {};  ///< of a table, with | between
 };
 
-/// The number of the line or panel of that name; a name that there is none of does not compile.
+/// The number of the line or panel of that name; an unknown name does not compile.
 template <class Entry, std::size_t n>
 consteval int number_named(const std::array<Entry, n>& entries, std::string_view name) {
   for (std::size_t k = 0; k < n; ++k) {

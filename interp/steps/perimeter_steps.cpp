@@ -14,8 +14,8 @@ namespace displayfile {
 
 namespace {
 
-/// What is shown of the perimeters: their heights at some columns, rounded. What is drawn is
-/// decided by the polylines themselves (hidden/lines/perimeter.md).
+/// The perimeters as shown: their heights at some columns, rounded. Visibility is decided by the
+/// polylines themselves (hidden/lines/perimeter.md).
 class ShownHorizon {
  public:
   ShownHorizon(const GridSurface& surface, const Verticals& verticals)
@@ -47,7 +47,7 @@ class ShownHorizon {
     }
   }
 
-  /// Chains of columns that are reached.
+  /// Marks chains of the columns reached.
   void mark(StepRecord& record) const {
     std::vector<Point2> upper, lower;
     for (std::size_t k = 0; k <= kColumns; ++k) {
@@ -93,8 +93,8 @@ class ShownHorizon {
   std::array<Column, kColumns> columns_;
 };
 
-/// The perimeter method as the system has it (hidden/lines/perimeter.md): its observer tells the
-/// cells, what is hidden of their sides, and how the horizon grows.
+/// Observer of the system's form of the perimeter method (hidden/lines/perimeter.md): records the
+/// cells, the hidden parts of their sides, and how the horizon grows.
 class PerimeterSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -164,7 +164,7 @@ class PerimeterSteps {
     show();
   }
 
-  /// The sides of the cell before, which move the perimeters by then.
+  /// Adds the sides of the previous cell to the perimeters.
   void grow() {
     if (extending_.empty()) return;
     record_.step(at("grow"),

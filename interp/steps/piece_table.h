@@ -11,7 +11,7 @@
 namespace displayfile {
 
 /// The scene's fills as entries of the polygon table, cut by COMPARE-POLYS (algorithm 9.10), each
-/// with the pixels that it covers: what the sorts in object space tell their steps of.
+/// with the pixels that it covers: the data in the steps of the object-space sorts.
 class PieceTable {
  public:
   using Index = PolygonTable::Index;
@@ -26,7 +26,7 @@ class PieceTable {
   SortTables<Exact>& to_sort() { return sort_; }
   std::uint32_t piece(Index i) const { return pieces_[i]; }
   StepItems::Polygon polygon(Index i) const { return scene_.fills()[entry(i).item]; }
-  /// The pixels whose centres it covers. A centre right on a cut is that of the half in front.
+  /// The pixels whose centres it covers. A centre exactly on a cut belongs to the front half.
   const std::vector<StepRun>& runs(Index i) const { return runs_[i]; }
 
   /// The entry's vertices by their side of a plane, in the projection.
@@ -35,7 +35,7 @@ class PieceTable {
   };
   Sides sides_of(Index test, std::uint32_t plane) const;
 
-  /// What a cut put where: the point at which each side ends, and whether the cut made it.
+  /// The placement of a cut's points: the end of each side, and whether the cut made it.
   using Put = std::vector<std::pair<Point3, bool>>;
   struct Cut {
     Index front, back;

@@ -13,8 +13,8 @@ namespace displayfile {
 
 namespace {
 
-/// Ray casting in image space, one ray at a time through the tree of boxes that the system casts
-/// its packets through. Rays of a row that go the way of the one before them are told together.
+/// Ray casting in image space, one ray at a time through the tree of boxes through which the system
+/// casts packets. Successive rays of a row with the same way are recorded together.
 class RayCastSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -53,7 +53,7 @@ class RayCastSteps {
   using Polygon = StepItems::Polygon;
   using Branch = StepBoxTree::Branch;
 
-  /// What a ray met, in order: it is the same way if all of these are the same.
+  /// An event on the way of a ray. Two ways are the same if their events are equal, in order.
   struct Met {
     enum class Kind { node, skip, miss, nearer, farther } kind;
     int node;  ///< of the tree, as it is numbered here
@@ -95,7 +95,7 @@ class RayCastSteps {
     tell_same(first, scene_.size().width, row, before);
   }
 
-  /// All of the rays first < column < end go the way of the first.
+  /// Records that all rays first < column < end go the way of the first.
   void tell_same(int first, int end, int row, const std::optional<Way>& way) {
     if (!way || end - first < 2) return;
     const std::string seen =
@@ -206,7 +206,7 @@ class RayCastSteps {
     mark(ray, {});
   }
 
-  // ---- What is shown ---------------------------------------------------------------------
+  // ---- Marks and panels ------------------------------------------------------------------
 
   void mark(const PixelBox& ray, std::optional<int> node) {
     record_.mark(StepRole::active, ray);

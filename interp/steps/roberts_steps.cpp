@@ -11,8 +11,8 @@ namespace displayfile {
 
 namespace {
 
-/// Roberts's method as the system has it (hidden/lines/roberts.md): its observer tells the objects
-/// that a line is held against.
+/// Observer of the system's form of Roberts's method (hidden/lines/roberts.md): records the objects
+/// against which a line is tested.
 class RobertsSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -56,7 +56,7 @@ class RobertsSteps {
     lines_.find_all(lines_.lines().first_lines(), *this, at("seen"));
   }
 
-  /// For find_seen.
+  /// Called by find_seen.
   const std::vector<PartOfLine>& hidden_parts(const LineTable::Line& line) {
     line_ = &line;
     hidden_.clear();

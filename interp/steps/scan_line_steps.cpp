@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// The plain scan line (interp/visibility/plain_scan_line.h), whose observer this is.
+/// Observer of the plain scan line (interp/visibility/plain_scan_line.h).
 class ScanLineSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -141,7 +141,7 @@ class ScanLineSteps {
   const StepItems& scene_;
   StepRecord& record_;
   std::span<const ActiveEdgeList::Edge> edges_;
-  bool is_empty_ = true;  // the row, and nothing is told of it
+  bool is_empty_ = true;  // the row, which has no steps then
   std::vector<StepRun> runs_;
 };
 

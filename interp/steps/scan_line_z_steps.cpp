@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// The scan-line z-buffer: one row of depths, filled anew for each row of the picture.
+/// The scan-line z-buffer: one row of depths, cleared for each row of the picture.
 class ScanLineZSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({

@@ -21,7 +21,7 @@ StepBoxTree::StepBoxTree(const StepItems& scene)
   number_nodes();
 }
 
-/// No part of the fill over these pixels is nearer.
+/// An upper bound of the fill's depth over these pixels.
 float StepBoxTree::nearest_in(Fill fill, const PixelBox& pixels) const {
   double z = -std::numeric_limits<double>::infinity();
   for (const int row : {pixels.first_row, pixels.end_row - 1}) {
@@ -36,7 +36,7 @@ float StepBoxTree::nearest_in(Fill fill, const PixelBox& pixels) const {
   return std::nextafter(static_cast<float>(std::max(z, -kLargest)), kInfinity);
 }
 
-/// The tree tells its nodes to who asks for all of them; a branch is told before what it leads to.
+/// Visits all nodes of the tree; a branch is visited before the node to which it leads.
 void StepBoxTree::number_nodes() {
   std::optional<Branch> branch;
   const auto add = [&](std::optional<Polygon> polygon) {

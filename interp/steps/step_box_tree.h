@@ -39,7 +39,7 @@ class StepBoxTree {
   };
   const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// Where a branch of the tree begins, and which of which node it is.
+  /// A branch of a node: its place there, and the nearest depth in it.
   struct Branch {
     float nearest;
     const PixelBoxes* node;
@@ -47,10 +47,11 @@ class StepBoxTree {
     bool operator>(const Branch& other) const { return nearest > other.nearest; }
   };
   using Branches = std::array<Branch, PixelBoxes::kBoxes>;
-  /// The number of a node, by its boxes, or of what a branch leads to.
+  /// The number of the node with these boxes, or of the target of a branch.
   int number(const PixelBoxes& boxes) const { return number_of_.at(&boxes); }
   int number(const Branch& branch) const { return under_.at({branch.node, branch.place}); }
-  /// The branches of a node that a ray meets, the nearest last; writes where all begin.
+  /// The branches of a node that a ray meets, the nearest last; writes the nearest depths of all
+  /// branches.
   std::vector<Branch> met_by(const PixelBox& ray, const PixelBoxes& boxes, PixelTree::Lanes& met,
                              Branches& nearest) const;
   /// True only if everything beginning there is behind the polygon at the centre of a pixel that it

@@ -23,7 +23,7 @@ class StepItems {
   const ViewedScene& viewed() const { return scene_; }
   const PictureSize& size() const { return size_; }
   std::uint32_t polygons() const { return scene_.items(); }
-  /// Those that cover pixels, in order of entry.
+  /// The polygons that cover pixels, in order of entry.
   const std::vector<Polygon>& fills() const { return fills_; }
   /// The polygon must cover pixels.
   const Plane& plane(Polygon polygon) const { return planes_[polygon]; }

@@ -14,8 +14,8 @@
 
 namespace displayfile {
 
-/// The lines that a scene draws, as the methods of lines look at them, and what these methods'
-/// steps have in common.
+/// The lines that a scene draws, in the form that methods of lines use, and shared parts of these
+/// methods' steps.
 class StepLines {
  public:
   using Line = LineTable::Line;
@@ -35,19 +35,19 @@ class StepLines {
 
   /// "side 2 of A", or "line B"; sides are numbered from 1, by the corners at which they end.
   std::string name(const Line& line) const;
-  /// The end, or a place between both by its share, in the projection.
+  /// A point in the projection: an end, or a place between the ends as a fraction of the line.
   Point2 at(const Line& line, double share) const;
   void mark(StepRole role, const Line& line, const PartOfLine& part = {0.0, 1.0});
 
-  /// What one polygon covers of a line, and of which of its sides.
+  /// The part of a line that one polygon covers, and the sides of the line on which it does.
   struct Covered {
     PartOfLine part;
     std::string_view sides;  ///< kBoth, kLeft or kRight
   };
   static constexpr std::string_view kBoth = "both sides", kLeft = "the left", kRight = "the right";
   std::vector<Covered> covered_by(std::uint32_t polygon, const Line& line);
-  /// Tells it, in a step of one of two lines of the listing, and adds to a table a row for each
-  /// part: polygon, from, to, and the sides.
+  /// Records the covered parts, in a step at one of two lines of the listing, and adds to a table a
+  /// row for each part: polygon, from, to, and the sides.
   struct CoveredLines {
     int misses, hides;
   };
@@ -76,7 +76,7 @@ class StepLines {
   ExactLines policy_;
 };
 
-/// "0.25 to 0.5", of shares of a line.
+/// "0.25 to 0.5", as fractions of a line.
 std::string words_of(const PartOfLine& part);
 
 }  // namespace displayfile

@@ -14,12 +14,12 @@
 
 namespace displayfile {
 
-/// What an algorithm tells its steps to: it writes them down, and the picture that they add up to.
+/// Receives an algorithm's steps: records them, and the resulting picture.
 class StepRecord {
  public:
   using Polygon = StepItems::Polygon;
   static constexpr std::uint32_t kBackground = StepRow::kNoPiece;
-  // Nobody looks at more of one step; a scene may have a million polygons.
+  // Limits for one step, beyond which it is unreadable; a scene may have a million polygons.
   static constexpr std::size_t kMostRows = 60, kMostMarks = 300, kMostSegments = 400,
                                kMostNames = 12;
 
@@ -33,20 +33,21 @@ class StepRecord {
   // ---- Names and pieces ------------------------------------------------------------------
 
   const std::string& name(std::uint32_t piece) const { return steps_.pieces[piece].name; }
-  /// "A, B and C"; "nothing" of none; of many the first, and how many more.
+  /// "A, B and C"; "nothing" for none; for many, the first ones and the number of the rest.
   std::string names(std::span<const std::uint32_t> pieces) const;
-  /// A new piece of the polygon that the other is, or is of: the polygon's name and a number.
+  /// Adds a piece of a polygon, or of the polygon to which the piece `of` belongs: named for the
+  /// polygon, with a number.
   std::uint32_t add_piece(std::uint32_t of, std::vector<Point3> points);
 
-  // ---- What the last step marks and shows: of very much the first ------------------------
+  // ---- Marks and panels of the last step; long contents are truncated --------------------
 
   void mark(StepRole role, std::uint32_t piece);
   void mark(StepMark mark);
   void mark(StepRole role, std::vector<Point2> points, StepMark::Kind kind, bool stays = false);
   void mark(StepRole role, const PixelBox& box, bool stays = false);
   void show(int panel, std::vector<StepRow> rows);
-  /// A row for each entry of a list, as make(entry) makes it; of a long list for the first
-  /// kMostRows alone, and how many more there are.
+  /// A row for each entry of a list, made by make(entry); for a long list, only the first
+  /// kMostRows and the number of the rest.
   template <class List, class Make>
   static std::vector<StepRow> rows(const List& list, Make&& make) {
     std::vector<StepRow> rows;
@@ -71,7 +72,7 @@ class StepRecord {
 
   // ---- The picture -----------------------------------------------------------------------
 
-  /// What the picture shows there: kBackground where nothing.
+  /// The polygon visible in the picture there: kBackground if none.
   Polygon seen(int column, int row) const {
     return picture_[static_cast<std::size_t>(row) * static_cast<std::size_t>(scene_.size().width) +
                     static_cast<std::size_t>(column)];

@@ -31,7 +31,7 @@ std::vector<HiddenMethod> methods_with_steps() {
 
 namespace {
 
-/// The methods whose plain form is a file of its own, which the steps observe.
+/// The methods whose plain form, which the steps observe, is a separate file.
 struct PlainForm {
   HiddenMethod plain, method;
 };

@@ -17,25 +17,24 @@
 #include "interp/scan/pixel_box.h"
 #include "interp/steps/listing.h"
 
-/// An algorithm that tells its steps, one after another, for people to watch
-/// (interp/steps/README.md).
+/// Algorithms as recorded steps, one after another, for people to watch (interp/steps/README.md).
 namespace displayfile {
 
 /// The role of a mark, or of a panel's entry, in the step. The reader decides how to draw it.
 enum class StepRole : std::uint8_t {
   none,
-  root,      ///< the plane, polygon or line that all else is held against
-  compared,  ///< held against the root, and not decided yet
-  front,     ///< found in front of it, or to the viewer's side
+  root,      ///< the plane, polygon or line against which all others are tested
+  compared,  ///< tested against the root, and undecided so far
+  front,     ///< found in front of it, or on the viewer's side
   back,      ///< found behind it
   on,        ///< found in its plane
   cut,       ///< crosses it, or was made by a cut
-  active,    ///< under work: an area, an edge, a row, a ray
-  seen,      ///< found to be seen
-  hidden,    ///< found to be hidden
+  active,    ///< being processed: an area, an edge, a row, a ray
+  seen,      ///< found visible
+  hidden,    ///< found hidden
   tagged,    ///< has been moved before
   upper,     ///< the upper perimeter
-  lower,     ///< and the lower one
+  lower,     ///< the lower perimeter
 };
 /// The word of a role, in lower case.
 std::string_view name_of(StepRole role);
@@ -56,14 +55,14 @@ struct StepMark {
   bool stays = false;  ///< in the steps after this, too
 };
 
-/// Pixels first <= i < end of a row, counted from the bottom, that come to show a polygon.
+/// Pixels first <= i < end of a row, counted from the bottom, where a polygon becomes visible.
 struct StepRun {
   int row, first, end;
   std::uint32_t polygon;
 };
 
-/// A piece of a line that is found to be seen, or to be hidden. It is of the polygon's side, or of
-/// the line, that ends at that corner, between two shares of its projection.
+/// A piece of a line found visible or hidden, of the polygon's side or the line that ends at that
+/// corner: between two fractions of its projection.
 struct StepLine {
   std::uint32_t polygon, corner;
   double from, to;
@@ -79,7 +78,7 @@ struct StepRow {
   StepRole role = StepRole::none;
 };
 
-/// A node that a tree gains, or a change of one that it has.
+/// A node added to a tree, or a change of an existing one.
 struct StepNode {
   static constexpr int kNoParent = -1;
   int node;    ///< numbered by the algorithm
@@ -97,8 +96,8 @@ struct StepSegment {
   StepRole role = StepRole::none;
 };
 
-/// What a panel shows from this step on. A tree keeps the nodes that it has; rows of it name, in
-/// their cell, nodes that the step lights.
+/// A panel's contents from this step on. A tree keeps its nodes; its rows name, in their cell, the
+/// nodes that the step highlights.
 struct PanelChange {
   int panel;
   std::vector<StepRow> rows = {};
@@ -122,7 +121,7 @@ struct StepPiece {
   std::vector<Point3> points;  ///< device coordinates; of a piece rounded
 };
 
-/// One that the scene has, beside its piece of the same number.
+/// A polygon or line of the scene, in addition to its piece of the same number.
 struct StepPolygon {
   Primitives::Kind kind;
   Colour colour;  ///< of its fill; of a line, its own
@@ -165,7 +164,7 @@ Steps tell_steps(const GraphicsSystem& system, const StepsOptions& options);
 std::string steps_as_json(const GraphicsSystem& system, const StepsOptions& options);
 std::string as_json(const Steps& steps);
 
-/// The methods that tell steps.
+/// The methods that record steps.
 std::vector<HiddenMethod> methods_with_steps();
 /// Plain forms, which name the same steps as these methods.
 std::vector<HiddenMethod> plain_forms_with_steps();

@@ -5,7 +5,7 @@
 #include "interp/device/picture.h"
 #include "interp/steps/steps.h"
 
-// The core needs no library of JSON, and what is written here is lists of numbers and a few words.
+// The core has no JSON library; the document consists of lists of numbers and a few words.
 
 namespace displayfile {
 
@@ -13,7 +13,7 @@ namespace {
 
 using Text = std::back_insert_iterator<std::string>;
 
-/// Also fit to stand inside a script element: no < is left in it.
+/// A JSON string, also safe inside a script element: every < is escaped.
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -44,7 +44,7 @@ std::string hex(const Colour& colour) {
   return fmt::format("\"#{:02x}{:02x}{:02x}\"", p & 0xFF, p >> 8 & 0xFF, p >> 16 & 0xFF);
 }
 
-/// A coordinate of a piece, and one of what is only pointed at.
+/// A coordinate of a piece, and, with fewer digits, one of a mark.
 std::string coordinate(double value) { return fmt::format("{:.6g}", value); }
 std::string place(double value) { return fmt::format("{:.4g}", value); }
 
@@ -71,7 +71,7 @@ void write(Text& to, const StepMark& mark) {
   fmt::format_to(to, "]");
 }
 
-/// Most rows are a piece's name: the piece alone says it.
+/// Most rows are a piece's name alone: these are written as the number of the piece.
 void write(Text& to, const StepRow& row, const std::vector<StepPiece>& pieces) {
   const bool is_name = row.piece != StepRow::kNoPiece && row.cells.size() == 1 &&
                        row.cells[0] == pieces[row.piece].name;

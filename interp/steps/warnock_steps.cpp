@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// The plain subdivision (interp/visibility/plain_warnock.h), whose observer this is.
+/// Observer of the plain subdivision (interp/visibility/plain_warnock.h).
 class WarnockSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({
@@ -63,7 +63,8 @@ class WarnockSteps {
   void paint(Fill fill, int row, int first, int end) {
     record_.paint_over({row, first, end, polygon(fill)});
   }
-  /// Each area is looked at in one step, and decided in another unless there is nothing to look at.
+  /// Records the examination of an area in one step, unless its list is empty, and the decision in
+  /// another.
   void visit(const PlainWarnock::Visit& visited) {
     stack_.pop_back();
     if (!visited.list.empty()) look_at(visited);

@@ -10,8 +10,8 @@ namespace displayfile {
 
 namespace {
 
-/// The z-buffer polygon by polygon and row by row. The books store depths and compare those; here
-/// the planes of the polygon and of what is seen are compared, so that no rounding decides.
+/// The z-buffer polygon by polygon and row by row. The books compare stored depths; here the planes
+/// of the polygon and of the visible fill are compared, so that no rounding decides.
 class ZBufferSteps {
  public:
   static constexpr auto kListing = std::to_array<ListingLine>({

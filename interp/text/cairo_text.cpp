@@ -21,7 +21,7 @@ void require_success(cairo_t* context) {
   require_cairo_success(cairo().status(context), "Cairo cannot draw a text");
 }
 
-/// Left to itself Cairo fits letters to pixels.
+/// Sets the font without hinting, by which Cairo would fit letters to pixels.
 void set_font(cairo_t* context, const std::string& font, double size) {
   cairo().select_font_face(context, font.c_str(), CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
@@ -79,7 +79,7 @@ void CairoText::show() const {
 
 namespace {
 
-/// The closed paths of a Cairo path, whose curves are lines already, moved.
+/// The closed paths of a flattened Cairo path, translated.
 LetterPaths::Letter closed_paths(const cairo_path_t& path, const Point2& move) {
   LetterPaths::Letter paths;
   for (int i = 0; i < path.num_data; i += path.data[i].header.length) {
@@ -98,8 +98,8 @@ LetterPaths::Letter closed_paths(const cairo_path_t& path, const Point2& move) {
 
 }  // namespace
 
-/// A letter's place is where those before it end, as show() has them. It is outlined at the origin:
-/// Cairo leaves letters out that are far from a context's surface.
+/// Each letter is placed at the end of its predecessors' advances, as in show(). It is outlined at
+/// the origin: Cairo omits letters that are far from a context's surface.
 std::vector<LetterPaths::Letter> CairoText::outlines() const {
   constexpr double kTolerance = 0.01;
   const auto destroy = [](cairo_path_t* path) { cairo().path_destroy(path); };
@@ -136,7 +136,7 @@ std::vector<LetterPaths::Letter> letter_outlines(const std::string& font, const 
 
 namespace {
 
-/// Fontconfig, which Cairo finds fonts by.
+/// Fontconfig, by which Cairo finds fonts.
 struct Fontconfig {
   SharedLibrary library{"libfontconfig.so.1"};
   DISPLAYFILE_LIBRARY_FUNCTION(library, Fc, PatternCreate);
@@ -153,7 +153,7 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-/// Any of the names that the pattern has for its family, in several languages.
+/// True if one of the pattern's family names, which may be in several languages, is `family`.
 bool has_family(const Fontconfig& fc, FcPattern* pattern, const std::string& family) {
   FcChar8* name = nullptr;
   for (int i = 0; fc.PatternGetString(pattern, FC_FAMILY, i, &name) == FcResultMatch; ++i) {

@@ -21,7 +21,7 @@ class CairoText {
 
   Rectangle ink() const;  ///< what the letters cover
   void show() const;      ///< in the context's source colour; throws Error if Cairo fails
-  /// Letter by letter. Throws Error if Cairo fails.
+  /// The outlines, letter by letter. Throws Error if Cairo fails.
   std::vector<LetterPaths::Letter> outlines() const;
 
  private:

@@ -30,13 +30,13 @@ constexpr double kCapitalUnits = 21.0;  // their height
 constexpr char kFirstCharacter = ' ';   // of the first glyph
 constexpr double kUnitOfSize = HersheyFont::kCapitalsOfSize / kCapitalUnits;
 
-/// Characters for which one of ASCII stands, as the minus signs of axes.
+/// Characters drawn as a similar one of ASCII, such as the minus signs of axes.
 constexpr std::pair<std::string_view, char> kStandIns[] = {
     {"\u2212", '-'}, {"\u2010", '-'},  {"\u2011", '-'},  {"\u2012", '-'}, {"\u2013", '-'},
     {"\u2014", '-'}, {"\u2018", '\''}, {"\u2019", '\''}, {"\u201c", '"'}, {"\u201d", '"'},
     {"\u00d7", 'x'}, {"\u00a0", ' '},  {"\u2009", ' '},  {"\u202f", ' '}};
 
-/// The byte of ASCII that is drawn for a character; nothing if there is none.
+/// The ASCII byte drawn for a character; none if there is none.
 std::optional<char> in_ascii(std::string_view character) {
   if (character.size() == 1) return character[0];
   const auto* const found =
@@ -72,7 +72,7 @@ std::string file_of(const std::string& name) {
   return fmt::format("{}/{}{}", kFontFolder, name, kFontExtension);
 }
 
-/// The length of the character at the start of a text, 1 for what is no UTF-8.
+/// The length of the character at the start of a text; 1 for invalid UTF-8.
 std::size_t length_of_first(std::string_view text) {
   return std::max<std::size_t>(utf8_length(text), 1);
 }

@@ -23,8 +23,8 @@ class HersheyFont {
   /// Letters are as high as in other fonts: capitals, 21 units, are this part of the size.
   static constexpr double kCapitalsOfSize = 0.72;
 
-  /// Reads a font by its name, such as futural. Throws Error if there is none of that name, naming
-  /// those that there are, or without the package, naming it; and for a file that is damaged.
+  /// Reads a font by its name, such as futural. Throws Error for an unknown name, listing the known
+  /// ones; without the package, naming it; and for a damaged file.
   explicit HersheyFont(const std::string& name);
 
   const std::string& name() const { return name_; }

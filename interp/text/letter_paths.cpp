@@ -154,7 +154,7 @@ void add_lacking_of_annotation(const DisplayFile& display_file, const HersheyFon
   }
 }
 
-/// In place of the font that is set.
+/// Warnings of a font used in place of the one set.
 std::vector<std::string> warnings_of_other_font(const Lettering& lettering) {
   const std::string other = font_in_place_of(lettering.font);
   if (other.empty()) return {};

@@ -24,8 +24,8 @@ struct LetterPaths {
   Rectangle around() const;  ///< the box of all points
 };
 
-/// The paths of a text, turned as it is, whose size and anchor are in the page's unit. Nothing if
-/// the lettering writes letters in a font. Throws Error as require_lettering.
+/// The paths of a text, rotated as set, with size and anchor in the page's unit. None if the
+/// lettering uses a font. Throws Error as require_lettering.
 std::optional<LetterPaths> letter_paths(const Lettering& lettering, const DeviceText& text,
                                         const Point2& anchor, double size);
 
@@ -43,10 +43,11 @@ const HersheyFont& hershey_font_of(const Lettering& lettering);
 std::vector<LetterPaths::Letter> letter_outlines(const std::string& font, const DeviceText& text,
                                                  const Point2& anchor, double size);
 
-/// How much of a text's width stands left of its anchor.
+/// The fraction of a text's width that stands left of its anchor.
 double part_before_anchor(TextStyle::Alignment alignment);
 
-/// The font that Fontconfig has in place of a family; empty if it is there, or if that is unknown.
+/// The font that Fontconfig substitutes for a family; empty if the family is available, or if that
+/// is unknown.
 std::string font_in_place_of(const std::string& family);
 
 /// Sentences about texts of visible segments that a lettering does not draw as set: characters that

@@ -15,37 +15,36 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-/// A direction from the point in which the sides of a polygon leave it: what the polygon covers
-/// changes there.
+/// A direction in which a side of a polygon leaves the point: the polygon's coverage changes there.
 struct SideRay {
   Point2 through;
   std::uint32_t polygon;  ///< its number among those around the point
 };
 
-/// What polygons cover right around one point, if the point is on their sides.
+/// Coverage by polygons in a small neighbourhood of a point, if it is on their sides.
 struct Surroundings {
   bool hidden = false;                ///< the point is inside of a nearer polygon
   std::vector<std::uint8_t> covered;  ///< of each polygon, in the direction of +x, just above it
   std::vector<SideRay> rays;
 };
 
-/// The direction's place in a turn about the point, counterclockwise from just above +x: the half
-/// above, -x, the half below, +x.
+/// The direction's position in a turn about the point, counterclockwise from just above +x: the
+/// half above, -x, the half below, +x.
 int part_of_turn(const Point2& point, const Point2& through) {
   if (through.y > point.y) return 0;
   if (through.y < point.y) return 2;
   return through.x < point.x ? 1 : 3;
 }
 
-/// -1 where the first direction comes earlier in the turn, 0 where the two are one, 1 otherwise.
+/// -1 if the first direction comes earlier in the turn, 0 if the two are the same, 1 otherwise.
 int compare_directions(const Point2& point, const Point2& a, const Point2& b) {
   const int part_a = part_of_turn(point, a), part_b = part_of_turn(point, b);
   if (part_a != part_b) return part_a < part_b ? -1 : 1;
   return part_a % 2 == 1 ? 0 : -orientation(point, a, b);
 }
 
-/// Adds what a polygon covers around a point. Just above +x it covers by the even-odd rule: sides
-/// are counted that cross the row just above the point, right of it.
+/// Adds a polygon's coverage around a point. Just above +x it is found by the even-odd rule: counts
+/// the sides that cross the row just above the point, right of it.
 void add_polygon(std::span<const Point3> polygon, const Point2& point, Surroundings& around) {
   const auto number = static_cast<std::uint32_t>(around.covered.size());
   const std::size_t rays_before = around.rays.size();
@@ -73,7 +72,7 @@ void add_polygon(std::span<const Point3> polygon, const Point2& point, Surroundi
   }
 }
 
-/// One turn about the point. True if there is a direction in which no polygon covers.
+/// Makes one turn about the point. True if no polygon covers in some direction.
 bool has_gap(const Point2& point, Surroundings& around) {
   if (around.hidden) return false;
   auto covering = std::ranges::count(around.covered, 1);
@@ -98,7 +97,7 @@ bool is_nearer(const Plane& plane, const Point3& point) {
   return side_of_plane({point.x, point.y, point.z + allowed}, plane) * facing(plane) < 0;
 }
 
-/// Around some fills, in the projection.
+/// The rectangle around some fills, in the projection.
 Rectangle rectangle_around(const ViewedScene& scene, Fill first, Fill end) {
   Rectangle all = Rectangle::nothing();
   for (Fill fill = first; fill < end; ++fill) {

@@ -8,13 +8,13 @@
 namespace displayfile {
 
 /// The texts of the visible segments that are to be drawn, after all else and in order of entry.
-/// Where hidden surfaces are removed those whose anchor is hidden (interp/text/seen_points.h) are
-/// left out, unless their style has them seen always. `by_depth` says that an image-space method
-/// removes them; otherwise they are removed where the display file is sorted: by the fills of all
-/// visible segments, or in a segment that is sorted by itself by its own.
+/// Where hidden surfaces are removed, those whose anchor is hidden (interp/text/seen_points.h) are
+/// left out, unless their style makes them always visible. `by_depth`: an image-space method
+/// removes hidden surfaces; otherwise they are removed where the display file is sorted: by the
+/// fills of all visible segments, or, in a segment sorted by itself, by its own.
 std::vector<DeviceText> seen_texts(const DisplayFile& display_file, bool by_depth);
 
-/// Those of a scene whose hidden surfaces are removed.
+/// The same for a scene whose hidden surfaces are removed.
 std::vector<DeviceText> seen_texts(const ViewedScene& scene);
 
 }  // namespace displayfile

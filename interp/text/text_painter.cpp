@@ -17,7 +17,7 @@ namespace displayfile {
 
 namespace {
 
-/// Pixels from the picture's top left corner.
+/// A rectangle in pixels from the picture's top left corner.
 struct Tile {
   int left, top, right, bottom;
   int width() const { return right - left; }
@@ -27,7 +27,7 @@ struct Tile {
 constexpr int kLargestTile = 4096;        // along a side: Cairo's pictures have a limit
 constexpr double kMarginOfLetters = 2.0;  // that antialiasing may reach beyond the letters
 
-/// How much of each pixel of a tile letters cover, 0 to 255.
+/// The coverage of each pixel of a tile by letters, 0 to 255.
 class LetterCoverage {
  public:
   explicit LetterCoverage(const Tile& tile)
@@ -37,7 +37,7 @@ class LetterCoverage {
     cairo().translate(context_.get(), -tile.left, -tile.top);
   }
   cairo_t* context() const { return context_.get(); }
-  /// To be called when all is drawn.
+  /// Must be called after all drawing.
   const unsigned char* row(int y) const {
     cairo().surface_flush(surface_.get());
     return cairo().image_surface_get_data(surface_.get()) +
@@ -55,7 +55,8 @@ class LetterCoverage {
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
-/// The colour over the pixel, which may be transparent. Each component is rounded to the nearest.
+/// The colour composited over the pixel, which may be transparent. Each component is rounded to the
+/// nearest.
 std::uint32_t blended(std::uint32_t below, std::uint32_t colour, std::uint32_t coverage) {
   const std::uint32_t of_below = (below >> 24) * (255 - coverage), of_colour = 255 * coverage;
   const std::uint32_t both = of_below + of_colour;
@@ -99,7 +100,7 @@ class TextPainter {
   }
 
  private:
-  /// Paints what draw(context) covers, which is in `ink`.
+  /// Paints the area covered by draw(context), which is within `ink`.
   template <class Draw>
   void paint(const Rectangle& ink, std::uint32_t colour, const Draw& draw) const {
     const auto bounded = [](double v, int low, int high) {
@@ -118,7 +119,7 @@ class TextPainter {
     }
   }
 
-  /// A line has no caps.
+  /// Lines are drawn without caps.
   void draw_mark(const AnnotationMark& mark, cairo_t* context) const {
     const bool is_line = mark.kind == AnnotationMark::Kind::line;
     bool is_first = true;

@@ -16,11 +16,10 @@ struct DrawnLetters {
   double line_scale = 1.0;
 };
 
-/// Paints texts, in their order, over rows first_row <= j < end_row of a picture of that size,
-/// which are all that is in memory of it. Letters are antialiased, by Cairo; no other pixel
-/// changes, nor do identifiers and depths. The pixels are the same whichever rows are in memory.
-/// Throws Error if there is a text and this system has no Cairo; if there is none, it is not
-/// looked for.
+/// Paints texts, in order, over rows first_row <= j < end_row of a picture of that size, the only
+/// rows in memory. Letters are antialiased, by Cairo; no other pixel changes, nor do identifiers
+/// and depths. The pixels do not depend on which rows are in memory. Throws Error if there is a
+/// text and this system has no Cairo, which is loaded only if there is one.
 void paint_texts(std::span<const DeviceText> texts, const DrawnLetters& letters,
                  const PictureSize& size, int first_row, int end_row, Picture& rows);
 

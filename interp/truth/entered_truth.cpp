@@ -16,7 +16,7 @@ namespace displayfile {
 
 namespace {
 
-/// The polygons of one segment, on their way into the picture.
+/// Enters the polygons of one segment into the picture.
 class SegmentAsEntered {
  public:
   SegmentAsEntered(const RetainedScene& retained, const TruePlanes& planes, ExactProjection view,
@@ -57,7 +57,7 @@ void SegmentAsEntered::enter(std::uint32_t primitive) {
   picture_.enter(points_, {&p, &q, &r}, retained_[primitive].pick);
 }
 
-/// Where they are seen; nothing if the polygon has no plane, or it is seen edge-on.
+/// The support in the picture; none if the polygon has no plane, or is seen edge-on.
 std::optional<SegmentAsEntered::Support> SegmentAsEntered::support_of(
     std::uint32_t primitive) const {
   const auto plane = planes_.own_plane(primitive);
@@ -90,7 +90,7 @@ EnteredTruth entered_truth(const RetainedScene& retained, const DisplayFile& dis
 
 namespace {
 
-/// Enters a segment's polygons, as they were entered, into a retained scene.
+/// Enters a segment's polygons, with their entered data, into a retained scene.
 struct PolygonsRetained {
   const EnteredPolygons& kept;
   RetainedScene& scene;
@@ -108,7 +108,7 @@ struct PolygonsRetained {
     enter_not_seen();
     enter(next++, attributes, pick_id);
   }
-  /// Those before the next instruction's: others may lie in their planes.
+  /// Enters the invisible ones before the next instruction's: others may lie in their planes.
   void enter_not_seen() {
     Attributes hollow;
     hollow.fill.kind = FillStyle::Kind::hollow;
@@ -130,7 +130,7 @@ struct PolygonsRetained {
   }
 };
 
-/// What the visible segments keep of what was entered; nothing if one of them keeps none.
+/// The entered primitives that the visible segments keep; none if one of them keeps none.
 std::optional<RetainedScene> scene_as_entered(const DisplayFile& display_file) {
   RetainedScene scene;
   for (const Segment* segment : display_file.visible_segments()) {

@@ -26,7 +26,7 @@ struct ExactPart {
 using ExactParts = std::vector<ExactPart>;
 
 ExactPart whole_line();  ///< from 0 to 1
-/// Adds what two have in common, if that has a length, to parts in any order.
+/// Appends the intersection of two parts, if it has a length, to parts in any order.
 void add_common(const ExactPart& a, const ExactPart& b, std::vector<ExactPart>& to);
 
 /// The union of parts in any order.

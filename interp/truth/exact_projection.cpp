@@ -11,7 +11,7 @@ namespace displayfile {
 
 namespace {
 
-/// Takes away what the numbers have in common of powers of two: they stay short.
+/// Divides out the numbers' common powers of two, to keep them short.
 void shorten(std::initializer_list<Integer*> numbers) {
   std::size_t common = trailing_zeros(Integer(0));
   for (const Integer* n : numbers) common = std::min(common, trailing_zeros(*n));
@@ -91,7 +91,7 @@ Integer ExactProjection::Limit::exceeded_by(const Integer& coordinate, const Int
   return (coordinate << bits(places)) - at * unit;
 }
 
-/// 0 on the plane, negative outside.
+/// The signed distance inside, scaled: 0 on the plane, negative outside.
 Integer ExactProjection::inside(Side side, const Vertex& v) const {
   switch (side) {
     case Side::back: return back_.exceeded_by(v.toward, v.unit);
@@ -105,7 +105,7 @@ Integer ExactProjection::inside(Side side, const Vertex& v) const {
   return 0;
 }
 
-/// Both weights are positive, and so is the unit of what they give.
+/// The point on the plane. Both weights are positive, and so is the result's unit.
 ExactProjection::Vertex ExactProjection::cut(const Vertex& in, const Integer& d_in,
                                              const Vertex& out, const Integer& d_out) const {
   const auto between = [&](const Integer& a, const Integer& b) -> Integer {
@@ -146,7 +146,7 @@ void ExactProjection::clip(std::vector<Vertex>& polygon) {
   if (polygon.size() < 3) polygon.clear();
   for (const Vertex& v : polygon) {
     // Between the window's sides that is the centre of projection alone, which the front plane
-    // keeps away unless the matrix is beyond what doubles can say.
+    // excludes unless the matrix is out of the range of doubles.
     if (v.w <= 0) throw Error("view out of range: the centre of projection is in the view volume");
   }
 }

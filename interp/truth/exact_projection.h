@@ -12,9 +12,9 @@
 
 namespace displayfile {
 
-/// A view in whole numbers: world coordinates to the points of a picture, and the clipping between
-/// them, for world_truth alone. The doubles of the view's matrix, of the viewport and of the image
-/// transformation's matrix are taken as they are, and nothing is rounded.
+/// A view in integers: world coordinates to the points of a picture, and the clipping between them,
+/// for world_truth alone. The doubles of the view's matrix, of the viewport and of the image
+/// transformation's matrix are taken as exact, and nothing is rounded.
 class ExactProjection {
  public:
   /// A point in the homogeneous coordinates of the view volume, 0 <= x, y, z <= w, and the z of its
@@ -24,7 +24,7 @@ class ExactProjection {
     Integer x, y, z, w, toward, unit;
   };
 
-  /// Throws what ViewVolume throws.
+  /// Throws the same errors as ViewVolume.
   ExactProjection(const View& view, const ImageTransformation& image, int width, int height);
 
   Vertex viewed(const WholePoint& world) const;
@@ -49,13 +49,13 @@ class ExactProjection {
   Row toward_;                 // likewise; zero where neither the front nor the back plane clips
   int places_ = 0;
   std::vector<Side> sides_;  // those that are active, in the order of clipping
-  /// Where a plane is along a coordinate: times 2^places.
+  /// The position of a plane along a coordinate: times 2^places.
   struct Limit {
     Integer at;
     int places = 0;
     Limit() = default;
     explicit Limit(double value);
-    /// How far a vertex's coordinate is beyond, times something positive.
+    /// The distance of a vertex's coordinate beyond the plane, times a positive factor.
     Integer exceeded_by(const Integer& coordinate, const Integer& unit) const;
   };
   Limit eye_, front_, back_;

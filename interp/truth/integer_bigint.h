@@ -8,10 +8,11 @@
 
 namespace displayfile {
 
-// The truth's whole numbers in a page, by JavaScript's BigInt: what integer_gmp.h has, with the
-// same meaning. The methods' are Boost's.
+// The truth's integers in a web page, by JavaScript's BigInt: the interface of integer_gmp.h, with
+// the same meaning. The methods use Boost's.
 
-// interp/web/bigint_library.js: a BigInt stands under a number from 1 up, until it is let go.
+// interp/web/bigint_library.js: a BigInt is stored under a handle, a number from 1 up, until it is
+// released.
 extern "C" {
 int displayfile_bigint_of(double whole);
 int displayfile_bigint_copy(int n);
@@ -107,7 +108,7 @@ class Integer {
     return b == 0 ? displayfile_bigint_sign(a.n_) <=> 0 : a <=> Integer(b);
   }
 
-  int number() const { return n_; }  ///< under which it stands
+  int number() const { return n_; }  ///< its handle
 
  private:
   Integer& result(void (*operation)(int to, int a, int b), const Integer& b) {

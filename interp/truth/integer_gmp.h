@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-// The truth's whole numbers, by GMP: with operators, and what these do not say, in place.
+// The truth's integers, by GMP: with operators, and in-place functions for other operations.
 
 using Integer = mpz_class;
 using Rational = mpq_class;
@@ -29,17 +29,17 @@ inline void set_shifted_left(Integer& to, const Integer& n, std::size_t places) 
 inline void divide(const Integer& a, const Integer& b, Integer& quotient, Integer& rest) {
   mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
-/// The least whole number that is not less than a / b.
+/// The least integer that is not less than a / b.
 inline void divide_up(const Integer& a, const Integer& b, Integer& quotient) {
   mpz_cdiv_q(quotient.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
-/// How many binary digits the number has, which is not 0.
+/// The number of binary digits of a number other than 0.
 inline int digits_of(const Integer& n) {
   return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2));
 }
-/// How many binary zeros the number ends with, which is not 0.
+/// The number of trailing binary zeros of a number other than 0.
 inline std::size_t zeros_at_end(const Integer& n) { return mpz_scan1(n.get_mpz_t(), 0); }
-/// The magnitude, which has 64 binary digits or fewer.
+/// The magnitude of a number of at most 64 binary digits.
 inline std::uint64_t magnitude(const Integer& n) {
   std::uint64_t digits = 0;
   mpz_export(&digits, nullptr, -1, sizeof digits, 0, 0, n.get_mpz_t());

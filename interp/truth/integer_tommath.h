@@ -6,8 +6,8 @@
 
 namespace displayfile {
 
-// The truth's whole numbers, by LibTomMath with Boost's operators, in a build without GMP: a
-// library that the methods do not use. What integer_gmp.h has, with the same meaning.
+// The truth's integers, by LibTomMath with Boost's operators, in a build without GMP: a library
+// that the methods do not use. The interface of integer_gmp.h, with the same meaning.
 
 using Integer = boost::multiprecision::number<boost::multiprecision::tommath_int,
                                               boost::multiprecision::et_off>;

@@ -78,7 +78,8 @@ std::vector<VisiblePiece> pieces_as_drawn(const LineItems& items, int threads,
   return pieces;
 }
 
-/// Which of the whole picture's items are each visible segment's: they follow each other.
+/// The range of each visible segment's items among those of the whole picture: they are
+/// consecutive.
 class ItemsOfSegments {
  public:
   explicit ItemsOfSegments(const DisplayFile& display_file) {
@@ -89,8 +90,7 @@ class ItemsOfSegments {
     }
   }
 
-  /// Those of the pieces that a group's segments have, with the items' numbers in a scene of the
-  /// group.
+  /// The pieces of a group's segments, with the items' numbers in a scene of the group.
   SeenLines of_group(const SegmentGroup& group, std::span<const VisiblePiece> pieces) const {
     SeenLines found;
     std::uint32_t before = 0;

@@ -12,10 +12,10 @@
 
 namespace displayfile {
 
-// The lines of a display file as a method finds them, and as they are: both take the same display
-// file, and nothing else in common. Visible segments together, as with the scope `all`.
+// The lines of a display file as a method finds them, and the true ones: both share only the
+// display file. Visible segments are taken together, as with scope `all`.
 
-/// What a method finds of the drawn lines, held against the truth.
+/// A method's visible parts of the drawn lines, compared with the truth.
 struct JudgedLines {
   std::size_t lines = 0;    ///< that are drawn, by the truth; a shared side is one
   std::size_t pieces = 0;   ///< that the method found
@@ -26,9 +26,9 @@ struct JudgedLines {
   bool are_right() const { return wrong == 0 && errors.missing == 0.0 && errors.extra == 0.0; }
 };
 
-/// Judges what the plan's method finds, on as many threads; its progress is called with the lines
-/// that were judged. At least `samples` random places, if not 0, are judged in place of whole sets:
-/// for large scenes. Throws Error as visible_lines does.
+/// Judges the output of the plan's method, with as many threads; its progress is called with the
+/// number of lines judged. At least `samples` random places, if not 0, are judged instead of whole
+/// sets: for large scenes. Throws Error as visible_lines does.
 JudgedLines judged_lines(const DisplayFile& display_file, const SurfacePlan& plan,
                          std::size_t samples = 0);
 
@@ -36,9 +36,9 @@ JudgedLines judged_lines(const DisplayFile& display_file, const SurfacePlan& pla
 std::vector<LinePiece> claimed_pieces(const SeenLines& seen);
 
 /// The display file with the visible lines as its order, found by the truth alone: its dump is that
-/// of a drawing by a correct method of lines. A shared side is named, as by the methods, for the
-/// first that draws it; where that one runs opposite to the first that has it, drawn or not, the
-/// ends are exchanged in doubles.
+/// of a drawing by a correct method of lines. As with the methods, a shared side is named for the
+/// first polygon that draws it; where that one runs opposite to the first that has it, drawn or
+/// not, the ends are exchanged in doubles.
 DisplayFile true_line_drawing(const DisplayFile& display_file, int threads = 1,
                               const WorkProgress& progress = {});
 

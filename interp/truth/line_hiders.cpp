@@ -14,7 +14,7 @@
 
 namespace displayfile {
 
-// ---- What polygons hide --------------------------------------------------------------------
+// ---- Parts hidden by polygons --------------------------------------------------------------
 
 namespace {
 
@@ -36,8 +36,8 @@ std::array<Integer, 2> gaps(const Hider& hider, const ExactLine& line, std::size
   return both;
 }
 
-/// True if the polygon is strictly nearer just after t: at t itself or, if it is as near there, by
-/// what comes after.
+/// True if the polygon is strictly nearer just after t: at t itself or, if the depths are equal
+/// there, beyond it.
 bool is_nearer_after(const Hider& hider, const ExactLine& line, std::size_t depth_number,
                      const Fraction& t) {
   const auto [at_start, at_end] = gaps(hider, line, depth_number);
@@ -51,7 +51,7 @@ bool is_covered_after(const std::vector<Fraction>& crossings, const Fraction& t)
   return std::ranges::count_if(crossings, [&](const Fraction& c) { return t < c; }) % 2 == 1;
 }
 
-/// Where a point that has crossed an odd number of sides is inside, within that part.
+/// Adds the parts inside, within that part: those after an odd number of crossings.
 void add_covered(std::vector<Fraction> crossings, const ExactPart& within,
                  std::vector<ExactPart>& to) {
   std::ranges::sort(crossings, [](const Fraction& a, const Fraction& b) { return a < b; });
@@ -129,9 +129,9 @@ std::optional<std::array<Point3, 3>> LineHiders::plane_points(std::uint32_t item
   return std::array<Point3, 3>{vertices[i], vertices[j], vertices[k]};
 }
 
-/// The plane through p, q and r, those of the plane that the polygon shares or its support
-/// vertices, with their rests; nothing if it is edge-on. With (a, b, c) the cross product of q
-/// - p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
+/// The plane through p, q and r, with their rests: three points of the plane that the polygon
+/// shares, or its support vertices; none if it is edge-on. With (a, b, c) the cross product of q -
+/// p and r - p, a (x - px) + b (y - py) + c (z - pz) = 0.
 std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) const {
   const auto points = plane_points(item);
   if (!points) return std::nullopt;
@@ -152,15 +152,15 @@ std::optional<LineHiders::DepthPlane> LineHiders::plane(std::uint32_t item) cons
   return plane;
 }
 
-/// The nearest double.
+/// The double nearest to over / under.
 double LineHiders::depth(const Integer& over, const Integer& under) const {
   return Division().nearest_double(over, Integer(under << static_cast<std::size_t>(depth_places_)));
 }
 
-/// The least and the greatest depth of a polygon's support plane at its vertices, where it is
-/// farthest and nearest. A triangle's are those of the vertices themselves, if they lie on its
-/// plane; a polygon of more sides counts as moved on to it. The least is infinite without a plane,
-/// the greatest -infinite.
+/// The least (farthest) and the greatest (nearest) depth of a polygon's support plane at its
+/// vertices. For a triangle, those of the vertices themselves, if they lie on its plane; the
+/// vertices of other polygons are projected on to it. Without a plane the least is infinite and the
+/// greatest -infinite.
 std::array<double, 2> LineHiders::depth_range(std::uint32_t item) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   std::array<double, 2> range{kInfinite, -kInfinite};
@@ -186,8 +186,9 @@ EndDepths LineHiders::depths(const ExactLine& line, const DepthPlane& plane) con
           plane.under * line.scale};
 }
 
-/// A triangle's ends lie on its plane, and most others but for what viewing rounds: where a plane
-/// is steep its depth there would be anything.
+/// True if the depths of the sharer's own ends are used: where a plane is steep, its depth there is
+/// dominated by rounding. A triangle's ends lie on its plane, and most others up to the rounding of
+/// viewing.
 bool LineHiders::has_own_depth(LineId sharer) const {
   const bool is_moved = items_.points(sharer.item).size() > 3 ||
                         items_.shared_plane(sharer.item) != nullptr ||
@@ -203,7 +204,8 @@ bool LineHiders::has_own_depth(LineId sharer) const {
   return is_on(items_.from(sharer)) && is_on(items_.to(sharer));
 }
 
-/// That of the sharer's support plane; a line's, and an edge-on polygon's, that of its own ends.
+/// The depths of the sharer's support plane; for a line or an edge-on polygon, those of its own
+/// ends.
 EndDepths LineHiders::depths(const ExactLine& line, LineId sharer) const {
   if (!has_own_depth(sharer)) {
     if (const auto plane = this->plane(sharer.item)) return depths(line, *plane);
@@ -238,7 +240,7 @@ ExactLine LineHiders::line(const LineItems::Sharers& sharers) const {
   return line;
 }
 
-/// Nothing if the polygon covers no point that is close to the line, or has no plane.
+/// None if the polygon covers no point close to the line, or has no plane.
 namespace {
 
 Fraction exactly(double value) {
@@ -298,7 +300,7 @@ std::optional<Hider> LineHiders::hider(const ExactLine& line, std::uint32_t item
   return hider;
 }
 
-/// Where that is not at hand, an end is on a plane from which only viewing may have moved it.
+/// Where that is unknown, an end counts as on a plane if only viewing may have moved it off.
 std::vector<std::array<std::optional<int>, 2>> LineHiders::as_entered(const ExactLine& line,
                                                                       std::uint32_t item) const {
   std::vector<std::array<std::optional<int>, 2>> all;
@@ -352,11 +354,11 @@ std::vector<Hider> LineHiders::hiders(const ExactLine& line) const {
   return found;
 }
 
-// ---- Where polygons pass through each other --------------------------------------------------
+// ---- Intersections of polygons ---------------------------------------------------------------
 
 namespace {
 
-/// Whether some two points follow each other in both, either way round.
+/// True if some two points are consecutive in both sequences, in either order.
 template <class Points>
 bool share_a_side(const Points& of_a, const Points& of_b) {
   const Point3* from = &of_a.back();
@@ -394,7 +396,7 @@ std::vector<ExactLine> LineHiders::intersections(std::uint32_t item_a, std::uint
   return lines;
 }
 
-/// Which corners are within reach of the other's plane as entered.
+/// Marks the corners within reach of the other's plane as entered.
 std::vector<bool> LineHiders::corners_on_plane(std::uint32_t item, std::uint32_t other) const {
   using Place = EndsAsEntered::Place;
   const auto corners = static_cast<std::uint32_t>(items_.points(item).size());
@@ -407,7 +409,7 @@ std::vector<bool> LineHiders::corners_on_plane(std::uint32_t item, std::uint32_t
   return are_on;
 }
 
-/// All corners on the one side of the line are within reach of the other's plane as entered.
+/// True if all corners on one side of the line are within reach of the other's plane as entered.
 bool LineHiders::touches(std::uint32_t item, std::uint32_t other, const FlatLine& line) const {
   if (!items_.some_touch()) return false;
   const std::span<const Point3> points = items_.points(item);
@@ -422,9 +424,9 @@ bool LineHiders::touches(std::uint32_t item, std::uint32_t other, const FlatLine
   return !(left && right);
 }
 
-/// Where points close to the line, left and right of it, are inside by even-odd; united, so that a
-/// place where the boundary only touches it is no end. The ends of a side that lies in the other's
-/// plane as entered are on the line.
+/// The parts where points close to the line, on its left or right, are inside by even-odd; united,
+/// so that a place where the boundary only touches the line is no end. The ends of a side that lies
+/// in the other's plane as entered count as on the line.
 ExactParts LineHiders::inside(std::uint32_t item, std::uint32_t other, const FlatLine& line) const {
   struct Vertex {
     Integer aside, place;
@@ -484,7 +486,7 @@ ExactLine LineHiders::between(const FlatLine& line, const ExactPart& part,
   return found;
 }
 
-// ---- Which polygons may hide a line ----------------------------------------------------------
+// ---- Candidate hiders of a line --------------------------------------------------------------
 
 void LineHiders::enter_solids(int threads) {
   for (std::uint32_t item = 0; item < items_.size(); ++item) {
@@ -495,7 +497,8 @@ void LineHiders::enter_solids(int threads) {
               [&](std::size_t k) { solids_[k].nearest = depth_range(solids_[k].item)[1]; });
 }
 
-/// Grows with the coordinate, so that what lies between two points is in the cells between theirs.
+/// Monotonic in the coordinate, so that all coordinates between two are in the cells between
+/// theirs.
 std::size_t LineHiders::cell(double coordinate) const {
   const auto cells = static_cast<double>(cells_);
   return static_cast<std::size_t>(std::clamp(coordinate * cells, 0.0, cells - 1.0));
@@ -505,7 +508,7 @@ LineHiders::Cells LineHiders::cells(const Rectangle& around) const {
   return {cell(around.x_min), cell(around.x_max), cell(around.y_min), cell(around.y_max)};
 }
 
-/// As many cells as polygons or fewer, so that there are not many more entries than polygons.
+/// No more cells than polygons, so that the number of entries stays of the order of the polygons.
 void LineHiders::enter_cells() {
   constexpr std::size_t kMostCells = 1024, kEntriesOfSolid = 8;
   const auto entries = [&] {
@@ -540,9 +543,9 @@ void LineHiders::enter_cells() {
   }
 }
 
-/// The items of all solid polygons whose rectangle reaches the line's, that may be nearer, and that
-/// are in a cell with the line. It is looked at in stretches about as long as a cell: their ends,
-/// in doubles, are off by less than eight roundings of the coordinates' sum.
+/// The items of all solid polygons whose rectangle overlaps the line's, that may be nearer, and
+/// that share a cell with the line. The line is processed in stretches about as long as a cell:
+/// their ends, in doubles, are off by less than eight roundings of the coordinates' sum.
 std::vector<std::uint32_t> LineHiders::near(const ExactLine& line) const {
   const Point2 from(line.start), to(line.end);
   const std::array<Point3, 2> ends{line.start, line.end};

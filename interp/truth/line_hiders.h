@@ -18,32 +18,33 @@ struct EndDepths {
   Integer from, to, under;
 };
 
-/// A line in whole numbers.
+/// A line in integer coordinates.
 struct ExactLine {
   Point3 start, end;       ///< in the direction of the first sharer; of an intersection, rounded
   Integer x0, y0, x1, y1;  ///< the projection, times `scale`
   Integer scale = 1;       ///< so that the ends of intersections are whole too
-  std::vector<EndDepths> depths;  ///< those that it has for its sharers, each once
+  std::vector<EndDepths> depths;  ///< the distinct depths of its sharers
   std::vector<LineId> sharers;    ///< the first of each depth; none of an intersection
-  double farthest;                ///< no depth anywhere on it is less
+  double farthest;                ///< a lower bound of its depth at all points
 };
 
-/// What a polygon may hide of a line.
+/// A polygon that may hide part of a line.
 struct Hider {
-  /// Where a point that runs along the line, close to its left or close to its right, crosses the
-  /// polygon's sides; in any order, an even number each, also beyond the line's ends.
+  /// The parameters at which a point that runs along the line, close to its left or close to its
+  /// right, crosses the polygon's sides; in any order, an even number each, also beyond the line's
+  /// ends.
   std::array<std::vector<Fraction>, 2> crossings;
   EndDepths depth;  ///< of its support plane at the line's ends
-  /// For each depth of the line the sign of the polygon's less that, at the line's start and at its
-  /// end, where the points as entered tell it: 0 within reach. Empty: none.
+  /// For each depth of the line, the sign of the polygon's depth less the line's, at the line's
+  /// start and end, where the points as entered determine it: 0 within reach. Empty: none.
   std::vector<std::array<std::optional<int>, 2>> as_entered;
 };
 
-/// The part of the line, at that one of its depths, where the polygon is strictly nearer; nothing
-/// if it has no length.
+/// The part of the line, at the depth of that number, where the polygon is strictly nearer; none if
+/// it has no length.
 std::optional<ExactPart> nearer_part(const Hider& hider, const ExactLine& line,
                                      std::size_t depth_number);
-/// What the polygons hide of a line at that one of its depths.
+/// The parts of a line hidden by the polygons, at the depth of that number.
 ExactParts hidden_parts(const ExactLine& line, std::size_t depth_number,
                         std::span<const Hider> hiders);
 /// The visible parts of a line: visible for one of its sharers.
@@ -51,19 +52,20 @@ ExactParts visible_parts(const ExactLine& line, std::span<const Hider> hiders);
 /// True if the line is hidden just after the place t on it; 0 <= t < 1.
 bool is_hidden_after(const ExactLine& line, std::span<const Hider> hiders, const Fraction& t);
 
-/// The solid polygons of a picture in whole numbers, and which of them may cover a line.
+/// The solid polygons of a picture in integer coordinates, and a search for those that may cover a
+/// line.
 class LineHiders {
  public:
   explicit LineHiders(const LineItems& items, int threads = 1);
 
-  /// The line that these share.
+  /// The line of these sharers.
   ExactLine line(const LineItems::Sharers& sharers) const;
   /// Every polygon that covers points of the line, or points close to it, and is nearer at one.
   std::vector<Hider> hiders(const ExactLine& line) const;
-  /// The parts of the line on which both planes have the same depth that are inside both polygons:
-  /// where points close to it on either side are. Each runs from the end that is lower by x, then
-  /// y, to the other; in this order. None of polygons that are not solid or have no plane, or
-  /// that share a side.
+  /// The parts of the line on which both planes have the same depth that are inside both polygons,
+  /// as are the points close to it on either side. Each runs from the end that is lower by x, then
+  /// y, to the other; in this order. None for polygons that are not solid or have no plane, or that
+  /// share a side.
   std::vector<ExactLine> intersections(std::uint32_t item_a, std::uint32_t item_b) const;
 
  private:
@@ -73,7 +75,7 @@ class LineHiders {
   /// Depths at (x, y): (origin - slope_x x - slope_y y) / under, under > 0.
   struct DepthPlane {
     Integer slope_x, slope_y, origin, under;
-    /// At (x / scale, y / scale), times scale.
+    /// The numerator at (x / scale, y / scale), times scale.
     Integer over(const Integer& x, const Integer& y, const Integer& scale = 1) const {
       return origin * scale - slope_x * x - slope_y * y;
     }
@@ -101,8 +103,8 @@ class LineHiders {
                                                             std::uint32_t item) const;
   std::optional<Hider> hider(const ExactLine& line, std::uint32_t item) const;
 
-  /// In the projection a x + b y = c, and a place on it is the value there of ahead_x x + ahead_y
-  /// y, which grows with x, or with y if a line is steep.
+  /// The line a x + b y = c in the projection. A place on it is the value of ahead_x x + ahead_y y
+  /// there, which grows with x, or with y if the line is steep.
   struct FlatLine {
     Integer a, b, c, ahead_x, ahead_y;
   };

@@ -55,7 +55,7 @@ LineItems::LineItems(const DisplayFile& display_file) {
   take_planes(display_file);
 }
 
-/// The items are those of a viewed scene. Which polygons touch has a judge of its own.
+/// Takes the shared planes: the items are those of a viewed scene. Touching has a judge of its own.
 void LineItems::take_planes(const DisplayFile& display_file) {
   scene_ = std::make_shared<const ViewedScene>(display_file);
   const ViewedScene& scene = *scene_;

@@ -16,9 +16,9 @@
 
 namespace displayfile {
 
-/// A line of a picture: the side of a polygon that ends at the vertex of that number, and starts at
-/// the vertex before it, that of number 0 at the last; or, of a line that was entered as one, the
-/// corner 1, where it ends. Items count from 0 in order of entry, as LineItems has them.
+/// A line of a picture: the side of a polygon that ends at the vertex `corner` and starts at the
+/// vertex before it (before number 0 is the last); or an entered line, whose corner is 1, its end.
+/// Items count from 0 in order of entry, as in LineItems.
 struct LineId {
   std::uint32_t item, corner;
   auto operator<=>(const LineId&) const = default;
@@ -50,7 +50,7 @@ class LineItems {
   /// As Primitives::plane_rest.
   Point3 plane_rest(std::uint32_t item) const { return primitives_.plane_rest(item); }
 
-  /// Two polygons share one.
+  /// True if two polygons share one.
   bool share_plane(std::uint32_t a, std::uint32_t b) const {
     return !plane_of_.empty() && shared_plane(a) != nullptr && shared_plane(b) != nullptr &&
            *shared_plane(a) == *shared_plane(b);
@@ -62,7 +62,7 @@ class LineItems {
   }
   double rounding() const { return primitives_.rounding; }
   bool some_touch() const { return touching() > 0.0; }
-  /// Where the line's ends are as they were entered, against the polygon's plane.
+  /// The positions of the line's ends, as entered, relative to the polygon's plane.
   EndsAsEntered::Places places(LineId line, std::uint32_t item) const {
     return primitives_.places(line.item, line.corner, item);
   }
@@ -76,11 +76,10 @@ class LineItems {
   std::vector<LineId> drawn_lines() const;  ///< those that are drawn
 
   /// Sides that are one line, because polygons share it: their ends are the same points, in either
-  /// direction. In order; a line that nothing shares is one of one. A line that was entered as such
-  /// is shared by nothing.
+  /// direction. In order; a line that is not shared stands alone, as does an entered line.
   using Sharers = std::vector<LineId>;
-  /// The given lines, each with all that share it, whether they were given or not; in order of the
-  /// first sharer. Throws Error for a line that there is not.
+  /// The given lines, each with all that share it, given or not; in order of the first sharer.
+  /// Throws Error for a line that does not exist.
   std::vector<Sharers> shared(std::span<const LineId> lines) const;
 
  private:

@@ -23,7 +23,7 @@ namespace {
 
 using Part = TrueLine::Part;
 
-/// The lines that the given ones are, without those that are points in the projection.
+/// The lines to which the given sides belong, except those that are points in the projection.
 std::vector<LineItems::Sharers> lines_with_length(const LineItems& items,
                                                   std::span<const LineId> lines) {
   std::vector<LineItems::Sharers> found = items.shared(lines);
@@ -34,11 +34,11 @@ std::vector<LineItems::Sharers> lines_with_length(const LineItems& items,
 }
 
 double length(const LineItems& items, LineId line) {
-  // Not std::hypot, whose last digit is another one in another C library.
+  // std::hypot is not used: its last digit differs between C libraries.
   return glm::distance(Point2(items.from(line)), Point2(items.to(line)));
 }
 
-/// Parts in doubles that still have a length, and between them gaps that do.
+/// Parts in doubles, without parts and gaps that have lost their length by rounding.
 std::vector<Part> rounded(const ExactParts& exact) {
   Division division;
   std::vector<Part> parts;
@@ -105,7 +105,7 @@ std::vector<LinePiece> visible_pieces(std::span<const TrueLine> lines) {
 
 namespace {
 
-/// What is claimed to be seen of each line, along its first sharer.
+/// The parts claimed to be visible on each line, along its first sharer.
 struct Claims {
   std::vector<std::vector<Part>> of_line;
   double elsewhere = 0.0;  // length of pieces of other lines
@@ -163,11 +163,10 @@ Claims claims(const LineItems& items, std::size_t lines, const SharersOf& sharer
   return claims;
 }
 
-/// An end in doubles, turned round or not, is off by less than this part of the line.
+/// An end in doubles, reversed or not, is off by less than this fraction of the line.
 constexpr double kEndRounding = 0x1p-52;
 
-/// The length of what belongs to a and not to b, in parts no shorter than `least`; both in order
-/// and disjoint.
+/// The length of a without b, in parts no shorter than `least`; both in order and disjoint.
 double length_without(const std::vector<Part>& a, const std::vector<Part>& b, double least) {
   double sum = 0.0;
   const auto add = [&](double from, double to) {
@@ -208,8 +207,8 @@ LineErrors compare_lines(const LineItems& items, std::span<const TrueLine> truth
 
 namespace {
 
-/// Random numbers in [0,1) of 53 binary places, the same for the same seed and line whatever is
-/// asked for beside them: the generator SplitMix64 (Steele, Lea and Flood, "Fast splittable
+/// Random numbers in [0,1) of 53 binary places, the same for the same seed and line whatever other
+/// lines are sampled: the generator SplitMix64 (Steele, Lea and Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014).
 class RandomPlaces {
  public:
@@ -244,7 +243,7 @@ bool is_close_to_an_end(const std::vector<Part>& parts, double t, double reach) 
   });
 }
 
-/// The length of the part around t that is all seen or all hidden.
+/// The length of the part around t that is entirely visible or entirely hidden.
 double length_around(const std::vector<Part>& visible, double t) {
   double from = 0.0, to = 1.0;
   for (const Part& part : visible) {

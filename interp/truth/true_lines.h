@@ -15,15 +15,15 @@ namespace displayfile {
 // interp/truth/true_lines.md has the details. Lengths are in device coordinates, whose unit is the
 // picture.
 
-/// A part of a line between two parameters along its projection, 0 <= from < to <= 1: 0 is where it
-/// starts, 1 where it ends.
+/// A part of a line between two parameters along its projection, 0 <= from < to <= 1: 0 is its
+/// start, 1 its end.
 struct LinePiece {
   LineId line;
   double from, to;
   bool operator==(const LinePiece&) const = default;
 };
 
-/// A visible piece that is shorter than this may be left out, a hidden one drawn; of the picture.
+/// A visible piece shorter than this may be omitted, a hidden one drawn; in units of the picture.
 inline constexpr double kLineCrumb = 1e-9;
 
 /// A line, which polygons may share, and its visible parts.
@@ -66,8 +66,8 @@ std::vector<LinePiece> visible_pieces(std::span<const TrueLine> lines);
 
 /// Errors of pieces claimed to be the visible parts of lines.
 struct LineErrors {
-  double missing = 0.0;  ///< length that should be seen, but no piece is there
-  double extra = 0.0;    ///< length that should not be seen
+  double missing = 0.0;  ///< length that should be visible, but has no piece
+  double extra = 0.0;    ///< length that should be hidden
   double length = 0.0;   ///< of all lines
 };
 
@@ -83,7 +83,7 @@ LineErrors compare_lines(const LineItems& items, std::span<const TrueLine> truth
 struct WrongSample {
   LineId line;   ///< the first sharer
   double at;     ///< along it
-  bool missing;  ///< it should be seen; if not, it should not
+  bool missing;  ///< it should be visible; otherwise it should be hidden
 };
 
 struct LineJudgement {

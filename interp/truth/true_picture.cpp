@@ -20,7 +20,7 @@ Integer minor(const TruePoint& a, const TruePoint& b, Integer TruePoint::*i,
   return a.*i * b.*j - a.*j * b.*i;
 }
 
-/// In the projection, exactly.
+/// True if the three points are collinear in the projection, exactly.
 bool in_line(const Point3& p, const Point3& q, const Point3& r) {
   const int places = common_places(std::array{p.x, p.y, q.x, q.y, r.x, r.y});
   const auto apart = [&](double a, double b) -> Integer {
@@ -62,9 +62,9 @@ std::optional<std::array<std::size_t, 3>> support_of(std::span<const Point3> v) 
 
 // ---- The support plane -------------------------------------------------------------------
 
-/// The plane A x + B y + C z + D w = 0 holds p, q and r; A to D are determinants of three of their
-/// coordinates. At a centre ((2 column + 1) / 2, (2 row + 1) / 2) its depth is
-/// -(A (2 column + 1) + B (2 row + 1) + 2 D) / (2 C).
+/// The plane A x + B y + C z + D w = 0 contains p, q and r; A to D are determinants of three of
+/// their coordinates. At a centre ((2 column + 1) / 2, (2 row + 1) / 2) its depth is -(A (2 column
+/// + 1) + B (2 row + 1) + 2 D) / (2 C).
 ExactDepth::ExactDepth(const TruePoint& p, const TruePoint& q, const TruePoint& r) {
   using P = TruePoint;
   const Integer xy = minor(q, r, &P::x, &P::y), xw = minor(q, r, &P::x, &P::w),
@@ -143,7 +143,7 @@ void CentreMarks::mark_edge(const TruePoint& low, const TruePoint& high, int fir
   }
 }
 
-// ---- What is seen ------------------------------------------------------------------------
+// ---- Visibility --------------------------------------------------------------------------
 
 TruePicture::TruePicture(int width, int height, DepthTies* ties)
     : width_(width),
@@ -171,7 +171,7 @@ void TruePicture::enter(std::span<const TruePoint> polygon, const Support& suppo
 }
 
 /// Rounding to the nearest double keeps order, so rounded depths that differ are in the order of
-/// the exact ones; only where they are equal are the exact ones asked.
+/// the exact ones; the exact ones are compared only where the rounded are equal.
 void TruePicture::enter_run(Entered& polygon, int row, int first, int end) {
   constexpr int kLongRun = 4;
   const Integer& divisor = polygon.depth.divisor();
@@ -206,7 +206,8 @@ void TruePicture::enter_run(Entered& polygon, int row, int first, int end) {
   }
 }
 
-/// The depth, whose numerator at the centre is numerator_, against that of the polygon seen.
+/// Compares the depth, whose numerator at the centre is numerator_, with that of the visible
+/// polygon.
 std::strong_ordering TruePicture::compared(const ExactDepth& depth, Owner owner, int column,
                                            int row) {
   const ExactDepth& other = seen_[owner];

@@ -18,24 +18,23 @@
 
 namespace displayfile {
 
-/// A point of the picture in whole numbers: x / w and y / w are in pixels, y up, and z / w is its
-/// depth.
+/// A point of the picture in integers: x / w and y / w are in pixels, y up, and z / w is its depth.
 struct TruePoint {
   Integer x, y, z, w;
 };
 
-/// Which three vertices' plane is a polygon's depth, by the definition, computed in doubles as it
-/// says, from device coordinates; nothing if the polygon is edge-on.
+/// The three vertices whose plane is a polygon's depth, by the definition, computed in doubles as
+/// specified there, from device coordinates; none if the polygon is edge-on.
 std::optional<std::array<std::size_t, 3>> support_of(std::span<const Point3> device);
 
-/// A plane's depth at the pixel centres: (origin + row up + column right) / divisor, whole numbers,
-/// the divisor positive.
+/// A plane's depth at the pixel centres: (origin + row up + column right) / divisor, integers, with
+/// a positive divisor.
 class ExactDepth {
  public:
   /// The plane through three points, whose w may have any sign.
   ExactDepth(const TruePoint& p, const TruePoint& q, const TruePoint& r);
 
-  /// The three are in line in the projection: there is no plane.
+  /// True if the three points are collinear in the projection: there is no plane.
   bool edge_on() const { return divisor_ == 0; }
   const Integer& divisor() const { return divisor_; }
   const Integer& right() const { return right_; }
@@ -49,7 +48,7 @@ class ExactDepth {
   Integer origin_, right_, up_, divisor_;
 };
 
-/// The pixels that a polygon covers: for each row, which columns begin after an odd number of
+/// The pixels that a polygon covers: for each row, the columns that begin after an odd number of
 /// its edges.
 class CentreMarks {
  public:
@@ -106,7 +105,7 @@ class TruePicture {
   static constexpr std::size_t kBytesOfPixel = 17;
 
  private:
-  /// A polygon that is, or was, seen somewhere: its place in `seen_`.
+  /// A polygon that is, or was, visible somewhere: its index in `seen_`.
   using Owner = std::uint32_t;
   static constexpr Owner kNone = std::numeric_limits<Owner>::max();
 

@@ -21,7 +21,7 @@ bool are_in_line(const WholePoint& p, const WholePoint& q, const WholePoint& r) 
   return is_zero(cross(difference(q, p), difference(r, p)));
 }
 
-/// The largest magnitude of a coordinate that something of the segment was entered with.
+/// The largest magnitude of a coordinate entered in the segment.
 double largest_coordinate(const RetainedScene& scene, const RetainedScene::Segment& segment) {
   double most = 0.0;
   for (std::uint32_t i = segment.first; i < segment.end; ++i) {
@@ -83,7 +83,7 @@ TruePlanes::TruePlanes(const RetainedScene& scene, const std::optional<Touching>
   find_planes();
 }
 
-/// The largest of the segments', before the modelling transformation.
+/// The largest reach of the segments, before the modelling transformation.
 double TruePlanes::entered_reach() const {
   constexpr double kUnits = 8.0, kDouble = 0x1p-52;
   double reach = 0.0;
@@ -139,7 +139,7 @@ std::size_t TruePlanes::touching() const {
 
 namespace {
 
-/// The greatest distance at which something may lie in a plane, rounded up.
+/// The reach, the greatest distance of a point that lies in a plane, rounded up.
 double rounded_up(const Integer& squared, int places) {
   Division division;
   return std::sqrt(division.nearest_double(squared, Integer(1) << bits(2 * places))) * (1.0 + 1e-9);
@@ -165,7 +165,7 @@ Point3 direction_of(const WholePoint& d) {
   return scaled_down / glm::length(scaled_down);
 }
 
-/// What tells quickly that a point is too far from a plane to lie in it.
+/// A fast test that a point is too far from a plane to lie in it.
 struct FarFrom {
   Point3 direction;
   double offset, reach;
@@ -173,8 +173,8 @@ struct FarFrom {
 
 }  // namespace
 
-/// Polygons in order of falling area, equal ones in order of entry: each lies in the first plane so
-/// far that it touches, or else its own is a new one.
+/// Assigns planes to polygons in order of decreasing area, equal ones in order of entry: each lies
+/// in the first plane found so far that it touches, or else its own is a new one.
 void TruePlanes::find_planes() {
   std::vector<std::uint32_t> polygons;
   std::vector<double> area(scene_.size());
@@ -219,7 +219,8 @@ TruePlanes::Plane TruePlanes::plane_through(std::uint32_t polygon) const {
   return plane;
 }
 
-/// With the normal n, and s = n . (v - p): s^2 <= reach^2 n^2 for each vertex v.
+/// True if the polygon lies in the plane. With the normal n, and s = n . (v - p): s^2 <= reach^2
+/// n^2 for each vertex v.
 bool TruePlanes::lies_in(std::uint32_t polygon, const Plane& plane) const {
   const Reach &a = placed(polygon).reach, &b = placed(plane.polygon).reach;
   const bool is_b = (b.squared << bits(2 * a.places)) > (a.squared << bits(2 * b.places));

@@ -13,13 +13,13 @@
 
 namespace displayfile {
 
-/// Which three of a polygon's vertices its support plane goes through, by the definition
-/// (interp/truth/entered_truth.md), from the points as they were entered; nothing if all of them
-/// are in line, exactly.
+/// The three vertices of a polygon that define its support plane, by the definition
+/// (interp/truth/entered_truth.md), from the points as entered; none if all of them are exactly
+/// collinear.
 std::optional<std::array<std::size_t, 3>> entered_support(std::span<const Point3> entered);
 
-/// The planes that the polygons of a scene lie in, by the definition alone: each polygon's own, or
-/// that of a polygon that it touches. Exact, and nothing is shared with the methods.
+/// The planes in which the polygons of a scene lie, by the definition alone: each polygon's own, or
+/// that of a polygon that it touches. Exact; shares nothing with the methods.
 class TruePlanes {
  public:
   /// The scene must outlive this; `touching` overrides that of its segments. Checks the thread's
@@ -28,11 +28,11 @@ class TruePlanes {
 
   /// A polygon's vertex in world coordinates.
   WholePoint vertex(std::uint32_t polygon, std::size_t corner) const;
-  /// Three points of the polygon's support plane as it was entered; nothing if it has none.
+  /// Three points of the polygon's support plane as entered; none if it has none.
   std::optional<std::array<WholePoint, 3>> own_plane(std::uint32_t polygon) const;
-  /// The polygon whose support plane the polygon lies in: itself where it touches no other's.
+  /// The polygon in whose support plane the polygon lies: itself if it touches no other's.
   std::uint32_t plane_of(std::uint32_t polygon) const { return plane_of_[polygon]; }
-  /// How many polygons lie in the plane of another.
+  /// The number of polygons that lie in the plane of another.
   std::size_t touching() const;
 
  private:

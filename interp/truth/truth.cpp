@@ -22,12 +22,12 @@ namespace displayfile {
 
 namespace {
 
-/// The planes that polygons share with others as they were entered, of the solid polygons in order.
+/// The planes that polygons share with others as entered, for the solid polygons in order.
 class SharedPlanes {
  public:
   explicit SharedPlanes(const DisplayFile& display_file) : scene_(display_file) {}
 
-  /// Three points of the next polygon's; nothing if it shares none.
+  /// Three points of the next polygon's plane; none if it shares none.
   std::optional<std::array<Point3, 3>> next() {
     while (scene_.kind(item_) != Primitives::Kind::solid) ++item_;
     const Primitives::PlanePoints* const plane = scene_.shared_plane(item_++);
@@ -41,7 +41,7 @@ class SharedPlanes {
   ViewedScene::Item item_ = 0;
 };
 
-/// Hands a segment's solid polygons to the picture.
+/// Passes a segment's solid polygons to the picture.
 struct SegmentWalk {
   TruePicture& picture;
   SharedPlanes& shared;

@@ -1,4 +1,4 @@
-// A build with neither GMP nor LibTomMath, and for no page: the truth has no whole numbers of its
+// A build with neither GMP nor LibTomMath, and not for a web page: the truth has no integers of its
 // own.
 
 #include "clip/base/error.h"

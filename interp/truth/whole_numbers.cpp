@@ -65,7 +65,7 @@ double Division::nearest_double(const Integer& a, const Integer& b) {
     set_shifted_left(shifted_, b, static_cast<std::size_t>(-places));
     divide(a, shifted_, quotient_, rest_);
   }
-  // The last digit says whether anything follows it.
+  // The last digit is set if anything follows it.
   std::uint64_t digits = magnitude(quotient_);
   if (rest_ != 0) digits |= 1;
   const int dropped =

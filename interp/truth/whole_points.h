@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-// Points in space in whole numbers, before viewing, for the truth alone.
+// Points in space in integer coordinates, before viewing, for the truth alone.
 
 /// A point, or a difference of two: its coordinates are x, y, z over 2^places.
 struct WholePoint {
@@ -16,20 +16,20 @@ struct WholePoint {
   int places = 0;
 };
 
-/// Its coordinates, which are finite, as they are.
+/// Converts finite coordinates exactly.
 WholePoint whole(const Point3& point);
 
 /// The same point with at least that many places.
 WholePoint with_places(WholePoint point, int places);
 
-/// The places of the result are those of the argument that has more.
+/// The result has the places of the argument that has more.
 WholePoint difference(const WholePoint& a, const WholePoint& b);
-/// The places of a product are those of both arguments together.
+/// A product has the sum of both arguments' places.
 WholePoint cross(const WholePoint& a, const WholePoint& b);
 Integer dot(const WholePoint& a, const WholePoint& b);
 bool is_zero(const WholePoint& difference);
 
-/// A modelling matrix, whose twelve doubles are taken as they are.
+/// A modelling matrix, whose twelve doubles are taken as exact.
 class WholeMatrix {
  public:
   explicit WholeMatrix(const glm::dmat4x3& matrix);

@@ -20,7 +20,7 @@ namespace {
 
 using Indices = std::array<std::size_t, 3>;
 
-/// The definition's choice with distances that are not rounded: those of device coordinates, of a
+/// The definition's choice of support vertices with unrounded distances, in device coordinates of a
 /// picture of that size. The first vertex is at p.
 Indices exact_support_of(std::span<const TruePoint> polygon, int width, int height) {
   struct Place {
@@ -49,7 +49,7 @@ Indices exact_support_of(std::span<const TruePoint> polygon, int width, int heig
   return {0, q, r};
 }
 
-/// The polygons of one segment, on their way into the picture.
+/// Enters the polygons of one segment into the picture.
 class SegmentPolygons {
  public:
   SegmentPolygons(const RetainedScene& retained, const View& view, const ImageTransformation& image,
@@ -99,7 +99,7 @@ void SegmentPolygons::enter(std::uint32_t primitive) {
       !ExactProjection::faces_viewer(viewed_))
     return;
   const std::int32_t pick = retained_[primitive].pick;
-  // Whatever clipping leaves of a triangle is in its plane.
+  // All that clipping leaves of a triangle is in its plane.
   if (is_triangle) return picture_.enter(points_, {whole_.data(), &whole_[1], &whole_[2]}, pick);
   std::optional<Indices> support = support_in_display_file(world);
   if (!support) support = exact_support_of(points_, width_, height_);
@@ -107,8 +107,8 @@ void SegmentPolygons::enter(std::uint32_t primitive) {
   picture_.enter(points_, {&points_[p], &points_[q], &points_[r]}, pick);
 }
 
-/// Which vertices the definition takes of what the display file has of the polygon. Nothing if that
-/// is nothing, or edge-on, or has other vertices: rounding decided what was clipped.
+/// The vertices that the definition chooses from the display file's form of the polygon. None if it
+/// has no such form, is edge-on there, or has other vertices: rounding decided the clipping.
 std::optional<Indices> SegmentPolygons::support_in_display_file(std::span<const Point3> world) {
   const auto clipped = pipeline_.clip_polygon(world).vertices;
   if (clipped.size() != points_.size()) return std::nullopt;

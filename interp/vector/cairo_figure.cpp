@@ -13,21 +13,21 @@ namespace displayfile {
 
 namespace {
 
-/// In [0,1]. Cairo writes six decimals, and MuPDF takes the whole part of 255 times as much: what
-/// is no more than the component would come out as the level below.
+/// A component in [0,1]. Cairo writes six decimals, and MuPDF truncates 255 times the value:
+/// without an increment the result would be the level below.
 double component(std::uint32_t level) {
   constexpr double kLastDecimal = 1e-6;
   return level == 0 ? 0.0 : std::min(level / 255.0 + kLastDecimal, 1.0);
 }
 
-/// Red, green and blue.
+/// The red, green and blue components.
 std::array<double, 3> components_of(std::uint32_t pixel) {
   return {component(pixel & 0xff), component((pixel >> 8) & 0xff), component((pixel >> 16) & 0xff)};
 }
 
-/// Cairo writes a gradient anew each time that something is painted with it, and who reads many
-/// takes long. So what varies by no more than so many levels is painted in the colour half way: a
-/// region, and its traps, of which little is to be seen; all traps where there are many ramps,
+/// Cairo writes a gradient anew each time that it paints with it, and files with many are slow to
+/// read. A region that varies by no more than this many levels is therefore painted in the middle
+/// colour, and so are traps, of which little is visible, and all traps where there are many ramps,
 /// which are short then.
 constexpr double kEvenLevelsOfRegion = 2.0, kEvenLevelsOfTrap = 8.0;
 constexpr std::ptrdiff_t kManyRamps = 1000;
@@ -38,7 +38,8 @@ double even_levels_of_traps(const Figure& figure) {
   return ramps <= kManyRamps ? kEvenLevelsOfTrap : 255.0;
 }
 
-/// Sets the paint, where the points are painted: even if it varies by no more than so many levels.
+/// Sets the paint for an area with these points: one colour if it varies by no more than that many
+/// levels.
 void set_paint(_cairo* context, const FillPaint& paint, std::span<const LatticePoint> points,
                double unit, double even_levels) {
   if (!paint.ramp) return set_cairo_colour(context, paint.pixel);

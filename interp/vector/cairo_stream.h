@@ -6,7 +6,7 @@
 
 namespace displayfile {
 
-/// What a Cairo surface calls to write itself to a stream, the closure.
+/// Cairo's callback for writing a surface to a stream, the closure.
 inline cairo_status_t write_to_stream(void* stream, const unsigned char* data, unsigned length) {
   auto& out = *static_cast<std::ostream*>(stream);
   out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(length));

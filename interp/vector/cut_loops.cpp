@@ -30,8 +30,8 @@ struct Cut {
   }
 };
 
-/// The nearest point of the lattice to where the side crosses, the same whichever way it is run
-/// along.
+/// The lattice point nearest to where the side crosses the cut, the same for both directions of the
+/// side.
 LatticePoint crossing(const LatticeSide& side, const Cut& cut) {
   using Wide = std::int64_t;
   const auto [low, high] = std::minmax(
@@ -49,8 +49,7 @@ LatticePoint crossing(const LatticeSide& side, const Cut& cut) {
   return cut.point(static_cast<std::int32_t>(low.*cut.along + rise));
 }
 
-/// Through the middle of the vertices, with some of them on either side; nothing if they are no
-/// farther apart than a unit.
+/// A cut through the median vertex, with vertices on both sides; none if they are within one unit.
 std::optional<Cut> middle_cut(const LatticeLoops& loops, Coordinate across, Coordinate along) {
   std::vector<std::int32_t> places;
   places.reserve(loops.points.size());
@@ -70,8 +69,8 @@ std::size_t crossed_by(const LatticeLoops& loops, const Cut& cut) {
   return crossed;
 }
 
-/// The one that crosses fewer sides. There is one: vertices that are no farther apart than a unit
-/// in both directions are four, and six sides join them.
+/// The cut, by column or by row, that crosses fewer sides. One exists: at most four vertices are
+/// within one unit in both directions, joined by six sides.
 Cut best_cut(const LatticeLoops& loops) {
   const auto column = middle_cut(loops, &LatticePoint::x, &LatticePoint::y);
   const auto row = middle_cut(loops, &LatticePoint::y, &LatticePoint::x);
@@ -80,8 +79,8 @@ Cut best_cut(const LatticeLoops& loops) {
   return crossed_by(loops, *column) <= crossed_by(loops, *row) ? *column : *row;
 }
 
-/// The vertices of the loops on the cut, in order, each once: those that are there, and where sides
-/// cross.
+/// The vertices of the loops on the cut, in order, without duplicates: existing ones, and crossings
+/// of sides.
 std::vector<LatticePoint> vertices_on(const Cut& cut, const LatticeLoops& loops,
                                       VerticesOnSides& put) {
   std::vector<LatticePoint> there;
@@ -96,7 +95,7 @@ std::vector<LatticePoint> vertices_on(const Cut& cut, const LatticeLoops& loops,
   return there;
 }
 
-/// Sides along a cut that have several of its vertices in them.
+/// Adds the vertices of the cut that are inside sides along it.
 void put_on_sides_along(const Cut& cut, const LatticeLoops& loops,
                         std::span<const LatticePoint> there, VerticesOnSides& put) {
   for_each_side(loops, [&](const LatticePoint& from, const LatticePoint& to) {
@@ -110,7 +109,8 @@ void put_on_sides_along(const Cut& cut, const LatticeLoops& loops,
   });
 }
 
-/// A loop that runs along the cut where it was beyond it: from vertex to vertex on the way.
+/// The half of a loop on one side of a cut: where the loop was beyond the cut, it runs along it
+/// through its vertices.
 class HalfOfLoop {
  public:
   HalfOfLoop(const Cut& cut, int half, std::span<const LatticePoint> there)
@@ -131,7 +131,7 @@ class HalfOfLoop {
     if (!kept_.empty()) run_along(kept_.back(), p);
     kept_.push_back(p);
   }
-  /// Adds what is between two points of the cut. Others are joined by a side already.
+  /// Adds the vertices between two points of the cut. Other points are already joined by a side.
   void run_along(LatticePoint from, LatticePoint to) {
     if (cut_.side_of(from) != 0 || cut_.side_of(to) != 0) return;
     const auto [low, high] = std::minmax(from, to);
@@ -151,8 +151,8 @@ class HalfOfLoop {
   std::vector<LatticePoint> kept_;
 };
 
-/// What of the loops, which have all vertices on the cut, lies on one side of it. What runs along
-/// the cut twice is gone.
+/// The part on one side of the cut, of loops that have all vertices on it. Sides that run along the
+/// cut twice are removed.
 LatticeLoops half_of(const LatticeLoops& loops, const Cut& cut, int half,
                      std::span<const LatticePoint> there) {
   HalfOfLoop half_of_loop(cut, half, there);

@@ -24,7 +24,7 @@ bool in_line(Loop loop) {
   });
 }
 
-/// Cuts what has more vertices than a path may have.
+/// Cuts loops with more vertices than a path may have.
 void cut_long_loops(Figure& figure) {
   const auto is_long = [](const LatticeLoops& loops) {
     return loops.points.size() > Figure::kMostVertices;
@@ -52,7 +52,7 @@ void cut_long_loops(Figure& figure) {
   }
 }
 
-/// What closes the seams between the parts of the outline.
+/// The triangles that close the seams between the parts of the outline.
 std::vector<LatticeLoops> tents_of_outline(const Figure& figure) {
   std::vector<FigureRegion> parts;
   for (const LatticeLoops& part : figure.outline) parts.push_back({0, 0, {}, part});

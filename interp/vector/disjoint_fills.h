@@ -15,7 +15,8 @@
 
 namespace displayfile {
 
-/// Pieces of one segment and one paint as one path: of one pick identifier if those are kept apart.
+/// Pieces of one segment and one paint as one path, and of one pick identifier if these are kept
+/// apart.
 struct FigureRegion {
   int segment;  ///< 0 if the pieces came within one segment
   std::int32_t pick;
@@ -23,21 +24,20 @@ struct FigureRegion {
   LatticeLoops loops;
 };
 
-/// Sides of regions that are stroked under them in the paint of the region whose they are, the
-/// earlier of two.
+/// Sides of regions that are stroked under them, in the paint of the earlier of the two regions.
 struct FigureTrap {
   FillPaint paint;
   LatticeChains sides;
 };
 
-/// Disjoint fills as they are written (interp/vector/seams.md).
+/// Disjoint fills in the form in which they are written (interp/vector/seams.md).
 struct Figure {
   double unit;  ///< of coordinates, in pixels
   /// Disjoint regions, those of a segment consecutive; none has more than kMostVertices. Of two
   /// neighbours the earlier is the one that comes first here.
   std::vector<FigureRegion> regions;
-  /// Every side of a region once, those on the outline too; in the order in which they are drawn,
-  /// from the last region to the first. Empty if the figure is butted, or one region.
+  /// Every side of a region once, including those on the outline; in drawing order, from the last
+  /// region to the first. Empty if the figure is butted, or one region.
   std::vector<FigureTrap> traps;
   /// The outline of all regions together, in parts of no more than kMostVertices; most have one.
   std::vector<LatticeLoops> outline;

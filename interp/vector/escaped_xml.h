@@ -12,7 +12,7 @@ inline constexpr std::string_view kXmlDeclaration = "<?xml version=\"1.0\" encod
 inline constexpr std::string_view kInkscapeNamespace =
     " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"";
 
-/// Characters as XML has them, between tags.
+/// Escapes characters for XML text between tags.
 inline void append_escaped(std::string& out, std::string_view characters) {
   for (const char c : characters) {
     switch (c) {
@@ -24,15 +24,15 @@ inline void append_escaped(std::string& out, std::string_view characters) {
   }
 }
 
-/// The value of font-family for a font, whose name needs no escapes: the name, and sans-serif where
-/// the viewer does not have it; or one of the kinds that CSS names.
+/// The value of font-family for a font, whose name needs no escapes: the name, with sans-serif as a
+/// fallback; or one of the generic families of CSS.
 inline std::string css_font(const std::string& font) {
   constexpr std::string_view kKinds[] = {"sans-serif", "serif", "monospace", "cursive", "fantasy"};
   if (std::ranges::find(kKinds, font) != std::end(kKinds)) return font;
   return "'" + font + "',sans-serif";
 }
 
-/// The same in the value of an attribute, between double quotation marks.
+/// The same for the value of an attribute, between double quotation marks.
 inline void append_escaped_value(std::string& out, std::string_view characters) {
   for (std::size_t end = 0; end != characters.npos;) {
     end = characters.find('"');

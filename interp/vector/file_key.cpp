@@ -17,7 +17,7 @@ std::uint64_t number_of(std::string_view bytes) {
   return number;
 }
 
-/// Each factor is odd, so that no bit of what came before is lost.
+/// Each factor is odd, so that no bit of the previous hash is lost.
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t more) {
   hash = (hash ^ more) * 0xD6E8FEB86659FD93u;
   return hash ^ (hash >> 32);

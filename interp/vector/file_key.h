@@ -7,13 +7,13 @@
 
 namespace displayfile {
 
-// In a page that holds several SVG files, ids, classes and rules of style are those of the page.
-// So ids, and classes that have rules, end in the file's key: of other drawings it is another, and
-// of the same drawing the same. Where a prefix is set (VectorOptions::id_prefix), they begin with
+// In a page with several SVG files, ids, classes and style rules are shared by the whole page. So
+// ids, and classes that have rules, end in the file's key, which differs between drawings and is
+// the same for the same drawing. If a prefix is set (VectorOptions::id_prefix), they begin with
 // that instead.
 
-/// Ends a name in a text whose key is not known yet. Names are of letters, digits, - and _; texts
-/// have no control characters.
+/// Ends a name in a text whose key is not known yet. Names consist of letters, digits, - and _;
+/// texts have no control characters.
 inline constexpr std::string_view kOwn = "-\x01";
 
 /// The key of a text in parts: 7 characters 0-9a-z, 36 bits of a hash of the bytes.

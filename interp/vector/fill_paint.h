@@ -13,7 +13,7 @@ namespace displayfile {
 struct ColourRamp {
   double black_x, black_y, full_x, full_y;
 
-  /// The part of the full colour there: not bounded to [0,1].
+  /// The fraction of the full colour there: not clamped to [0,1].
   double at(const Point2& page) const {
     const Point2 from(black_x, black_y), way = Point2(full_x, full_y) - from, p = page - from;
     return (p.x * way.x + p.y * way.y) / (way.x * way.x + way.y * way.y);
@@ -21,7 +21,7 @@ struct ColourRamp {
   friend auto operator<=>(const ColourRamp&, const ColourRamp&) = default;
 };
 
-/// What a region is painted with, and its traps: a colour, or a ramp from black to it.
+/// The paint of a region and of its traps: a colour, or a ramp from black to it.
 struct FillPaint {
   std::uint32_t pixel;  ///< pixel_of the colour
   std::optional<ColourRamp> ramp = std::nullopt;

@@ -8,7 +8,7 @@ namespace displayfile {
 
 namespace {
 
-/// Those that lie there an odd number of times, once each, sorted.
+/// The sides that occur an odd number of times in the loops, once each, sorted.
 std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>> loops) {
   std::vector<LatticeSide> sides;
   std::size_t corners = 0;
@@ -33,18 +33,18 @@ std::vector<LatticeSide> odd_sides(std::span<const std::span<const LatticePoint>
 
 using Wide = std::int64_t;
 
-/// The turn: the cross product of the ways from o to p and to q. Differences have 31 bits at most.
+/// The cross product of the vectors from o to p and to q. Differences have 31 bits at most.
 Wide turn(const LatticePoint& o, const LatticePoint& p, const LatticePoint& q) {
   return (Wide{p.x} - o.x) * (Wide{q.y} - o.y) - (Wide{p.y} - o.y) * (Wide{q.x} - o.x);
 }
 
-/// An end of a side, which says on what line it lies.
+/// An end of a side, with the side, which determines its line.
 struct EndOnLine {
   LatticeSide side;
   LatticePoint at;
 };
 
-/// By the direction of the line, then from line to line, then along it.
+/// Orders by the direction of the line, then by the line, then along it.
 bool before_along_lines(const EndOnLine& p, const EndOnLine& q) {
   const auto [from, to] = p.side;
   const auto [other_from, other_to] = q.side;
@@ -55,8 +55,8 @@ bool before_along_lines(const EndOnLine& p, const EndOnLine& q) {
   return beside != 0 ? beside > 0 : p.at < q.at;
 }
 
-/// What of the sides lies there an odd number of times, where they lie upon each other in part: on
-/// a line what has an odd number of ends before it. A line has an even number of them.
+/// The parts covered by an odd number of sides, where sides overlap partially: the points of a line
+/// with an odd number of ends before them. A line has an even number of ends.
 std::vector<LatticeSide> odd_parts(std::span<const LatticeSide> sides) {
   std::vector<EndOnLine> ends;
   ends.reserve(2 * sides.size());
@@ -79,7 +79,7 @@ struct LeavingSide {
   std::size_t side;
 };
 
-/// By the angle from the direction of -x, and in one direction by the other end.
+/// Orders by the angle from the direction of -x, and in one direction by the other end.
 bool before_in_angle(const LeavingSide& p, const LeavingSide& q) {
   const auto upper = [](const LeavingSide& s) {
     return s.to.y > s.from.y || (s.to.y == s.from.y && s.to.x > s.from.x);
@@ -89,8 +89,8 @@ bool before_in_angle(const LeavingSide& p, const LeavingSide& q) {
   return turned != 0 ? turned > 0 : p.to < q.to;
 }
 
-/// At each vertex the sides that leave it are paired: neighbours in angle, so that no two pairs
-/// cross. There is an even number of them.
+/// At each vertex the outgoing sides are paired: neighbours in angle, so that no two pairs cross.
+/// Their number is even.
 class PairedSides {
  public:
   explicit PairedSides(std::span<const LatticeSide> sides) : twins_(2 * sides.size()) {
@@ -125,7 +125,7 @@ class PairedSides {
 
   std::size_t size() const { return leaving_.size(); }
   const LeavingSide& operator[](std::size_t i) const { return leaving_[i]; }
-  /// The one by which a loop goes on that came along i.
+  /// The side with which a loop that arrived along i continues.
   std::size_t next(std::size_t i) const { return twins_[i] ^ 1; }
 
  private:
@@ -135,7 +135,7 @@ class PairedSides {
   std::vector<std::size_t> twins_;  // the same side as it leaves its other end
 };
 
-/// Each of the sides once. Every vertex has an even number of them.
+/// Chains the sides to loops, using each once. Every vertex has an even number of them.
 LatticeLoops chained_loops(std::span<const LatticeSide> sides) {
   const PairedSides paired(sides);
   std::vector<bool> chained(sides.size());

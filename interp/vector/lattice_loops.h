@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// A point in whole units of a stated precision, y down, from the picture's top left corner.
+/// A point in integer units of a stated precision, y down, from the picture's top left corner.
 struct LatticePoint {
   std::int32_t x, y;
   friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
@@ -45,14 +45,14 @@ struct LatticeChains {
   }
 };
 
-/// A side, whichever way it is run along.
+/// A side, independent of its direction.
 struct LatticeSide {
   LatticePoint a, b;  ///< a < b
   LatticeSide(const LatticePoint& p, const LatticePoint& q) : a(p < q ? p : q), b(p < q ? q : p) {}
   friend auto operator<=>(const LatticeSide&, const LatticeSide&) = default;
 };
 
-/// Calls visit(from, to) for each side, as it is run along.
+/// Calls visit(from, to) for each side, in its direction.
 template <class Visit>
 void for_each_side(std::span<const LatticePoint> loop, Visit&& visit) {
   if (loop.empty()) return;
@@ -67,9 +67,9 @@ void for_each_side(const LatticeLoops& loops, Visit&& visit) {
   for (std::size_t k = 0; k < loops.size(); ++k) for_each_side(loops.loop(k), visit);
 }
 
-/// The boundary of what an odd number of these loops cover: a side that lies in them an even number
-/// of times, in whichever directions, is gone, and the others are chained. The loops cross
-/// neither each other nor themselves where those that came in did not; they may touch at vertices.
+/// The boundary of the area covered by an odd number of these loops: sides that occur an even
+/// number of times, in any directions, are removed, and the others are chained. The resulting loops
+/// cross neither each other nor themselves if the given ones do not; they may touch at vertices.
 /// O(n log n).
 LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops);
 
@@ -77,9 +77,8 @@ LatticeLoops boundary_of(std::span<const std::span<const LatticePoint>> loops);
 /// removed too, and straight vertices. Collinear sides have at most one common point.
 LatticeLoops outline_of(std::span<const std::span<const LatticePoint>> loops);
 
-/// Leaves out each vertex that is straight, and so for all whose sides end there: two sides in
-/// line, and no third, in all of these loops together. Neighbours still have the same sides
-/// afterwards.
+/// Removes each vertex that is straight for all sides that end there: two collinear sides, and no
+/// third, in all of these loops together. Neighbours still have the same sides afterwards.
 void drop_straight_vertices(std::span<LatticeLoops* const> all);
 
 }  // namespace displayfile

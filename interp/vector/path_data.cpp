@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// The rows of loops that follow each other, in units: a few pixels.
+/// The height, in units, of the rows in which loops are ordered: a few pixels.
 constexpr std::int32_t kRowOfLoops = 1500;
 
 std::size_t digits(std::int32_t value) {
@@ -18,7 +18,7 @@ std::size_t digits(std::int32_t value) {
   return static_cast<std::size_t>(std::to_chars(text, text + sizeof text, value).ptr - text);
 }
 
-/// Writes commands and numbers with no more between them than readers need.
+/// Writes commands and numbers with the fewest separators that readers need.
 class PathWriter {
  public:
   explicit PathWriter(std::string& out) : out_(out) {}
@@ -65,7 +65,8 @@ class PathWriter {
   LatticePoint at_{0, 0}, start_{0, 0};
 };
 
-/// Where a loop begins, so that its last side takes the most to write.
+/// The first vertex of a loop, so that its last side, which is not written, is the longest to
+/// write.
 std::size_t first_of(std::span<const LatticePoint> loop) {
   std::size_t first = 0, most = 0;
   LatticePoint from = loop.back();
@@ -80,7 +81,7 @@ std::size_t first_of(std::span<const LatticePoint> loop) {
   return first;
 }
 
-/// From left to right in one row and back in the next.
+/// Orders loops from left to right in one row and back in the next.
 template <class FirstVertex>
 std::vector<std::size_t> along_rows(std::size_t count, const FirstVertex& first_vertex) {
   std::vector<std::size_t> order(count);

@@ -25,7 +25,7 @@ void require_success(cairo_status_t status) {
   require_cairo_success(status, "Cairo cannot write the page");
 }
 
-/// Where the picture lies on its paper; on none its pixels are points.
+/// The picture's place on its paper; without paper, pixels are points.
 std::optional<PaperFit> sheet_of(const VectorOptions& options, int width, int height) {
   if (!options.paper) return std::nullopt;
   return fit_on_paper(*options.paper, width, height);
@@ -40,7 +40,7 @@ cairo_surface_t* page_surface(PageFormat format, std::ostream& out, int pixels_a
               : cairo().ps_surface_create_for_stream)(write_to_stream, &out, width, height);
 }
 
-/// Cairo stores the time in it.
+/// Removes the date that Cairo writes.
 std::string without_date(std::string eps) {
   constexpr std::string_view kDate = "%%CreationDate:";
   const std::size_t at = eps.find(kDate);
@@ -48,7 +48,7 @@ std::string without_date(std::string eps) {
   return eps;
 }
 
-/// Cairo's boxes are those of what is drawn; here they are the picture's.
+/// Replaces Cairo's bounding boxes, which are those of the drawing, by the picture's.
 std::string with_boxes(std::string eps, int width, int height) {
   constexpr std::string_view kBox = "BoundingBox:", kEndOfBoxes = "%%EndPageSetup";
   for (std::size_t at = eps.find(kBox); at < eps.find(kEndOfBoxes); at = eps.find(kBox, at)) {
@@ -72,7 +72,7 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
       format_(format),
       surface_(page_surface(format, document_, width, height, sheet_of(options, width, height))) {
   require_success(cairo().surface_status(surface_.get()));
-  if (format == PageFormat::pdf) {  // left to itself Cairo stores the time
+  if (format == PageFormat::pdf) {  // by default Cairo stores the time
     cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                      "2000-01-01T00:00:00Z");
   } else {
@@ -98,7 +98,7 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
 
 PdfDevice::~PdfDevice() = default;
 
-/// Cairo knows no layers: it marks what is in one, as something that it knows.
+/// Cairo has no layers: content of a layer is marked by a structure element that it supports.
 void PdfDevice::begin_layer(std::string_view name) {
   if (name == layer_ || format_ == PageFormat::eps) return;
   if (!layer_.empty()) cairo().tag_end(context_.get(), kMarkOfLayer);
@@ -114,7 +114,7 @@ void PdfDevice::begin_layer(int segment, std::string_view kind) {
   begin_layer(fmt::format("{}: {}", own, kind));
 }
 
-/// Rounded to 8 bits a component, as in every other picture.
+/// Rounds to 8 bits a component, as in every other picture.
 void PdfDevice::set_colour(const Colour& colour) {
   set_cairo_colour(context_.get(), pixel_of(colour));
 }

@@ -19,7 +19,7 @@ struct _cairo_surface;
 
 namespace displayfile {
 
-/// What Cairo writes pages as.
+/// The page format that Cairo writes.
 enum class PageFormat { pdf, eps };
 
 /// Draws a PDF page, or an EPS picture, through Cairo, one point per pixel, on a background if
@@ -50,7 +50,7 @@ class PdfDevice : public VectorDevice {
   void paint_text(const DeviceText& text, const Point2& anchor, double size) override;
 
   void begin_layer(std::string_view name);  ///< for later drawing; empty: none
-  /// That of a segment, or of one kind of its lines.
+  /// Begins the layer of a segment, or of one kind of its lines.
   void begin_layer(int segment, std::string_view kind);
   void set_colour(const Colour& colour);
   void set_path(const Path& path);
@@ -69,15 +69,15 @@ class PdfDevice : public VectorDevice {
   std::unique_ptr<_cairo, Destroy> context_;
 };
 
-/// Draws the visible segments into a PDF file of one page, width x height points, in their
-/// order. The file appears whole or not at all. Throws Error, naming the file, if it cannot be
-/// written, or for a size outside of 1 to kLargestSide. On paper, if one is given: as large as
-/// fits, on a page of its size.
+/// Draws the visible segments, in order, into a PDF file of one page, width x height points. The
+/// file appears whole or not at all. Throws Error, naming the file, if it cannot be written, or for
+/// a size outside of 1 to kLargestSide. With paper, the picture is as large as fits, on a page of
+/// its size.
 void write_pdf(const DisplayFile& display_file, int width, int height, const Destination& to,
                const Background& background = {}, bool colour_rule = false,
                const VectorOptions& options = {});
 
-/// The same into an EPS file, a picture of that size (PostScript, level 3).
+/// The same for an EPS file, a picture of that size (PostScript, level 3).
 void write_eps(const DisplayFile& display_file, int width, int height, const Destination& to,
                const Background& background = {}, bool colour_rule = false,
                const VectorOptions& options = {});

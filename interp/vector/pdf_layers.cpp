@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// A document that is being changed.
+/// A document being changed.
 class Document {
  public:
   explicit Document(const std::string& bytes) : data_(qpdf().init()) {
@@ -68,7 +68,7 @@ class Document {
     check();
   }
 
-  /// What Cairo was told that the marks are is no more.
+  /// Removes the structure tree that Cairo wrote for the marks, which become layers.
   void remove_structure() {
     qpdf().oh_remove_key(data_, qpdf().get_root(data_), "/StructTreeRoot");
     qpdf().oh_remove_key(data_, qpdf().get_root(data_), "/MarkInfo");
@@ -100,7 +100,7 @@ class Document {
   qpdf_oh page_ = 0;
 };
 
-/// The content with its marks, `/Span << /MCID n >> BDC`, as those of layers, `/OC /Ln BDC`.
+/// Replaces the content's marks, `/Span << /MCID n >> BDC`, by those of layers, `/OC /Ln BDC`.
 std::string with_marks_of_layers(std::string_view content, std::span<const std::size_t> layers) {
   const std::string mark = fmt::format("/{} <<", kMarkOfLayer);
   constexpr std::string_view kBegin = "BDC";

@@ -23,10 +23,10 @@ constexpr double kEvenLevels = 0.5, kRampTolerance = 0.125;
 /// In pixels.
 constexpr double kLongestRamp = 1e6;
 
-/// More digits than renderers have.
+/// More digits than renderers use.
 constexpr int kMostDecimals = 6;
 
-/// Linear over the page.
+/// An intensity that is linear over the page.
 struct PageIntensity {
   Point2 origin, slope;
   double at_origin;
@@ -53,7 +53,7 @@ PageIntensity intensity_over_page(const DrawnPolygon& polygon, std::span<const P
   return {p, {plane.dz_dx, plane.dz_dy}, p.z};
 }
 
-/// Black where the intensity is 0, full where it is 1, on a line through that point.
+/// Black where the intensity is 0 and full where it is 1, on a line through that point.
 ColourRamp ramp_through(const Point2& middle, const PageIntensity& intensity) {
   const Point2& slope = intensity.slope;
   const Point2 whole = 1.0 / (slope.x * slope.x + slope.y * slope.y) * slope;

@@ -19,10 +19,10 @@ namespace displayfile {
 /// along it is visible, and its ramp runs from its first vertex to the one farthest from it.
 class PolygonPaints {
  public:
-  /// `page` are its vertices in pixels, y down, finite, and `shown` points of the area to paint,
-  /// near the page, where ramps are. The ends of ramps are rounded to multiples of `unit` pixels
-  /// where those suffice, and otherwise to decimals of them. Consecutive pieces of one triangle,
-  /// known by their pick identifier, get the same paint.
+  /// `page` are the polygon's vertices in pixels, y down, finite, and `shown` are points of the
+  /// painted area, near the page, where ramps are placed. The ends of ramps are rounded to
+  /// multiples of `unit` pixels where that suffices, and otherwise to decimals of them. Consecutive
+  /// pieces of one triangle, recognised by their pick identifier, get the same paint.
   FillPaint paint_of(const DrawnPolygon& polygon, std::span<const Point2> page,
                      std::span<const Point2> shown, double unit);
 

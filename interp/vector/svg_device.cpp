@@ -50,7 +50,7 @@ void append_thousandths(std::string& out, long long thousandths) {
 /// A coordinate to a thousandth of a pixel. At most 1e6 in magnitude.
 void append_coordinate(std::string& out, double v) { append_thousandths(out, thousandths_of(v)); }
 
-/// A number after another, with a blank between them where they would read as one.
+/// Appends a number after another, with a blank between them where they would read as one.
 void append_next_thousandths(std::string& out, long long thousandths, bool before_has_point) {
   const bool begins_with_point = thousandths > 0 && thousandths < 1000;
   if (thousandths >= 0 && !(begins_with_point && before_has_point)) out.push_back(' ');
@@ -69,7 +69,7 @@ std::string_view text_anchor(TextStyle::Alignment alignment) {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// True for names that ids of ramps, masks and traps have.
+/// True for names used as ids of ramps, masks and traps.
 bool is_reserved(std::string_view name) {
   for (const std::string_view kind : {"r", "c", "figure-", "traps-"}) {
     if (name.starts_with(kind) && std::ranges::all_of(name.substr(kind.size()), is_digit)) {
@@ -79,8 +79,8 @@ bool is_reserved(std::string_view name) {
   return false;
 }
 
-/// A title as a name: letters, digits, - and _, and _ for each other character; it begins with a
-/// letter or _.
+/// Converts a title to a name: letters, digits, - and _ unchanged, and _ for each other character;
+/// it begins with a letter or _.
 std::string id_of_title(std::string_view title) {
   std::string id;
   while (!title.empty()) {
@@ -99,7 +99,7 @@ std::string hex(std::uint32_t pixel) {
 
 }  // namespace
 
-/// The name, or where an element has that id already, with a number after it.
+/// The name, with a number appended if an element already has that id.
 std::string SvgDevice::new_id(const std::string& name) {
   for (int& times = times_taken_[name];;) {
     std::string id = ++times == 1 ? name : fmt::format("{}-{}", name, times);
@@ -133,8 +133,8 @@ void SvgDevice::close_group() {
   joinable_ = {};
 }
 
-/// The first point of each run as it is, the others as steps from the one before: as rounded
-/// points are apart, so that no error adds up.
+/// Writes the first point of each run absolute, the others as differences of rounded points, so
+/// that errors do not accumulate.
 void SvgDevice::append_path_data(const Path& path) {
   data_.clear();
   for (std::size_t i = 0; i < path.runs.size(); ++i) {
@@ -202,7 +202,7 @@ void SvgDevice::paint_lines(const Path& path, const LineStyle& style, LineKinds 
   joinable_ = {};
 }
 
-/// Blanks are kept where XML would take several for one.
+/// Blanks that XML would collapse are preserved.
 void SvgDevice::paint_text(const DeviceText& text, const Point2& anchor, double size) {
   const TextKey key{pixel_of(text.line.colour), size, text.style.alignment};
   const std::size_t number = text_classes_.try_emplace(key, text_classes_.size() + 1).first->second;
@@ -265,7 +265,7 @@ std::vector<std::string> SvgDevice::style_rules() const {
   return all;
 }
 
-/// All that stands before the body.
+/// Writes everything before the body.
 void SvgDevice::write_beginning(std::ostream& out) const {
   const bool solid = background().kind == Background::Kind::solid;
   if (!options().is_inline) out << kXmlDeclaration;
@@ -281,7 +281,7 @@ void SvgDevice::write_beginning(std::ostream& out) const {
     out << fmt::format(
         ".figure{0}{{fill-rule:evenodd;stroke-linejoin:round;stroke-linecap:round}}\n"
         ".pieces{0},.pieces{0} .segment{0}{{stroke-width:0}}\n.whole{0}{{fill:#fff}}\n"
-        // The class of what <use> draws again: outside of it no class is seen from there.
+        // On the elements repeated by <use>: selectors there do not see classes outside of them.
         ".traps{0}{{stroke-width:{1:.0f}}}\n.sides{0} path{{fill:none}}\n",
         kOwn, std::ceil(kTrapWidth / options().precision));
   }

@@ -20,19 +20,18 @@
 
 namespace displayfile {
 
-/// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the size asked for, on a
-/// background, or on nothing if it is none. Each segment is a group, `<g id="segment-NAME-KEY"
-/// class="segment-KEY">`; one that is opened again is `segment-NAME-2-KEY`, and so on. The id of
-/// one with a title is made of that: letters a-z and A-Z, digits and - as they are, _ for others;
-/// it has a `<title>`, and if VectorOptions::layers is set each is a layer of Inkscape. Every style
-/// is a class: f1-KEY, f2-KEY, ... of fills, l1-KEY, ... of lines, with round caps and without,
-/// t1-KEY, ... of texts. Where lines were selected, each is also of a class for every kind that it
-/// is: outline, boundary, crease, material, intersection, all (displayfile/segments/line_kinds.md).
-/// These have no rule and are the same in all files; every other name ends in the file's key
-/// (interp/vector/file_key.h), or begins with VectorOptions::id_prefix, so that files in one page
-/// keep apart. Coordinates have three
-/// decimals at most. Disjoint fills are a group of class "figure-KEY", in coordinates of its own:
-/// whole units of the stated precision (interp/vector/seams.md).
+/// Draws an SVG picture (version 1.1 with CSS classes), in pixels of the requested size, on a
+/// background, if any. Each segment is a group, `<g id="segment-NAME-KEY" class="segment-KEY">`;
+/// one that is opened again is `segment-NAME-2-KEY`, and so on. The id of one with a title is made
+/// of that: letters a-z and A-Z, digits and - as they are, _ for others; it has a `<title>`, and if
+/// VectorOptions::layers is set each is a layer of Inkscape. Every style is a class: f1-KEY,
+/// f2-KEY, ... of fills, l1-KEY, ... of lines, with round caps and without, t1-KEY, ... of texts.
+/// Where lines were selected, each also has a class for every kind that it is: outline, boundary,
+/// crease, material, intersection, all (displayfile/segments/line_kinds.md). These have no rule and
+/// are the same in all files; every other name ends in the file's key (interp/vector/file_key.h),
+/// or begins with VectorOptions::id_prefix, so that files in one page do not interfere. Coordinates
+/// have three decimals at most. Disjoint fills are a group of class "figure-KEY", in coordinates of
+/// its own: integer units of the stated precision (interp/vector/seams.md).
 class SvgDevice : public VectorDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide.
@@ -40,7 +39,7 @@ class SvgDevice : public VectorDevice {
             const VectorOptions& options = {})
       : VectorDevice(width, height, background, options) {}
 
-  /// Writes the document. It is kept in memory until then: the classes come first, and they and the
+  /// Writes the document. It is kept in memory until then: the classes come first, but they and the
   /// file's key are known last. Must be called once.
   void finish(std::ostream& out);
 
@@ -85,9 +84,9 @@ class SvgDevice : public VectorDevice {
   std::string data_;
 };
 
-/// Draws the visible segments into an SVG file, in their order. The file appears whole or not at
-/// all. Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
-/// kLargestSide. On paper, if one is given: as large as fits, in millimetres.
+/// Draws the visible segments, in order, into an SVG file. The file appears whole or not at all.
+/// Throws Error, naming the file, if it cannot be written, or for a size outside of 1 to
+/// kLargestSide. With paper, the picture is as large as fits, in millimetres.
 void write_svg(const DisplayFile& display_file, int width, int height, const Destination& to,
                const Background& background = {}, bool colour_rule = false,
                const VectorOptions& options = {});

@@ -1,4 +1,4 @@
-// How SVG has disjoint fills: interp/vector/seams.md.
+// Disjoint fills in SVG: interp/vector/seams.md.
 
 #include <fmt/format.h>
 
@@ -21,8 +21,8 @@ void append_white_path(std::string& out, const char* attributes, const LatticeLo
   out += "\"/>\n";
 }
 
-/// The mask of the outline, in units. Its own bounds leave room, not to be an edge themselves. Of
-/// pieces that are rounded alike there is no outline.
+/// Appends the mask of the outline, in units. Its bounds leave room, so that they are not visible
+/// as an edge. Pieces rounded to the same loops have no outline.
 void append_mask(std::string& out, std::size_t number, const Figure& figure) {
   LatticePoint low = figure.regions.front().loops.points.front(), high = low;
   for (const LatticeLoops& part : figure.outline) {
@@ -46,8 +46,8 @@ void append_mask(std::string& out, std::size_t number, const Figure& figure) {
 
 }  // namespace
 
-/// The beginning of a path: a class, which regions and traps share, or a ramp as its fill or
-/// stroke.
+/// Appends the beginning of a path: a class, which regions and traps share, or a ramp as its fill
+/// or stroke.
 void SvgDevice::append_paint(const char* property, const FillPaint& paint, const Figure& figure) {
   auto out = std::back_inserter(body_);
   if (paint.ramp) {
@@ -59,7 +59,7 @@ void SvgDevice::append_paint(const char* property, const FillPaint& paint, const
   }
 }
 
-/// Drawn once for each width: a group, and the same again.
+/// Appends the traps once for each width: a group, then references to it.
 void SvgDevice::append_traps(const Figure& figure) {
   auto out = std::back_inserter(body_);
   fmt::format_to(out, "<g class=\"traps{1}\">\n<g id=\"traps-{0}{1}\" class=\"sides{1}\">\n",

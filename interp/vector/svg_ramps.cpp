@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// To six decimals at most, which is to what ramps are rounded, in the shortest form.
+/// Appends an end with at most six decimals, the precision of ramps, in the shortest form.
 void append_ramp_end(std::string& out, const char* name, double v) {
   std::string digits = fmt::format("{:.6f}", v);
   digits.erase(digits.find_last_not_of('0') + 1);

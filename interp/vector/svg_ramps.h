@@ -11,14 +11,14 @@
 
 namespace displayfile {
 
-/// The ramps of an SVG document: one gradient for each colour has the stops and is called c1, c2,
-/// ..., and one for each ramp, which refers to it, has the ends and is called r1, r2, ...
+/// The ramps of an SVG document: for each colour a gradient c1, c2, ... with the stops, and for
+/// each ramp a gradient r1, r2, ... that refers to it and has the ends.
 class SvgRamps {
  public:
-  /// The number of the ramp of a paint that has one, with ends in units of this many pixels, as the
-  /// coordinates of the elements that refer to it.
+  /// The number of a paint's ramp, with ends in units of this many pixels, as the coordinates of
+  /// the elements that refer to it.
   std::size_t number(const FillPaint& paint, double unit);
-  /// Writes them as the document's definitions, unless there are none.
+  /// Writes the ramps as the document's definitions, if there are any.
   void write(std::ostream& out) const;
 
  private:

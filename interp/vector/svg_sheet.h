@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// Writes an SVG document, whose size is in pixels, on a sheet: a document in millimetres, in which
-/// the other stands as it is, cut off at its frame.
+/// Writes an SVG document, whose size is in pixels, on a sheet: a document in millimetres, which
+/// contains the other unchanged, clipped to its frame.
 void write_on_sheet(std::string_view document, const PaperFit& sheet, std::ostream& out);
 
 }  // namespace displayfile

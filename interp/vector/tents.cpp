@@ -22,7 +22,7 @@ struct SideOfLoop {
   friend auto operator<=>(const SideOfLoop&, const SideOfLoop&) = default;
 };
 
-/// Sorted. What a region runs along there and back is no side of it.
+/// Sorted. A side that a region runs along in both directions is omitted.
 std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
   std::vector<SideOfLoop> sides;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
@@ -45,9 +45,9 @@ std::vector<SideOfLoop> sides_of_loops(std::span<const FigureRegion> regions) {
   return odd;
 }
 
-/// How high a triangle over the side may be, to the left of it (`left` = 1) or to the right (-1),
-/// and stay within the loop. Vertices bound it from above, and sides where its top is: it is convex
-/// toward them.
+/// The largest height of a triangle over the side, to its left (`left` = 1) or right (-1), that
+/// stays within the loop. It is limited by vertices, and by sides at its top, toward which it is
+/// convex.
 double room_over(const LatticeSide& side, double left, std::span<const LatticePoint> loop,
                  double most) {
   const Point2 p = point_of(side.a), along = point_of(side.b) - p;
@@ -81,7 +81,7 @@ double room_over(const LatticeSide& side, double left, std::span<const LatticePo
   return room;
 }
 
-/// Room is left for the rounding of the top.
+/// The fraction of the room that is used, because the top is rounded.
 constexpr double kPartOfRoom = 0.8;
 
 void add_tent(LatticeLoops& triangles, const LatticeSide& side, double left, double room) {

@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-/// Triangles under the sides that two regions share, in the paint of the earlier.
+/// Triangles under the sides shared by two regions, in the paint of the earlier.
 struct FigureTents {
   int segment;  ///< of the earlier
   FillPaint paint;

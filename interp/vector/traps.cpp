@@ -7,7 +7,7 @@ namespace displayfile {
 
 namespace {
 
-/// Which region has each side first.
+/// The first region that has each side.
 class FirstRegions {
  public:
   explicit FirstRegions(std::span<const FigureRegion> regions) {
@@ -32,7 +32,7 @@ class FirstRegions {
   std::vector<SideOfRegion> sides_;
 };
 
-/// Ends a path that would become too long.
+/// Writes traps, and starts a new path before one becomes too long.
 class TrapWriter {
  public:
   TrapWriter(std::vector<FigureTrap>& traps, const FillPaint& paint)
@@ -44,7 +44,7 @@ class TrapWriter {
       new_path_ = false;
     }
   }
-  /// A chain of more vertices than a path may have goes on in another.
+  /// A chain with more vertices than a path may have continues in another path.
   void add(const LatticePoint& p) {
     if (sides().points.size() >= Figure::kMostVertices) {
       const LatticePoint last = sides().points.back();
@@ -58,7 +58,7 @@ class TrapWriter {
     sides().ends.push_back(sides().points.size());
     sides().closed.push_back(closed);
   }
-  /// Where the chain that is being written began is in another path.
+  /// The number of paths, by which a caller detects that a chain began in an earlier one.
   std::size_t paths() const { return traps_.size(); }
 
  private:
@@ -69,7 +69,7 @@ class TrapWriter {
   bool new_path_ = true;
 };
 
-/// Its sides that `own` says are to be stroked: the whole loop, or runs.
+/// Adds the loop's sides for which `own` is true: the whole loop, or runs.
 template <class Own>
 void add_sides(TrapWriter& writer, std::span<const LatticePoint> loop, const Own& own) {
   const std::size_t n = loop.size();

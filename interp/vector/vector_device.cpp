@@ -17,14 +17,14 @@ namespace displayfile {
 
 namespace {
 
-/// What lies farther outside of the picture than this many pixels (and half a line's width) is cut
-/// off first: renderers keep coordinates in fixed point, some with 16 bits for whole pixels.
+/// Content farther outside of the picture than this many pixels (plus half a line's width) is
+/// clipped first: renderers keep coordinates in fixed point, some with 16 bits for whole pixels.
 constexpr double kReach = 10'000.0;
 
-/// In pixels: a line so short is no longer than its rounding, or not to be seen at least.
+/// In pixels: the length up to which a line may be a result of rounding, or is invisible.
 constexpr double kNoLength = 1e-6;
 
-/// A path of more points is slow to draw; a solid line loses nothing by being drawn in parts.
+/// Longer paths are slow to draw; a solid line may be drawn in parts without loss.
 constexpr std::size_t kLongestPath = 1000;
 
 /// True if the lines drawn along the polygon's edges cover its seams.
@@ -38,7 +38,7 @@ bool is_short(const Point2& a, const Point2& b) {
   return std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) < kNoLength;
 }
 
-/// A run whose points are all one.
+/// True if all points of a run are equal.
 bool is_dot(std::span<const Point2> run) {
   return std::ranges::all_of(run, [&](const Point2& p) { return p == run.front(); });
 }
@@ -74,7 +74,7 @@ VectorDevice::VectorDevice(int width, int height, const Background& background,
   require_vector_options(options);
 }
 
-/// Segments of one title have layers of different names.
+/// Segments with the same title get different layer names.
 void VectorDevice::take_titles(const DisplayFile& display_file) {
   std::unordered_map<std::string_view, int> times;
   for (const Segment& segment : display_file.segments()) ++times[segment.title()];
@@ -144,7 +144,7 @@ void VectorDevice::fill(const DrawnPolygon& polygon) {
   paint_fill(path_, paint_of(polygon), !edges_cover_seams(polygon));
 }
 
-/// The polygon is one whose loop was found.
+/// The polygon's loop must have been found.
 FillPaint VectorDevice::paint_of(const DrawnPolygon& polygon) {
   if (fills_with_background_) return {pixel_of(background_.colour)};
   page_.clear();
@@ -153,7 +153,7 @@ FillPaint VectorDevice::paint_of(const DrawnPolygon& polygon) {
                           fills_are_disjoint_ ? options_.precision : 1.0);
 }
 
-/// The polygon as path_, one closed run; false if nothing of it is near the page.
+/// Converts the polygon to path_, one closed run; false if no part of it is near the page.
 bool VectorDevice::find_loop(std::span<const Point3> vertices) {
   path_.clear();
   path_.start(true);
@@ -162,7 +162,7 @@ bool VectorDevice::find_loop(std::span<const Point3> vertices) {
   if (!std::ranges::all_of(path_.points, finite)) return false;
   if (!std::ranges::all_of(path_.points,
                            [&](const Point2& p) { return near_the_page(p, kReach); })) {
-    // What this adds along the sides is out of sight.
+    // The edges that clipping adds are outside of the picture.
     clip_to_rectangle(path_.points, clipped_,
                       {-kReach, width_ + kReach, -kReach, height_ + kReach});
   }
@@ -194,12 +194,12 @@ void VectorDevice::edges(const DrawnPolygon& polygon) {
   }
 }
 
-/// Those that are drawn and of these kinds.
+/// Paints the drawn edges of these kinds.
 void VectorDevice::paint_edges(const DrawnPolygon& polygon, LineKinds kinds) {
   const double reach = kReach + polygon.line.width / 2;
   const auto& v = polygon.vertices;
   const std::size_t n = v.size();
-  // A side that is not drawn, or too far out, ends a run; without one the path is closed.
+  // A side that is not drawn, or too far out, ends a run; without such a side the path is closed.
   const auto drawn = [&](std::size_t i) {
     const LineKinds of_side = polygon.kinds.empty() ? kDrawn : polygon.kinds[i];
     return polygon.sides[i] == op::line && of_side == kinds;
@@ -244,8 +244,8 @@ void VectorDevice::line(const DrawnLine& line) {
       lines_.points.size() >= kLongestPath && line.style.kind == LineStyle::Kind::solid;
   const bool goes_on = !lines_.empty() && !full && lines_end_ == line.from &&
                        lines_style_ == line.style && lines_kinds_ == line.kinds && a == whole_a;
-  // What was entered as a line of no length is a dot. What sticks out at a corner by its rounding
-  // is not drawn, and an outline is closed without it.
+  // A line entered with no length is a dot. Short ends at a corner, results of rounding, are not
+  // drawn, and an outline is closed without them.
   const bool is_dot = Point2(line.from) == Point2(line.to);
   if (!is_dot && is_short(goes_on ? lines_.points.back() : a, b)) {
     if (goes_on) end_line(line);
@@ -271,7 +271,7 @@ void VectorDevice::line(const DrawnLine& line) {
 
 namespace {
 
-/// By how much the middle point is off the straight run from one point to the other, in pixels;
+/// The distance of the middle point from the straight run between the two others, in pixels;
 /// infinite if it is not between them.
 double off_run(const Point2& from, const Point2& middle, const Point2& to) {
   const Point2 way = to - from, part = middle - from;
@@ -280,12 +280,12 @@ double off_run(const Point2& from, const Point2& middle, const Point2& to) {
   return std::abs(way.x * part.y - way.y * part.x) / std::sqrt(squared);
 }
 
-/// In pixels: where a run bends by less in all, files would not show it.
+/// In pixels: a total bend below this does not show in files.
 constexpr double kStraight = 5e-4;
 
 }  // namespace
 
-/// True if the path runs straight through its last point to this one: that point is not needed.
+/// True if the path runs straight through its last point to this one: then that point is redundant.
 bool VectorDevice::goes_straight_on(const Point2& to) {
   const std::size_t n = lines_.points.size();
   if (n < 2) return false;
@@ -295,7 +295,7 @@ bool VectorDevice::goes_straight_on(const Point2& to) {
   return true;
 }
 
-/// The path of lines ends where this one does.
+/// The current path of lines now ends at the end of this line.
 void VectorDevice::end_line(const DrawnLine& line) {
   lines_end_ = line.to;
   lines_.runs.back().cuts.at_end = line.cuts.at_end;
@@ -345,7 +345,7 @@ void VectorDevice::paint_mark(const AnnotationMark& mark) {
   paint_fill(path_, {pixel_of(mark.kind == blank ? background_.colour : mark.colour)}, false);
 }
 
-/// As paths, or in a font.
+/// Paints letters as paths, or in a font.
 void VectorDevice::paint_letters(const DeviceText& text, const Point2& anchor) {
   const double size = text.style.size * height_;
   const auto letters = letter_paths(options_.lettering, text, anchor, size);
@@ -385,8 +385,8 @@ void VectorDevice::finish_path() {
   lines_.clear();
 }
 
-/// With the caps that the runs' ends have. A cut end has none: a run with one has butt caps, and at
-/// its other end a disc, which is half of it the line's own and for the rest the cap.
+/// Paints runs with the caps of their ends. A cut end has none: a run with one cut end has butt
+/// caps, and at its other end a disc, half of which is the cap.
 void VectorDevice::paint_with_caps(const Path& path, const LineStyle& style, LineKinds kinds) {
   if (style != discs_style_) finish_discs();
   discs_style_ = style;
@@ -405,7 +405,7 @@ void VectorDevice::paint_with_caps(const Path& path, const LineStyle& style, Lin
   if (!cut_.empty()) paint_lines(cut_, style, kinds, LineCap::butt);
 }
 
-/// At the end that is not cut; none if it would reach over the one that is.
+/// Adds a disc at the end that is not cut, unless it would reach over the cut end.
 void VectorDevice::add_disc(std::span<const Point2> run, const LineCuts& cuts, LineKinds kinds) {
   if (glm::distance(run.front(), run.back()) < discs_style_.width / 2) return;
   Path& discs = discs_[kinds];

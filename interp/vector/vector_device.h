@@ -31,24 +31,24 @@ namespace displayfile {
 /// drawn in the size in which it is shown.
 inline constexpr double kSeamWidth = 0.75;
 
-/// How a line ends that is drawn.
+/// The caps of drawn lines.
 enum class LineCap {
   butt,    ///< at its last point
   round,   ///< with half a disc as wide as the line
   square,  ///< half a width beyond its last point: of a dot, which is a square
 };
 
-/// What the devices that draw lines and areas share: pixel coordinates with y down, from the
-/// picture's top left corner; nothing far outside of the picture; lines that continue each other
-/// joined into one path, if they are of the same kinds; seams closed. A shaded polygon is filled
-/// with a linear gradient. Solid lines have round caps, but none where they are cut.
+/// Shared parts of the devices that draw lines and areas: pixel coordinates with y down, from the
+/// picture's top left corner; nothing far outside of the picture; successive lines of the same
+/// kinds joined into one path; seams closed. A shaded polygon is filled with a linear gradient.
+/// Solid lines have round caps, except where they are cut.
 class VectorDevice : public OutputDevice {
  public:
   /// Throws Error unless both sides are 1 to kLargestSide, or if an option is out of its range.
   VectorDevice(int width, int height, const Background& background = {},
                const VectorOptions& options = {});
 
-  /// All that is filled from here on has the background's colour, by the colour rule.
+  /// Fills all further polygons in the background's colour, for the colour rule.
   void fill_with_background() { fills_with_background_ = true; }
 
   Point2 pixels() const final { return options_.crumbs ? Point2(0.0) : Point2(width_, height_); }
@@ -59,13 +59,12 @@ class VectorDevice : public OutputDevice {
   void line(const DrawnLine& line) final;
   void begin_disjoint_fills() final;
   void end_disjoint_fills() final;
-  /// Keeps the segments' titles, for their names.
+  /// Stores the segments' titles, for naming groups and layers.
   void take_titles(const DisplayFile& display_file);
-  /// Draws the texts that are to be seen of the visible segments, after all else
-  /// (interp/text/seen_texts.h).
+  /// Draws the visible texts of the visible segments, after all else (interp/text/seen_texts.h).
   void draw_texts(const DisplayFile& display_file);
   /// Draws the annotation of the visible segments (interp/annotation/README.md), after all else.
-  /// `millimetre` is in pixels, of a picture without a paper.
+  /// `millimetre` is in pixels, for a picture without paper.
   void draw_annotation(const DisplayFile& display_file, double millimetre);
 
  protected:
@@ -90,9 +89,9 @@ class VectorDevice : public OutputDevice {
   int height() const { return height_; }
   const Background& background() const { return background_; }
   const VectorOptions& options() const { return options_; }
-  /// Empty: it has none.
+  /// Empty if the segment has no title.
   std::string_view title_of(int segment) const;
-  /// The name of a segment's layer: its title, or its number. Empty: there are no layers.
+  /// The name of a segment's layer: its title, or its number. Empty if there are no layers.
   std::string_view layer_of(int segment) const;
   /// Must be called by the derived class after all drawing.
   void finish_lines();
@@ -101,10 +100,10 @@ class VectorDevice : public OutputDevice {
   virtual void close_group() = 0;
   /// Paints by the even-odd rule; with the line that closes the seams if `seam`.
   virtual void paint_fill(const Path& path, const FillPaint& paint, bool seam) = 0;
-  /// Paints disjoint fills, with their seams as options() say; in the group that is open, or else
-  /// in one for each segment.
+  /// Paints disjoint fills, with the seams set in options(); in the open group, or else in one for
+  /// each segment.
   virtual void paint_figure(const Figure& figure) = 0;
-  /// Lines that are all of the same kinds (clip/surfaces.h). A run of two equal points with
+  /// Paints lines that are all of the same kinds (clip/surfaces.h). A run of two equal points with
   /// round caps is a disc.
   virtual void paint_lines(const Path& path, const LineStyle& style, LineKinds kinds,
                            LineCap cap) = 0;
@@ -143,7 +142,7 @@ class VectorDevice : public OutputDevice {
   LineStyle lines_style_;
   LineKinds lines_kinds_ = kDrawn;
   Path uncut_, cut_;  // of what is painted now, by their caps
-  /// Round caps of lines whose other end is cut, by kinds, not painted yet; all of one style.
+  /// Round caps of lines whose other end is cut, by kinds, still to be painted; all of one style.
   std::map<LineKinds, Path> discs_;
   LineStyle discs_style_;
   std::vector<Point2> clipped_, page_;

@@ -22,12 +22,12 @@ Rows rows_of(std::span<const Point3> vertices, int height) {
 
 double x_in(const ScanEdge& side, int row) { return side.x + (row + 0.5 - side.y) * side.dx_dy; }
 
-/// Whether it certainly does in this row.
+/// True if one side certainly lies left of the other in this row.
 bool lies_left(const ScanEdge& side, const ScanEdge& other, int row) {
   return x_in(other, row) - x_in(side, row) > 2.0 * (side.error + other.error);
 }
 
-/// Rests shorter than this cost more than looking at the polygon again.
+/// Rests shorter than this cost more than examining the polygon again.
 constexpr int kShortestRest = 4;
 
 }  // namespace
@@ -39,8 +39,8 @@ PolygonList::PolygonList(const ViewedScene& scene, int height)
     rows[fill] = rows_of(scene.vertices(fill), height);
     if (rows[fill].first <= rows[fill].last) ++begin_[static_cast<std::size_t>(rows[fill].first)];
   }
-  // A bucket for each row: begin_ becomes where it ends, and filling it from the back where it
-  // begins.
+  // One bucket per row: begin_ first holds the buckets' ends, and filling them from the back turns
+  // these into their beginnings.
   std::uint32_t end = 0;
   for (std::uint32_t& begin : begin_) begin = end += begin;
   entries_.resize(end);
@@ -144,7 +144,7 @@ void ActivePolygons::remove(Index k) {
   polygons_.pop_back();
 }
 
-/// Each side is moved once for each that was left.
+/// Moves fewer sides than were removed since the last time.
 void ActivePolygons::compact_sides() {
   std::vector<ScanEdge> sides;
   for (Polygon& polygon : polygons_) {
@@ -158,7 +158,8 @@ void ActivePolygons::compact_sides() {
   sides_left_ = 0;
 }
 
-/// The two sides of a polygon that has no others up to a later row, and does not cross itself.
+/// The two sides of a polygon that has no others up to a later row, and does not cross itself; none
+/// for other polygons.
 std::optional<ActivePolygons::Sides> ActivePolygons::sides_until(const Polygon& polygon,
                                                                  int last) const {
   if (polygon.next - polygon.live != 2) return std::nullopt;
@@ -169,7 +170,7 @@ std::optional<ActivePolygons::Sides> ActivePolygons::sides_until(const Polygon& 
   return apart ? std::optional(sides) : std::nullopt;
 }
 
-/// Sides are straight: what holds in both rows holds between them.
+/// Sides are straight: an order that holds in both rows holds between them.
 std::optional<std::array<ActivePolygons::Width, 2>> ActivePolygons::stays_within(
     Index inside, Index other) const {
   const int last = std::min(polygons_[inside].stands_until, polygons_[other].stands_until);

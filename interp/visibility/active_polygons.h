@@ -14,8 +14,8 @@
 
 namespace displayfile {
 
-/// The problem book's polygon list, by the first row that a polygon crosses; those that cross no
-/// row are left out.
+/// The problem book's polygon list, by the first row that a polygon crosses; polygons that cross no
+/// row are omitted.
 class PolygonList {
  public:
   using Fill = ViewedScene::Fill;
@@ -50,7 +50,7 @@ class PolygonList {
 class ActivePolygons {
  public:
   using Fill = ViewedScene::Fill;
-  using Index = std::uint32_t;  ///< of an active polygon, while its row is looked at
+  using Index = std::uint32_t;  ///< of an active polygon, while its row is processed
 
   /// A polygon of the list, with its data for every row.
   struct Polygon {
@@ -68,20 +68,20 @@ class ActivePolygons {
   ActivePolygons(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size,
                  const PolygonList& list, int row_begin);
 
-  /// Brings the list up to the next row and calls in(index, first, end) for the columns
-  /// first <= i < end in which a polygon is IN; those without a pixel are left out.
+  /// Advances the list to the next row and calls in(index, first, end) for the columns first <= i <
+  /// end in which a polygon is IN; empty runs are omitted.
   template <class In>
   void next_row(In&& in);
 
   const Polygon& operator[](Index polygon) const { return polygons_[polygon]; }
 
-  /// A row, and where a polygon's two sides cross it: in pixel units, off by `error` at most.
+  /// A row, and where a polygon's two sides cross it: in pixel units, off by at most `error`.
   struct Width {
     int row;
     double left, right, error;
   };
-  /// If from this row to a later one the inside polygon is certain to lie within the other, as far
-  /// as they are on the picture: its width in this row and in the last such row that is looked for.
+  /// If the inside polygon is certain to lie within the other from this row to a later one, as far
+  /// as they are on the picture: its width in this row and in the last such row that is examined.
   /// Both must be IN once in this row, the inside one within the other.
   std::optional<std::array<Width, 2>> stays_within(Index inside, Index other) const;
 
@@ -146,7 +146,7 @@ void ActivePolygons::next_row(In&& in) {
       }
       std::ranges::sort(columns_);
       for (std::size_t i = 0; i + 1 < columns_.size(); i += 2) {
-        // A run that ends where the next begins is one with it.
+        // A run that ends where the next begins is merged with it.
         const int first = columns_[i];
         while (i + 3 < columns_.size() && columns_[i + 1] == columns_[i + 2]) i += 2;
         if (first < columns_[i + 1]) in(k, first, columns_[i + 1]);

@@ -12,7 +12,7 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-/// True if there are lines, and fills that hide but are not seen themselves.
+/// True if there are lines, and fills that hide but are invisible themselves.
 bool shows_lines_alone(const ViewedScene& scene, const Background& background) {
   if (background.kind == Background::Kind::none || scene.end() == 1) return false;
   const auto of_background = [&](Fill fill) {

@@ -10,7 +10,7 @@
 
 namespace displayfile {
 
-/// What `auto` draws with, and why, in a sentence for the user.
+/// The method chosen for `auto`, and the reason, a sentence for the user.
 struct MethodChoice {
   HiddenMethod method;
   std::string_view reason;
@@ -23,7 +23,8 @@ inline constexpr HiddenMethod kMethodForPixels = HiddenMethod::z_buffer;
 
 /// An exact method for this scene and kind of picture. Invisible and edge-on polygons are ignored.
 /// Vectors whose fills all have the background's colour, so that only lines are visible, are drawn
-/// by a method of lines; not without a background, or if fills are requested by themselves.
+/// by a method that finds lines; not without a background, or if ids or depths of fills are
+/// requested.
 MethodChoice choose_method(const DisplayFile& display_file, PictureKind kind,
                            const std::optional<Background>& background = std::nullopt);
 

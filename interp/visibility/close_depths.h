@@ -7,8 +7,8 @@ namespace displayfile {
 
 /// Decides which of a scene's fills is visible at a centre. Exact: by rounded depths, and where
 /// these are too close by exact arithmetic with remembered pairs
-/// (interp/visibility/close_depths.md). With a ROUNDOFF closer depths are equal. Of equally near
-/// fills the one entered later is visible in both. For one thread.
+/// (interp/visibility/close_depths.md). With a ROUNDOFF closer depths are equal. In both, the later
+/// entered of equally near fills is visible. For one thread.
 class CloseDepths {
  public:
   using Fill = ViewedScene::Fill;

@@ -5,15 +5,14 @@
 
 namespace displayfile {
 
-/// The fills that are known to lie in one plane: of n of them n - 1 pairs need be compared to know
-/// it of all.
+/// The fills known to be coplanar: for n coplanar fills only n - 1 pairs need be compared.
 class CoplanarFills {
  public:
   using Fill = ViewedScene::Fill;
 
   bool are(Fill a, Fill b) { return same_plane_.size() > 0 && same_plane_.joined(a, b); }
 
-  /// Two fills of a scene whose last fill is before `end`.
+  /// Records that two fills are coplanar; all fills of the scene are less than `end`.
   void add(Fill a, Fill b, Fill end) {
     if (same_plane_.size() == 0) same_plane_.resize(end);
     same_plane_.join(a, b);

@@ -21,13 +21,13 @@ class DecidedCentres {
     ViewedScene::Fill fill;
   };
 
-  /// Finds those of a scene, which need not outlive the call, replacing earlier ones. On up to
-  /// `threads` threads.
+  /// Finds the centres of a scene, which need not outlive the call, replacing earlier ones. On up
+  /// to `threads` threads.
   void find(const ViewedScene& scene, const PictureSize& size, int threads);
   void forget() { all_.clear(); }
   bool empty() const { return all_.empty(); }
 
-  /// Those of a row in the columns first <= i < end, left to right.
+  /// The centres of a row in the columns first <= i < end, left to right.
   std::span<const Decided> in_row(int row, int first, int end) const;
   std::optional<ViewedScene::Fill> at(int row, int column) const {
     const auto here = in_row(row, column, column + 1);
@@ -35,7 +35,7 @@ class DecidedCentres {
   }
 
  private:
-  /// What a thread looks for them with, kept from picture to picture.
+  /// A thread's working memory, kept between pictures.
   struct Band {
     ScanConverter converter;
     std::vector<Decided> decided;

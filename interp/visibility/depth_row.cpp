@@ -57,7 +57,7 @@ std::span<const DepthRow::Fill> DepthRow::seen() {
   return owner_;
 }
 
-/// What the rounded depths do not tell, by the largest error of the row's fills.
+/// Decides where the rounded depths, with the largest error of the row's fills, do not.
 bool DepthRow::hides_closely(double nearer, const Rest& rest) {
   if (rest.column < run_.end) return run_.later_is_seen(rest.column);
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
@@ -70,8 +70,8 @@ bool DepthRow::hides_closely(double nearer, const Rest& rest) {
   return run_.later_is_seen(rest.column);
 }
 
-/// Decides by exact arithmetic: at once for all that the two fills share, or else for a run of
-/// pixels.
+/// Decides by exact arithmetic: at once for all common pixels of the two fills, or else for a run
+/// of pixels.
 DecidedRun DepthRow::decided_run(const Rest& rest) {
   const Owner owner = owner_[static_cast<std::size_t>(rest.column)];
   const Fill fill = drawn_.back().fill, other = drawn_[owner].fill;
@@ -80,7 +80,7 @@ DecidedRun DepthRow::decided_run(const Rest& rest) {
   });
 }
 
-/// The end of the pixels from there on that show the same fill.
+/// The end of the run of pixels from there on that show the same fill.
 int DepthRow::end_of_run(const Rest& rest) const {
   const Owner* const owners = owner_.data();
   int end = rest.column + 1;

@@ -32,7 +32,7 @@ class DepthRow {
   std::span<const Fill> seen();
 
  private:
-  /// A fill of the row, by its place among them.
+  /// A fill of the row, by its index among them.
   using Owner = std::uint32_t;
   static constexpr Owner kBackground = 0;
   struct Drawn {

@@ -19,7 +19,7 @@ DepthsAsEntered::Depth& DepthsAsEntered::depth_of(Fill fill, const PictureSize& 
   return depth;
 }
 
-/// Null if it is not known. Where the plane of others is edge-on, the fill has its own.
+/// Null if unknown. Where the shared plane is edge-on, the fill has its own.
 const PlaneInPicture* DepthsAsEntered::plane_of(Fill fill) {
   const auto [at, is_new] = planes_.try_emplace(fill);
   std::optional<PlaneInPicture>& plane = at->second;

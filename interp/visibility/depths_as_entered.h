@@ -12,7 +12,7 @@
 
 namespace displayfile {
 
-/// The ways into the picture of a scene's items, each made when it is first needed.
+/// The projections of a scene's items into the picture, each created on first use.
 class ProjectionsAsEntered {
  public:
   EnteredProjection& of(const ViewedScene::EnteredItem& item, std::uint32_t look) {
@@ -24,14 +24,14 @@ class ProjectionsAsEntered {
   std::unordered_map<std::uint32_t, EnteredProjection> views_;  // by look
 };
 
-/// Which of two fills is nearer, by the planes as they were entered, where viewing's rounding may
-/// decide it (interp/visibility/fills_as_entered.md). For one thread.
+/// Compares the depths of two fills by their planes as entered, where viewing's rounding may decide
+/// (interp/visibility/fills_as_entered.md). For one thread.
 class DepthsAsEntered {
  public:
   using Fill = ViewedScene::Fill;
 
   explicit DepthsAsEntered(const ViewedScene& scene) : scene_(&scene) {}
-  /// Takes another scene.
+  /// Replaces the scene.
   void take(const ViewedScene& scene) {
     scene_ = &scene;
     views_.forget();
@@ -39,14 +39,14 @@ class DepthsAsEntered {
     planes_.clear();
   }
 
-  /// The depths of two fills that share no plane are so close at a centre that viewing may decide
-  /// which is nearer.
+  /// True if the depths of two fills that share no plane are so close at a centre that viewing may
+  /// decide which is nearer.
   bool are_close(Fill one, Fill other, const PixelCentre& centre);
   /// The comparison of their planes as entered; none if one is not known.
   std::optional<DepthComparison> comparison(Fill one, Fill other);
 
  private:
-  /// A fill's depth, with how much it changes over the picture.
+  /// A fill's depth, and its change over the picture.
   struct Depth {
     FillDepth rounded;
     double slopes = 0.0;

@@ -34,7 +34,8 @@ DepthBound depth_bound(std::span<const Point3> vertices, const Plane& plane,
 
 namespace {
 
-/// How far the depth of a fill is from that of a plane, at most, over the polygon: both are linear.
+/// The largest distance between the depths of a fill and of a plane over the polygon: both are
+/// linear.
 double distance_of_depths(std::span<const Point3> vertices, const PixelDepth& depth,
                           const Plane& plane, const PictureSize& size) {
   const PixelDepth other(plane, size.width, size.height);
@@ -48,8 +49,8 @@ double distance_of_depths(std::span<const Point3> vertices, const PixelDepth& de
   return most + other.error(plane, size.width, size.height, dx + 1.0, dy + 1.0);
 }
 
-/// distance_from_entered of a triangle's plane, by its corners viewed in doubles; nothing where
-/// they do not tell it well.
+/// distance_from_entered for a triangle's plane, by its corners viewed in doubles; none if they are
+/// too inaccurate.
 std::optional<double> quick_distance_from_entered(const ViewedScene& scene,
                                                   const ViewedScene::EnteredItem& of_plane,
                                                   ViewedScene::Item item, const PixelDepth& depth,
@@ -62,7 +63,7 @@ std::optional<double> quick_distance_from_entered(const ViewedScene& scene,
     const HomogeneousPoint viewed = of_plane.volume->transform(of_plane.polygon.in_world(k));
     if (!(viewed.w >= of_plane.volume->nearest_w())) return std::nullopt;
     corners[k] = image.apply(of_plane.volume->to_device(viewed));
-    // Farther away than all that is seen, rounding may be larger.
+    // Beyond all visible depths, rounding may be larger.
     if (!(std::abs(corners[k].z) <= scene.largest_depth())) return std::nullopt;
   }
   const Plane plane(corners[0], corners[1], corners[2]);
@@ -77,7 +78,7 @@ std::optional<double> quick_distance_from_entered(const ViewedScene& scene,
   return distance_of_depths(vertices.row(), depth, plane, size) + off;
 }
 
-/// The same of the plane that the item lies in as it was entered.
+/// The largest distance of the depth from that of the item's plane as entered.
 double distance_from_entered(const ViewedScene& scene, ViewedScene::Item item,
                              const PixelDepth& depth, const PictureSize& size) {
   const ViewedScene::EnteredItem of_plane = scene.plane_as_entered(item);

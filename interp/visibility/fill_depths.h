@@ -24,26 +24,25 @@ struct FillDepth {
   static double error_of_roundoff(double roundoff) { return roundoff / 4.0; }
 };
 
-/// Bounds how far the depth of a fill may be from where it is as entered, over the polygon, and
-/// where it lies in a plane with others from that of a plane that is the same for all of them. With
-/// a radius (ViewedScene::viewing_radius, touching_radius) its support vertices are off by that in
-/// each coordinate, and a place in the polygon is a combination of them by weights of no more than
-/// a few.
+/// Bounds the distance, over the polygon, of a fill's depth from its depth as entered, and for a
+/// shared plane from that of a plane common to all its fills. With a radius
+/// (ViewedScene::viewing_radius, touching_radius) its support vertices are off by that in each
+/// coordinate, and a point of the polygon is a combination of them with small weights.
 double rounding_error(const ViewedScene& scene, ViewedScene::Fill fill, const PixelDepth& depth,
                       const PictureSize& size);
 
-/// A place in the projection is a combination of the plane's three points by weights: the sum of
-/// their sizes.
+/// The sum of the magnitudes of the weights with which a point in the projection is a combination
+/// of the plane's three points.
 double sum_of_weights(const Plane& plane, const Point2& at);
 
-/// What the rounded depths of two fills tell, by a's less b's and the sum of their errors: 1 if a
-/// is nearer, -1 if b is, 0 if they are too close.
+/// The order of two fills by their rounded depths, given a's less b's and the sum of their errors:
+/// 1 if a is nearer, -1 if b is, 0 if they are too close.
 inline int rounded_order(double nearer, double errors) {
   return nearer > 2.0 * errors ? 1 : nearer < -2.0 * errors ? -1 : 0;
 }
 
-/// The depths of a scene's fills over the pixels of a picture, in doubles, each with its bound;
-/// with a ROUNDOFF, closer than which depths count as equal, a part of that in the bound's place.
+/// The depths of a scene's fills over the pixels of a picture, in doubles, each with its error
+/// bound; with a ROUNDOFF, below which depths count as equal, a part of that in place of the bound.
 class FillDepths {
  public:
   using Fill = ViewedScene::Fill;

@@ -26,8 +26,8 @@ void note_boundary(const ViewedScene& scene, ViewedScene::Fill fill, const Pictu
 FillsAsEntered::FillsAsEntered(const ViewedScene& scene, const PictureSize& size)
     : scene_(scene), size_(size), orders_(scene) {}
 
-/// One of the noted centres is so close to the boundary that viewing may decide whether it is
-/// covered, and the outline as entered is at hand; otherwise runs_ are what is covered.
+/// True if a noted centre is so close to the boundary that viewing may decide its coverage, and the
+/// outline as entered is available; otherwise runs_ are the covered pixels.
 bool FillsAsEntered::is_close(Fill fill, const ScanConverter::Region& region,
                               const PixelSet& noted) {
   const PointRow row = scene_.vertices(fill);
@@ -54,7 +54,7 @@ bool FillsAsEntered::is_close(Fill fill, const ScanConverter::Region& region,
   return !view.are_unrounded(entered.polygon, polygon) && view.outline(entered.polygon, outline_);
 }
 
-/// Whether a noted centre lies in the row of a vertex that is that close to it.
+/// True if a noted centre lies in the row of a vertex that is within `error` of the row's centres.
 bool FillsAsEntered::is_close_to_vertices(std::span<const Point3> polygon, const Point2& error,
                                           const PixelSet& noted) const {
   return std::ranges::any_of(polygon, [&](const Point3& v) {
@@ -65,7 +65,7 @@ bool FillsAsEntered::is_close_to_vertices(std::span<const Point3> polygon, const
   });
 }
 
-/// The fill covers centres, some of them nearest.
+/// Enters a fill: it becomes the owner of the covered centres where it is nearest so far.
 void FillsAsEntered::enter(Fill fill, const PixelSet& centres, NotedCentres& noted) {
   const PointRow row = scene_.vertices(fill);
   const ScanConverter::Region region = noted.rows_of({row.data(), row.size()});

@@ -15,13 +15,13 @@
 
 namespace displayfile {
 
-/// Largest distance of a scene polygon's boundary from that as entered, along x and y, in pixels,
-/// including the errors of tests for closeness.
+/// Largest distance of a scene polygon's boundary from the boundary as entered, along x and y, in
+/// pixels, including the errors of the tests for closeness.
 Point2 boundary_error(const ViewedScene& scene, std::span<const Point3> polygon,
                       const PictureSize& size);
 
 /// Adds the centres in the set's rows that are so close to the fill's boundary. The converter is
-/// memory to work with.
+/// working memory.
 void note_boundary(const ViewedScene& scene, ViewedScene::Fill fill, const PictureSize& size,
                    ScanConverter& converter, PixelSet& noted);
 
@@ -38,8 +38,8 @@ class FillsAsEntered {
   /// True if viewing rounded the scene's coordinates.
   bool are_rounded() const { return scene_.viewing_radius() > 0.0; }
 
-  /// Calls fill_span(row, first, end) for runs of covered pixels of the region. Those of the noted
-  /// centres are covered as entered.
+  /// Calls fill_span(row, first, end) for runs of covered pixels of the region. The coverage of
+  /// noted centres is that as entered.
   template <class FillSpan>
   void scan(Fill fill, const ScanConverter::Region& region, const PixelSet& noted,
             FillSpan&& fill_span) {
@@ -55,11 +55,11 @@ class FillsAsEntered {
     return orders_.later_is_seen(earlier, later, PixelCentre(column, row, size_));
   }
 
-  /// Calls show(row, column, fill) for each of the centres, with the visible fill: one of these,
-  /// which are in order of entry, or the background.
+  /// Calls show(row, column, fill) for each of the centres, with the visible fill: one of the given
+  /// fills, which are in order of entry, or the background.
   template <class Show>
   void decide(const PixelSet& centres, std::span<const Fill> fills, Show&& show);
-  /// Does so with all fills of the scene.
+  /// The same for all fills of the scene.
   template <class Show>
   void decide(const PixelSet& centres, Show&& show);
 

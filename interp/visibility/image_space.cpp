@@ -25,7 +25,8 @@ std::unique_ptr<ImageSpaceMethod> make() {
   return std::make_unique<Method>();
 }
 
-/// Right as entered, by a method that is right of the viewed scene.
+/// Wraps a method that is correct for the viewed scene, so that it is correct for the scene as
+/// entered.
 template <class Method>
 std::unique_ptr<ImageSpaceMethod> as_entered() {
   return std::make_unique<MethodAsEntered>(make<Method>());
@@ -36,7 +37,7 @@ std::unique_ptr<ImageSpaceMethod> plain() {
   return make_plain_z_buffer(kFormat);
 }
 
-/// These decide exactly, unless a ROUNDOFF is asked for.
+/// Methods that decide exactly, unless a ROUNDOFF is set.
 constexpr std::array kExactMethods{
     ImageSpaceEntry{HiddenMethod::z_buffer, make<ZBuffer>},
     ImageSpaceEntry{HiddenMethod::warnock, as_entered<Warnock>},
@@ -44,8 +45,8 @@ constexpr std::array kExactMethods{
     ImageSpaceEntry{HiddenMethod::scan_line, as_entered<ScanLine>},
     ImageSpaceEntry{HiddenMethod::ray_cast, as_entered<RayCast>},
 };
-/// To be read and to judge the others; `automatic` picks none. All but the z-buffers, which round,
-/// decide exactly too.
+/// Methods in plain form, for reading and for checking the others; `automatic` never chooses one.
+/// All but the z-buffers, which round, decide exactly too.
 constexpr std::array kPlainMethods{
     ImageSpaceEntry{HiddenMethod::plain_z_buffer, plain<DepthFormat::float_32>},
     ImageSpaceEntry{HiddenMethod::plain_z_buffer_16, plain<DepthFormat::integer_16>},

@@ -14,7 +14,7 @@ namespace displayfile {
 
 struct ViewedWorld;
 
-/// Called with the fills seen at the centres of columns first, first + 1, ... of a row:
+/// Called with the fills visible at the centres of columns first, first + 1, ... of a row:
 /// ViewedScene::kBackground where there is none. Rows count from the bottom.
 using SeenRun = std::function<void(int row, int first, std::span<const ViewedScene::Fill> seen)>;
 
@@ -36,28 +36,28 @@ class ImageSpaceMethod {
   /// result.
   virtual void prepare(const Request& request, int threads) = 0;
 
-  /// Tells of every pixel of rows row_begin <= row < row_end once, in any order. May be called
+  /// Reports every pixel of rows row_begin <= row < row_end once, in any order. May be called
   /// again, and with different rows by several threads at a time.
   virtual void draw_rows(int row_begin, int row_end, const SeenRun& seen) const = 0;
 
-  /// The least number of rows that are as cheap to draw by themselves as together with others.
+  /// The least number of rows that are as cheap to draw separately as with others.
   virtual int rows_at_a_time() const { return 1; }
 };
 
-/// One line a method.
+/// A row of the table of methods.
 struct ImageSpaceEntry {
   HiddenMethod method;
   std::unique_ptr<ImageSpaceMethod> (*make)();
 };
-/// Those that decide exactly by the viewed scene: all but world_ray_cast and the plain forms.
+/// The methods that decide exactly by the viewed scene: all but world_ray_cast and the plain forms.
 std::span<const ImageSpaceEntry> image_space_methods();
 
 /// Also true for `automatic`, which for pixels chooses one of them, and for world_ray_cast, whose
 /// result before viewing is passed to the viewed scene.
 bool is_image_space(HiddenMethod by);
-/// True for the plain z-buffers, whatever they store depths as.
+/// True for the plain z-buffers, in any storage format.
 bool is_plain_z_buffer(HiddenMethod by);
-/// True for those of image space that decide by the viewed scene without rounding: all but
+/// True for image-space methods that decide by the viewed scene without rounding: all but
 /// world_ray_cast and the plain z-buffers.
 bool decides_exactly(HiddenMethod by);
 

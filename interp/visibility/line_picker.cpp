@@ -16,22 +16,22 @@ namespace displayfile {
 
 namespace {
 
-/// A seen piece that is shorter than this part of the picture may be a crumb of rounding
+/// A visible piece shorter than this fraction of the picture may be a result of rounding
 /// (interp/truth/truth.md).
 constexpr double kCrumb = 1e-9;
-/// No part of a line is looked at that is shorter than this part of it: doubles hardly tell its
-/// ends apart.
+/// Parts of a line shorter than this fraction of it are not examined: doubles hardly distinguish
+/// their ends.
 constexpr double kShortestPart = 0x1p-50;
-/// Pixels: distances closer than this are of one point, computed twice.
+/// In pixels: distances closer than this belong to the same point, computed twice.
 constexpr double kSameDistance = 1e-6;
 
 }  // namespace
 
-/// A line with its ends as the rule has them: a side's lie on the plane of its polygon.
+/// A line with its ends by the rule of lines: those of a side lie on the plane of its polygon.
 struct LinePicker::Line {
   std::array<Point3, 2> stored;
   Plane own;            ///< if lifted
-  bool lifted = false;  ///< off that plane, and moved on to it
+  bool lifted = false;  ///< off that plane, and projected on to it
   std::array<DefinedPoint, 2> ends;
   Item item = 0;
   Fill fill = ViewedScene::kBackground;
@@ -45,8 +45,8 @@ struct LinePicker::Line {
 /// A fill that is nearer than the line somewhere, or drawn over it.
 struct LinePicker::Hider {
   LinePart nearer;  ///< where its plane is, or where it is drawn over the line
-  /// Where a point that moves along the line, close to it on its left or on its right, comes into
-  /// the fill or out of it.
+  /// The parameters at which a point that moves along the line, close to it on its left or right,
+  /// enters or leaves the fill.
   std::array<std::vector<double>, 2> crossings;
 
   bool covers(int side, double t) const {
@@ -62,8 +62,8 @@ LinePicker::LinePicker(const ViewedScene& scene, const PictureSize& size, int th
   if (!entries_.empty()) enter_fills(threads);
 }
 
-/// All pixels that something between two corners (device coordinates) reaches, those beyond the
-/// picture being its border's.
+/// All pixels reached by a rectangle with these corners (device coordinates) and a margin in
+/// pixels; positions beyond the picture are clamped to just outside of its border.
 PixelBox LinePicker::box_of(const Point2& low, const Point2& high, double margin) const {
   const auto pixel = [&](double device, int pixels, double reach) {
     return static_cast<std::int32_t>(
@@ -137,7 +137,7 @@ LinePicker::Line LinePicker::line_of(const Entry& entry) const {
   return line;
 }
 
-/// Where the line is in the picture and no farther from the point than that.
+/// The part of the line that is in the picture and within `reach` of the point.
 std::optional<LinePart> LinePicker::stretch_within(const Line& line, const Point2& at,
                                                    double reach) const {
   const Point2 from = pixel(line.stored[0]), to = pixel(line.stored[1]), along = to - from;
@@ -153,7 +153,8 @@ std::optional<LinePart> LinePicker::stretch_within(const Line& line, const Point
       {std::max(0.0, (nearest - half) / length), std::min(1.0, (nearest + half) / length)});
 }
 
-/// Where the fill is drawn over the line wherever it covers it, or else where its plane is nearer.
+/// The whole line if the fill is drawn over it, otherwise the part where the fill's plane is
+/// nearer.
 std::optional<LinePart> LinePicker::part_before(const Line& line, Fill fill) const {
   switch (layers_.hides(scene_.item_of(fill), line.item)) {
     case DrawnLayers::Hides::nowhere: return std::nullopt;
@@ -177,7 +178,7 @@ std::optional<LinePart> LinePicker::part_before(const Line& line, Fill fill) con
   return nearer;
 }
 
-/// Nothing if the fill hides no part of the line.
+/// None if the fill hides no part of the line.
 std::optional<LinePicker::Hider> LinePicker::hider(const Line& line, Fill fill) const {
   const auto before = part_before(line, fill);
   if (!before) return std::nullopt;
@@ -232,8 +233,8 @@ std::vector<LinePicker::Hider> LinePicker::hiders_of(const Line& line,
   return all;
 }
 
-/// The parts of the stretch that no fills hide: on one side of them at least. Of a point it is what
-/// is seen of the line close to it.
+/// The parts of the stretch that no fill hides, on at least one side. For a stretch that is a
+/// point, the visibility of the line close to it.
 std::vector<LinePart> LinePicker::seen_parts(const Line& line, const LinePart& part) const {
   const double crumb =
       std::max(kCrumb / std::max(glm::distance(line.from(), line.to()), kCrumb), kShortestPart);

@@ -20,8 +20,8 @@ class LinePicker {
   using Item = ViewedScene::Item;
   using Fill = ViewedScene::Fill;
 
-  /// The scene must live as long as the picker. Where the layers say so, a line is hidden by what
-  /// is drawn over it in place of what is nearer.
+  /// The scene must live as long as the picker. Where the layers require it, a line is hidden by
+  /// the fills drawn over it instead of nearer ones.
   LinePicker(const ViewedScene& scene, const PictureSize& size, int threads,
              DrawnLayers layers = {});
 
@@ -33,18 +33,18 @@ class LinePicker {
     double distance;  ///< pixels from the point to the line's axis
     double depth;     ///< there
   };
-  /// The line of which a seen point lies nearest to a point (pixels, y up), but no farther than
-  /// `reach` pixels or half the line's width. Of those as near, which have that nearest point in
-  /// common, the one that is drawn over the others, or else a side of the fill seen there, or else
-  /// the one nearer to the viewer, or else the one entered later. A line seen end-on is not found.
+  /// The line with a visible point nearest to a point (pixels, y up), within `reach` pixels or half
+  /// the line's width. Of several that have this nearest point in common: the one drawn over the
+  /// others, or else a side of the fill visible there, or else the one nearer to the viewer, or
+  /// else the one entered later. A line seen end-on is not found.
   std::optional<Found> nearest(const Point2& at, double reach, Fill seen_there) const;
 
  private:
   /// A line, or the side of a polygon that ends at a vertex.
   struct Entry {
     Item item;
-    std::uint32_t to;  ///< which of the item's points it ends at
-    Fill fill;         ///< whose side it is, if of any
+    std::uint32_t to;  ///< index of the item's point at which it ends
+    Fill fill;         ///< the fill whose side it is, if any
   };
   struct Line;
   struct Hider;

@@ -13,8 +13,8 @@ namespace {
 
 using PairOrder = PairOrders::Order;
 
-/// The difference of two planes' depths is linear: where it has one sign at some points, it has
-/// that sign in all of their convex hull. At equal depth the fill entered later is seen.
+/// The difference of two planes' depths is linear: a sign that it has at some points holds in their
+/// convex hull. At equal depth the fill entered later is visible.
 template <class Points>
 PairOrder order_over(const DepthComparison& comparison, const Points& points) {
   bool earlier_is_nearer = true, later_is_not_farther = true;
@@ -42,7 +42,7 @@ PairOrder PairOrders::order_if_often(Fill earlier, Fill later) {
   return find_order(asked, earlier, later, comparison_of(earlier, later));
 }
 
-/// As they were entered, or as exact arithmetic found them.
+/// Coplanar as entered, or by exact arithmetic.
 bool PairOrders::are_in_one_plane(Pair& pair, Fill earlier, Fill later) {
   return coplanar_.are(earlier, later) || share_plane_as_entered(pair, earlier, later);
 }
@@ -59,7 +59,8 @@ bool PairOrders::share_plane_as_entered(Pair& pair, Fill earlier, Fill later) {
   return pair.share_plane;
 }
 
-/// Where viewing may decide, whatever is known of the pair in the scene's coordinates.
+/// The order as entered, where viewing may decide, whatever is known of the pair in the scene's
+/// coordinates.
 std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill later,
                                                 const PixelCentre& centre) {
   if (scene_->viewing_radius() == 0.0 || pair.is_not_known) return std::nullopt;
@@ -84,7 +85,8 @@ std::optional<int> PairOrders::order_as_entered(Pair& pair, Fill earlier, Fill l
   return comparisons_[pair.as_entered].order(centre);
 }
 
-/// Compares their own planes where those as entered are little off, and else those as entered.
+/// Compares the fills' own planes if these are close to those as entered, otherwise those as
+/// entered.
 DepthComparison PairOrders::comparison_of(Fill earlier, Fill later) {
   const auto is_off = [this](Fill fill) { return scene_->is_off_its_plane(scene_->item_of(fill)); };
   if (scene_->touching_radius() == 0.0 && (is_off(earlier) || is_off(later))) {
@@ -103,8 +105,8 @@ PairOrder PairOrders::find_order(Pair& pair, Fill earlier, Fill later,
   return pair.order;
 }
 
-/// Three convex hulls hold all that both fills cover: the rectangle that their extents share, and
-/// that of the vertices of either.
+/// The common area of two fills lies in three convex hulls: the intersection of their extents, and
+/// the hulls of either's vertices.
 PairOrder PairOrders::order_of_extents(Fill earlier, Fill later,
                                        const DepthComparison& comparison) const {
   constexpr std::size_t kFewVertices = 8;
@@ -145,7 +147,7 @@ PairOrders::Known PairOrders::known(Fill earlier, Fill later) {
   return {.earlier_less_later = comparisons_[asked.comparison].rounded()};
 }
 
-/// The order is looked for again, with what is known now.
+/// Stores the comparison, and searches for the order again with it.
 void PairOrders::keep(Pair& pair, Fill earlier, Fill later, const DepthComparison& comparison) {
   if (comparison.is_one_plane()) coplanar_.add(earlier, later, scene_->end());
   const Order order = find_order(pair, earlier, later, comparison);

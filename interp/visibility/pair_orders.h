@@ -24,7 +24,7 @@ class PairOrders {
 
   explicit PairOrders(const ViewedScene& scene) : scene_(&scene), as_entered_(scene) {}
 
-  /// Takes another scene, and forgets all pairs; memory stays.
+  /// Replaces the scene and clears all pairs, keeping the memory.
   void take(const ViewedScene& scene) {
     scene_ = &scene;
     pairs_.forget();
@@ -33,39 +33,38 @@ class PairOrders {
     as_entered_.take(scene);
   }
 
-  /// Which of two fills is visible wherever both cover a centre: the `first`, entered first, or the
+  /// Which of two fills is visible wherever both cover a centre: the `first` entered, or the
   /// `second`; `varies` if it varies, or is unknown without exact arithmetic.
   enum class Order : std::uint8_t { varies, first, second };
   Order order_of(Fill earlier, Fill later);
-  /// Does what order_of does, but does not look for the order of a pair that is met for the first
-  /// time.
+  /// As order_of, but does not search for the order when a pair occurs for the first time.
   Order order_if_often(Fill earlier, Fill later);
 
   /// True if the later fill is visible at a centre that both cover.
   bool later_is_seen(Fill earlier, Fill later, const PixelCentre& centre);
 
-  /// What exact arithmetic has found out of the two.
+  /// Results of exact arithmetic for a pair.
   struct Known {
     Order order = Order::varies;
     std::optional<DepthComparison::Linear> earlier_less_later = std::nullopt;  ///< of their depths
   };
   Known known(Fill earlier, Fill later);
-  /// Grows whenever exact arithmetic finds out more of some pair.
+  /// Increases whenever exact arithmetic yields new results for some pair.
   std::size_t times_learnt() const { return times_learnt_; }
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Pair {
     Order order = Order::varies;
-    bool looked_for = false;           ///< the order
-    bool share_plane = false;          ///< as they were entered,
-    bool are_apart = false;            ///< or do not
-    bool is_compared = false;          ///< their planes as entered are known,
-    bool is_not_known = false;         ///< or never will be;
-    std::uint32_t as_entered = kNone;  ///< this knows them: a place in comparisons_
-    bool is_ready = false;             ///< more is known than the filter tells,
-    std::uint8_t times_asked = 0;      ///< before it was
-    std::uint32_t comparison = kNone;  ///< and this knows it: a place in comparisons_
+    bool looked_for = false;           ///< the order was searched for
+    bool share_plane = false;          ///< as entered
+    bool are_apart = false;            ///< as entered: known to share no plane
+    bool is_compared = false;          ///< the planes as entered were compared
+    bool is_not_known = false;         ///< the planes as entered cannot be compared
+    std::uint32_t as_entered = kNone;  ///< index of their comparison in comparisons_
+    bool is_ready = false;             ///< an exact comparison is stored
+    std::uint8_t times_asked = 0;      ///< until then
+    std::uint32_t comparison = kNone;  ///< index of the exact comparison in comparisons_
 
     Pair forgotten() const { return {.as_entered = as_entered, .comparison = comparison}; }
   };

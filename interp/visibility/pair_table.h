@@ -49,7 +49,7 @@ class PairTable {
     return (earlier * 0x9E3779B1u ^ later * 0x85EBCA77u) >> (32 - power_);
   }
 
-  /// Its own or an empty one; null if all that it may have are taken.
+  /// The pair's place, or an empty one; null if all of its possible places are occupied.
   Place* place_of(Fill earlier, Fill later) {
     const std::size_t first = first_place_of(earlier, later);
     for (std::size_t k = 0; k < kProbed; ++k) {
@@ -60,7 +60,7 @@ class PairTable {
     return nullptr;
   }
 
-  /// A pair whose places are all taken there is forgotten.
+  /// Pairs for which no place is left there are dropped.
   void make_places(int power) {
     const std::vector<Place> before = std::move(places_);
     power_ = power;

@@ -48,8 +48,8 @@ std::optional<Pick> Picker::pick(const Pixel& at, double reach, const DrawnLayer
               ShownDepth(scene_->plane(fill), size_).at(at.column, at.row), std::nullopt};
 }
 
-/// The fill that the picture shows: an item buffer does not say of which segment. Of those with the
-/// identifier one that covers the centre, and of these the one whose depth is closest.
+/// The fill that the picture shows: an item buffer does not state its segment. Of the fills with
+/// the identifier one that covers the centre, and of these the one whose depth is closest.
 ViewedScene::Fill Picker::drawn_fill(const Pixel& at, const DrawnPixel& drawn) const {
   ScanConverter converter;
   Fill best = ViewedScene::kBackground;

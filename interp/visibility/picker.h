@@ -14,7 +14,7 @@
 
 namespace displayfile {
 
-/// A picture's value at a pixel: of its item buffer, and the depth.
+/// A picture's values at a pixel: item buffer and depth.
 struct DrawnPixel {
   std::int32_t id;  ///< -1: the background
   double depth;
@@ -41,7 +41,7 @@ class Picker {
   /// The primitive visible there. A line visible within `reach` pixels of the pixel's centre takes
   /// precedence over the fill; with a reach of 0 lines are ignored.
   std::optional<Pick> pick(const Pixel& at, double reach, const DrawnLayers& layers = {});
-  /// The same for a picture that was drawn, in these layers.
+  /// The same for a drawn picture, in these layers.
   std::optional<Pick> pick(const Pixel& at, double reach, const DrawnLayers& layers,
                            const DrawnPixel& drawn);
 

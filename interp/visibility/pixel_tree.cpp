@@ -9,15 +9,15 @@ namespace displayfile {
 
 namespace {
 
-/// The rays come in packets of about so many columns and rows: a box is met by packets in
-/// proportion to its size and theirs together.
+/// The columns and rows of a typical packet of rays: the number of packets that meet a box is
+/// proportional to the sum of its size and theirs.
 constexpr double kPacket = 8.0;
-/// The chance that what lies behind must be visited too, once the front half has been.
+/// The probability that the back half must be visited too after the front half.
 constexpr double kBehind = 0.5;
 constexpr int kBins = 16;
-/// So few items are halved, without asking what splits cost.
+/// Up to this number, items are halved without evaluating the costs of splits.
 constexpr std::size_t kFewFills = 64;
-/// The smaller part of a split has at least one in so many, as BoxTree wants it.
+/// The smaller part of a split has at least this fraction of the items, as BoxTree requires.
 constexpr std::size_t kLeastPart = 8;
 
 using Entry = BoxEntry<DeepPixelBox>;
@@ -25,9 +25,9 @@ using Spread = MiddlesSpread<DeepPixelBox>;
 constexpr std::size_t kColumn = DeepPixelBox::kColumn, kRow = DeepPixelBox::kRow;
 constexpr std::size_t kDepth = DeepPixelBox::kDepth, kAxes = DeepPixelBox::kAxes;
 
-/// What the cost needs of a box: the least of first column and row, and of the ends taken
-/// negative, so that one operation on four numbers unites two. Rounded beyond 2^24, as only costs
-/// may be.
+/// The data of a box in the cost: the minima of first column and row and of the negated ends, so
+/// that one operation on four numbers forms the union of two boxes. Rounded beyond 2^24, as is
+/// acceptable for costs.
 struct WideBox {
   std::array<float, 4> least;
 
@@ -41,7 +41,7 @@ struct WideBox {
       least[k] = other.least[k] < least[k] ? other.least[k] : least[k];
     }
   }
-  /// A number in proportion to the packets that meet the box.
+  /// Proportional to the number of packets that meet the box.
   double packets() const {
     const double columns = -static_cast<double>(least[2]) - least[0];
     const double rows = -static_cast<double>(least[3]) - least[1];
@@ -97,8 +97,8 @@ std::optional<Split> cheapest(const Bins& bins, std::size_t axis, std::size_t it
   return best;
 }
 
-/// The rule that divides where packets have the least to visit, by the surface heuristic with two
-/// dimensions for rays along z.
+/// The splitting rule with the fewest visits of packets: the surface area heuristic with two
+/// dimensions, for rays along z.
 struct FewestVisits {
   static double cost(const DeepPixelBox& box, std::size_t items) {
     return WideBox(box.pixels).packets() * static_cast<double>(items);
@@ -132,7 +132,7 @@ struct FewestVisits {
   }
 
  private:
-  /// Rows or columns, where the middles spread farther; depth, if they are all within a packet.
+  /// Rows or columns, where the centres are spread most; depth, if all are within a packet.
   static std::size_t axis_to_halve(const Spread& spread) {
     const double columns = spread.along(kColumn), rows = spread.along(kRow);
     return std::max(columns, rows) < kPacket ? kDepth : columns >= rows ? kColumn : kRow;

@@ -12,7 +12,7 @@
 
 namespace displayfile {
 
-/// Pixel centres, and the nearest depth of what covers them.
+/// A box of pixel centres, and the nearest depth of its contents.
 struct DeepPixelBox {
   PixelBox pixels;
   float nearest;  ///< no part is nearer; z grows toward the viewer
@@ -56,7 +56,7 @@ struct PixelBoxes {
     end_row[k] = box.pixels.end_row;
     nearest[k] = box.nearest;
   }
-  /// Which of the boxes share a centre with the rays' box.
+  /// Marks the boxes that share a centre with the rays' box.
   std::array<std::int32_t, kBoxes> meets(const PixelBox& rays) const {
     const auto below = [](std::int32_t a, std::int32_t b) { return a < b ? 1 : 0; };
     std::array<std::int32_t, kBoxes> met;
@@ -68,9 +68,9 @@ struct PixelBoxes {
   }
 };
 
-/// A tree of boxes of pixel centres, for rays that run along z through them in packets; it is
-/// divided where packets of rays have the least to visit (interp/visibility/ray_cast.md). Boxes are
-/// of integers and not empty, and nothing is rounded.
+/// A tree of boxes of pixel centres, for packets of rays along z; it is split where packets have
+/// the fewest visits (interp/visibility/ray_cast.md). Boxes are of integers and not empty, and
+/// nothing is rounded.
 using PixelTree = BoxTree<PixelBoxes>;
 template <>
 void PixelTree::build(std::size_t items, const std::function<DeepPixelBox(Item)>& box_of,

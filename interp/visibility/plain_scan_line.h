@@ -14,9 +14,9 @@
 
 namespace displayfile {
 
-/// The lecture's edge table and active edge list (section 4) of all polygons together, row after
-/// row from the bottom. Crossings are found exactly (interp/scan/scan_edge.h), by one product from
-/// an edge's lower end instead of a sum along it.
+/// The lecture's edge table and active edge list (section 4) of all polygons together, row by row
+/// from the bottom. Crossings are found exactly (interp/scan/scan_edge.h), by one product from an
+/// edge's lower end instead of a sum along it.
 class ActiveEdgeList {
  public:
   using Fill = ViewedScene::Fill;
@@ -40,11 +40,11 @@ class ActiveEdgeList {
     std::ranges::stable_sort(table_, {}, [](const Edge& e) { return e.edge.first_row; });
   }
 
-  /// What became of the list on the way to a row.
+  /// The list's changes on the way to a row.
   struct Change {
     std::size_t entered, left;
   };
-  /// Rows are gone to one after the other.
+  /// Advances to a row; rows must be increasing.
   Change go_to(int row) {
     const std::size_t left =
         std::erase_if(active_, [&](const Edge& e) { return e.edge.last_row < row; });
@@ -72,10 +72,10 @@ class ActiveEdgeList {
   std::vector<Edge> active_;
 };
 
-/// The spanning scan line as the books give it, to be read, to be shown step by step, and to judge
-/// the fast form (interp/visibility/scan_line.md): the lecture's section 4 with its crossovers, the
-/// problem book's section 10.5 with its flags IN and OUT. Depths are compared as all exact methods
-/// compare them; with a ROUNDOFF as the textbook's SIGNOF does.
+/// The spanning scan line in the books' form, for reading, for showing step by step, and for
+/// checking the fast form (interp/visibility/scan_line.md): the lecture's section 4 with its
+/// crossovers, the problem book's section 10.5 with its flags IN and OUT. Depths are compared as in
+/// all exact methods; with a ROUNDOFF as the textbook's SIGNOF does.
 class PlainScanLine : public ImageSpaceMethod {
  public:
   using Fill = ViewedScene::Fill;
@@ -100,7 +100,7 @@ class PlainScanLine : public ImageSpaceMethod {
     std::optional<Fill> passed;         ///< it begins where `seen` passes this one
     std::optional<Fill> passes_at_end;  ///< it ends where this one passes `seen`
   };
-  /// What an observer of the algorithm has; this one does nothing.
+  /// The interface of an observer of the algorithm; this one does nothing.
   struct Unobserved {
     static void table(const ActiveEdgeList& /*edges*/) {}
     static void begin_row(int /*row*/, const ActiveEdgeList& /*edges*/,
@@ -147,7 +147,7 @@ class PlainScanLine : public ImageSpaceMethod {
     }
 
    private:
-    /// Turns a polygon's flag, IN or OUT.
+    /// Toggles a polygon's flag, IN or OUT.
     void turn(Fill fill) {
       const auto place = std::ranges::lower_bound(in_, fill);
       if (place != in_.end() && *place == fill) {
@@ -157,8 +157,8 @@ class PlainScanLine : public ImageSpaceMethod {
       }
     }
 
-    /// From some active edges to the next: with no polygon IN the background is visible, with one
-    /// that one, with more the nearest, up to where another passes it.
+    /// Paints from some active edges to the next: the background if no polygon is IN, the polygon
+    /// if one is, and of several the nearest, up to where another passes it.
     void paint(int column, int end, std::size_t first_edge, std::size_t end_edge) {
       Span span{row_, column, end, ViewedScene::kBackground, in_, first_edge, end_edge, {}, {}};
       if (in_.empty()) return observer_.paint(span);

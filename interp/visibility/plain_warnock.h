@@ -15,10 +15,10 @@
 
 namespace displayfile {
 
-/// Warnock's area subdivision as the books give it, down to pixels, to be read, to be shown step by
-/// step, and to judge the form that finishes early (interp/visibility/warnock.md): the textbook's
-/// chapter 9, "Warnock's algorithm", with the categories, lists and tests (a) to (d) of the problem
-/// book's section 10.6. Depths are compared as all exact methods compare them; with a ROUNDOFF as
+/// Warnock's area subdivision in the books' form, down to pixels, for reading, for showing step by
+/// step, and for checking the form that finishes early (interp/visibility/warnock.md): the
+/// textbook's chapter 9, "Warnock's algorithm", with the categories, lists and tests (a) to (d) of
+/// the problem book's section 10.6. Depths are compared as in all exact methods; with a ROUNDOFF as
 /// the textbook's SIGNOF does.
 class PlainWarnock : public ImageSpaceMethod {
  public:
@@ -36,10 +36,10 @@ class PlainWarnock : public ImageSpaceMethod {
     Unobserved observer;
     draw_rows(row_begin, row_end, seen, observer);
   }
-  /// Every polygon is looked at for each call.
+  /// Each call examines every polygon.
   int rows_at_a_time() const override { return 128; }
 
-  /// A potentially visible polygon, and how it lies to the area: not disjoint.
+  /// A potentially visible polygon, and its category for the area: not disjoint.
   struct Listed {
     Fill fill;
     AreaCategory category;
@@ -52,20 +52,20 @@ class PlainWarnock : public ImageSpaceMethod {
     pixel,        ///< (d) the nearest of the list
     subdivided
   };
-  /// An area that has been looked at: the potentially visible polygons, in order of entry, that a
-  /// surrounding one does not hide, and what that leads to.
+  /// A visited area: the potentially visible polygons, in order of entry, that no surrounding one
+  /// hides, and the resulting decision.
   struct Visit {
     SampleArea area;
     std::span<const Listed> list;
     Decision decision;
   };
-  /// What an observer of the algorithm has; this one does nothing.
+  /// The interface of an observer of the algorithm; this one does nothing.
   struct Unobserved {
-    /// A polygon is hidden all over the area that is visited next, by one that surrounds it.
+    /// In the area visited next, a polygon is hidden everywhere by one that surrounds the area.
     static void remove(Fill /*hidden*/, Fill /*by*/) {}
     static void visit(const Visit& /*visited*/) {}   ///< an area, before its parts
     static void part(const SampleArea& /*area*/) {}  ///< of the area visited
-    /// Pixels first <= i < end of a row that come to show a fill.
+    /// Pixels first <= i < end of a row in which a fill becomes visible.
     static void paint(Fill /*fill*/, int /*row*/, int /*first*/, int /*end*/) {}
   };
   template <class Observer>
@@ -122,14 +122,14 @@ class PlainWarnock : public ImageSpaceMethod {
     }
 
    private:
-    /// An area yet to be looked at, and the list of the area that it is a part of.
+    /// An area still to be visited, and the list of its parent area.
     struct Waiting {
       SampleArea area;
       std::vector<Listed> of_parent;
     };
 
-    /// A polygon that surrounds the area of which this is a part surrounds this one too; the others
-    /// are classified again.
+    /// A polygon that surrounds the parent area surrounds this one too; the others are classified
+    /// again.
     std::vector<Listed> list_of(const SampleArea& area, std::span<const Listed> of_parent) const {
       std::vector<Listed> list;
       for (auto [fill, category] : of_parent) {
@@ -183,8 +183,8 @@ class PlainWarnock : public ImageSpaceMethod {
       return is_pixel(area) ? Decision::pixel : Decision::subdivided;
     }
 
-    /// Into quarters; an area more than twice as long as it is wide into halves, so that areas come
-    /// near to squares. The quarter at the bottom left comes first.
+    /// Divides an area into quarters, or into halves if it is more than twice as long as wide, so
+    /// that areas approach squares. The quarter at the bottom left comes first.
     void subdivide(const SampleArea& area, const std::vector<Listed>& list) {
       const auto [left, right, bottom, top] = area;
       const long long columns = area.columns(), rows = area.rows();

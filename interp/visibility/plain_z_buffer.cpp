@@ -17,7 +17,7 @@ namespace displayfile {
 
 namespace {
 
-/// The policies: what a depth is stored as, and what stands for the background.
+/// Storage policies: the type of stored depths, and the value for the background.
 template <class Number>
 struct FloatingDepth {
   using Stored = Number;
@@ -32,7 +32,7 @@ struct FloatingDepth {
 template <int kBits>
 struct IntegerDepth {
   using Stored = std::int64_t;
-  static constexpr Stored kFarthest = -1;  // a frame buffer's own 0 would hide what lies at 0
+  static constexpr Stored kFarthest = -1;  // a frame buffer's own 0 would hide polygons at 0
   static constexpr double kLargest = static_cast<double>((std::int64_t{1} << kBits) - 1);
   static Stored store(double z) {
     return static_cast<Stored>(std::clamp(z, 0.0, 1.0) * kLargest + 0.5);
@@ -40,14 +40,14 @@ struct IntegerDepth {
   static double z(Stored stored) { return static_cast<double>(stored) / kLargest; }
 };
 
-/// The lecture's edge data, section 4: the last row, and x and z where the edge crosses the
-/// current row, with what they change by from row to row.
+/// The lecture's edge data, section 4: the last row, x and z where the edge crosses the current
+/// row, and their changes from row to row.
 struct Edge {
   int first_row, last_row;
   double x, z, dx, dz;
 };
 
-/// The rows whose centres are above y, from this one on; no farther than the picture.
+/// The first row whose centres are above y, clamped to the picture.
 int row_above(double y, int height) {
   return static_cast<int>(std::clamp(std::floor(y - 0.5) + 1.0, 0.0, static_cast<double>(height)));
 }
@@ -55,7 +55,7 @@ int column_from(double x, int width) {
   return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(width)));
 }
 
-/// The z-buffer itself: a stored depth and the number of what is seen for every pixel, top row
+/// The z-buffer itself: a stored depth and the number of the visible fill for every pixel, top row
 /// first.
 template <class Depth>
 class PlainZBuffer {
@@ -143,7 +143,7 @@ class PlainZBuffer {
     const std::size_t start = start_of(row);
     for (std::size_t i = start + static_cast<std::size_t>(first);
          i < start + static_cast<std::size_t>(end); ++i, z += dz) {
-      // The textbook: larger is nearer. At equal depth the polygon entered later is seen.
+      // The textbook: larger is nearer. At equal depth the polygon entered later is visible.
       const typename Depth::Stored stored = Depth::store(z);
       if (stored < depth_[i]) continue;
       depth_[i] = stored;
@@ -164,7 +164,7 @@ class PlainZBuffer {
   std::vector<Edge> edges_, active_;
 };
 
-/// The plain z-buffer as a method of a picture, among others.
+/// The plain z-buffer as an image-space method.
 template <class Depth>
 class PlainMethod : public ImageSpaceMethod {
  public:
@@ -183,7 +183,7 @@ class PlainMethod : public ImageSpaceMethod {
   std::optional<PlainZBuffer<Depth>> z_buffer_;
 };
 
-/// The plain z-buffer by itself: numbers the fills from the interpreter.
+/// The plain z-buffer used separately: numbers the fills from the interpreter.
 template <class Depth>
 class PlainPicture : public OutputDevice {
  public:
@@ -209,7 +209,7 @@ class PlainPicture : public OutputDevice {
   }
 
  private:
-  /// What belongs to the numbers seen.
+  /// Maps the visible numbers to their values.
   template <class T>
   std::vector<T> of_seen(const std::vector<T>& by_number) const {
     std::vector<T> values(z_buffer_.seen().size());

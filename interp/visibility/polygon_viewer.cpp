@@ -30,7 +30,7 @@ bool PolygonViewer::is_seen(std::span<const Point3> polygon, bool both_sides) {
   return is_seen_exactly(polygon, both_sides);
 }
 
-/// Nothing where they do not decide.
+/// None where the balls do not decide.
 std::optional<bool> PolygonViewer::is_seen_in_balls(std::span<const Point3> polygon,
                                                     bool both_sides) {
   if (!is_surely_inside(polygon)) {
@@ -57,7 +57,8 @@ PolygonViewer::Seen PolygonViewer::seen(const WorldPoint<Ball>& p) const {
           (perspective_ ? p.w : near_.z.at(p)) / w};
 }
 
-/// The quick way, for nearly all polygons of a scene that is in the window. Leaves them in seen_.
+/// A fast test, sufficient for nearly all polygons of a scene within the window. Leaves the
+/// vertices in seen_.
 bool PolygonViewer::is_surely_inside(std::span<const Point3> vertices) {
   seen_.clear();
   for (const Point3& p : vertices) {
@@ -73,7 +74,7 @@ bool PolygonViewer::is_surely_inside(std::span<const Point3> vertices) {
   return true;
 }
 
-/// By the sign of the area in the picture.
+/// The orientation: the sign of the area in the picture.
 int PolygonViewer::turn() const {
   Ball area;
   Seen from = seen_[1] - seen_[0];
@@ -85,7 +86,7 @@ int PolygonViewer::turn() const {
   return sign_of(area);
 }
 
-/// What is linear in the picture is greatest at a vertex.
+/// A quantity that is linear in the picture is greatest at a vertex.
 bool PolygonViewer::is_nowhere_nearer(const std::array<Point3, 3>& plane, double nearness) const {
   if (seen_.empty()) return false;
   if (perspective_ && nearness >= 0.0) return true;

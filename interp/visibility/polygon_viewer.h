@@ -12,7 +12,8 @@
 namespace displayfile {
 
 /// Views single polygons as for the display file, but without rounding: their orientation after
-/// clipping, and the positions of those that are off their plane (interp/visibility/ray_cast.md).
+/// clipping, and the positions of polygons that are off their plane
+/// (interp/visibility/ray_cast.md).
 class PolygonViewer {
  public:
   /// The rows are those of the volume's view; rows and volume must outlive this. `size` bounds the
@@ -20,11 +21,11 @@ class PolygonViewer {
   PolygonViewer(const ViewVolume& volume, const in_world::MatrixRows<Ball>& near,
                 const in_world::MatrixRows<ExactNumber>& exact, const Point3& size);
 
-  /// Clipping leaves some of it, and that does not turn its back if back faces are removed.
+  /// True if clipping leaves a part of it, which does not face away if back faces are removed.
   bool is_seen(std::span<const Point3> polygon, bool both_sides);
 
-  /// True if the last polygon that is_seen was called for, and which is, is surely nowhere nearer
-  /// in the plane through these points than that: by Z in a parallel view, by -W in perspective.
+  /// True if the last polygon for which is_seen returned true is certainly nowhere nearer, in the
+  /// plane through these points, than that: by Z in a parallel view, by -W in perspective.
   bool is_nowhere_nearer(const std::array<Point3, 3>& plane, double nearness) const;
 
  private:

@@ -14,10 +14,10 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-/// Polygons of more sides are scan-converted once for a band of packets.
+/// Polygons with more sides are scan-converted once for a band of packets.
 constexpr std::size_t kFewSides = 8;
 
-/// No less than z.
+/// The least float that is not less than z.
 float rounded_up(double z) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -25,8 +25,8 @@ float rounded_up(double z) {
   return std::nextafter(static_cast<float>(std::max(z, -kLargest)), kInfinity);
 }
 
-/// A fill's plane is nearest at a corner of the box of centres that it may cover; a triangle is
-/// nowhere nearer than its vertices. No depth there, true or rounded, is more than this.
+/// An upper bound of all depths there, true or rounded: a fill's plane is nearest at a corner of
+/// the box of centres that it may cover; a triangle is nowhere nearer than its vertices.
 float nearest(std::span<const Point3> polygon, const PixelBox& pixels, const PixelDepth& depth,
               double error) {
   double z = -std::numeric_limits<double>::infinity();
@@ -65,7 +65,7 @@ void RayCast::enter_edges(Target& target) {
   target.end_edge = static_cast<std::uint32_t>(edges_.size());
 }
 
-/// Fills that lie between the centres are let go of.
+/// Fills that lie between the centres are omitted.
 void RayCast::find_targets(int threads) {
   const auto& [scene, size, roundoff] = *request_;
   std::vector<DeepPixelBox> boxes;
@@ -84,7 +84,7 @@ void RayCast::find_targets(int threads) {
     boxes.push_back({target.pixels, nearest(polygon, target.pixels, depth, error)});
   }
   tree_.build(boxes, threads);
-  // Those that are visited after each other lie close to each other.
+  // Targets visited in succession are stored close together.
   std::vector<Target> ordered;
   ordered.reserve(targets_.size());
   for (const PixelTree::Item item : tree_.order()) ordered.push_back(targets_[item]);
@@ -129,7 +129,7 @@ class RayCast::Caster {
     std::vector<Span> spans;  // row by row, left to right
   };
 
-  /// The rays of a row that the fill is hit by lie between its crossings, pair by pair.
+  /// The rays of a row that hit the fill lie between its crossings, pair by pair.
   void intersect_few_sided(const Target& target, RayPacket& packet) const {
     const PixelBox& rays = packet.rays();
     const ScanEdge* const first_edge = method_.edges_.data() + target.first_edge;
@@ -167,7 +167,7 @@ class RayCast::Caster {
     }
   }
 
-  /// Found once for all packets of the band.
+  /// Computed once for all packets of the band.
   const std::vector<Span>& spans_of(const Target& target) {
     Spans& of = spans_[target.many_sided];
     if (!of.known) {

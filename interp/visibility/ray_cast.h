@@ -21,15 +21,15 @@ class RayCast : public ImageSpaceMethod {
   /// The rows of a packet.
   int rows_at_a_time() const override { return 8; }
 
-  /// What one ray sees: that through the centre of a pixel, the row counted from the bottom.
+  /// The fill visible to one ray: through the centre of a pixel, the row counted from the bottom.
   ViewedScene::Fill seen_at(int column, int row) const;
 
  private:
-  /// A fill that covers a centre perhaps.
+  /// A fill that may cover a centre.
   struct Target {
     ViewedScene::Fill fill;
-    std::uint32_t first_edge, end_edge;  ///< of few sides: where it keeps them, in edges_
-    std::uint32_t many_sided;            ///< of many: its number among those; otherwise kFewSided
+    std::uint32_t first_edge, end_edge;  ///< with few sides: the place of its sides in edges_
+    std::uint32_t many_sided;            ///< with many: its number among those; otherwise kFewSided
     PixelBox pixels;
   };
   static constexpr std::uint32_t kFewSided = ~std::uint32_t{0};

@@ -5,7 +5,7 @@
 
 namespace displayfile {
 
-/// Where the square has no rays, nothing is waited for.
+/// Places of the square without rays get an infinite depth, so that they never count as farthest.
 void RayPacket::begin(const PixelBox& rays) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   rays_ = rays;
@@ -22,7 +22,7 @@ void RayPacket::begin(const PixelBox& rays) {
   changed_ = false;
 }
 
-/// The depths of the first cast stay: they are the nearest.
+/// Keeps the depths of the first cast: they are the nearest.
 bool RayPacket::begin_next_cast() {
   if (cast_ == Cast::for_fills) return false;
   cast_ = Cast::for_fills;
@@ -32,7 +32,7 @@ bool RayPacket::begin_next_cast() {
   return true;
 }
 
-/// The error of a depth that is no number is infinite, and then nothing is known to be hidden.
+/// If a depth is NaN its error is infinite, and then nothing is known to be hidden.
 void RayPacket::find_farthest() {
   std::array<double, kSide> least;
   std::copy_n(z_.begin(), kSide, least.begin());

@@ -10,13 +10,13 @@
 
 namespace displayfile {
 
-/// Neighbouring rays along z, from the viewer's side, that are cast together, through the centres
-/// of a square of pixels or a part of one, and the fill that each sees.
+/// Neighbouring rays along z, from the viewer's side, cast together through the centres of a square
+/// of pixels or a part of one, and the visible fill of each.
 ///
-/// Exact: the nearest, the later of equally near ones. With a ROUNDOFF: the one entered last of
-/// those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is not an order, so a single cast
-/// would depend on the order of the hits: rays are cast again when the nearest depths are known. A
-/// ROUNDOFF of 0 is an order, and one cast is enough.
+/// Exact: the nearest fill, the later of equally near ones. With a ROUNDOFF: the one entered last
+/// of those within ROUNDOFF of the nearest. "Closer than ROUNDOFF" is not an order, so the result
+/// of a single cast would depend on the order of the hits: rays are cast again when the nearest
+/// depths are known. A ROUNDOFF of 0 is an order, and one cast suffices.
 class RayPacket {
  public:
   using Fill = ViewedScene::Fill;
@@ -25,7 +25,7 @@ class RayPacket {
   RayPacket(const ViewedScene& scene, const FillDepths& depths, const PictureSize& size)
       : depths_(depths), close_(scene, depths, size) {}
 
-  /// Starts anew with rays through these centres, of kSide columns and rows at most.
+  /// Restarts with rays through these centres, at most kSide columns and rows.
   void begin(const PixelBox& rays);
 
   /// After a cast: true if the rays are to be cast once more.
@@ -36,7 +36,7 @@ class RayPacket {
   /// True if no ray sees a fill at this depth or farther.
   bool hides_all_beyond(float nearest) const { return nearest < farthest_; }
 
-  /// The fill whose spans follow.
+  /// Begins a fill, whose spans follow.
   void begin_fill(Fill fill) {
     fill_ = fill;
     depth_ = depths_.depth(fill);
@@ -44,13 +44,13 @@ class RayPacket {
     largest_error_ = std::max(largest_error_, error);
     margin_ = 2.0 * (error + largest_error_);
   }
-  /// The fill is hit by the rays first <= column < end of a row, all of this packet.
+  /// Records that the fill is hit by the rays first <= column < end of a row, all of this packet.
   void hit(int row, int first, int end);
   void end_fill() {
     if (changed_) find_farthest();
   }
 
-  /// What the rays of a row see, when no more casts are to come.
+  /// The visible fills of the rays of a row, after the last cast.
   std::span<const Fill> seen(int row) const {
     return std::span(seen_).subspan(
         index(row, rays_.first_column),

@@ -29,7 +29,7 @@ int first_column_after(double x, int width) {
   return column < from_first ? column + 1 : column;
 }
 
-/// A triangle whose plane is that of its corners.
+/// True for a triangle whose plane is that of its corners.
 bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
   if (scene.sides(fill) != 3 || scene.plane_of_bent(scene.item_of(fill)) != nullptr) return false;
   if (scene.touching_radius() > 0.0) return true;
@@ -37,16 +37,16 @@ bool has_own_plane(const ViewedScene& scene, ViewedScene::Fill fill) {
   return scene.shared_plane(item) == nullptr && !scene.plane_is_elsewhere(item);
 }
 
-/// The plane as entered that the fill shares with others, whose points are the founder's; null if
-/// there is none, or it was not looked for.
+/// The plane as entered that the fill shares with others, given by the founder's points; null if
+/// there is none, or it was not searched for.
 const Primitives::PlanePoints* plane_of_founder(const ViewedScene& scene, ViewedScene::Fill fill) {
   const ViewedScene::Item item = scene.item_of(fill);
   if (scene.touching_radius() > 0.0 || scene.plane_is_elsewhere(item)) return nullptr;
   return scene.shared_plane(item);
 }
 
-/// Where fills are compared in their own planes: of those that are no steeper than kOfSlopes over
-/// the radius the rounding_error is within kOfRounding.
+/// Where fills are compared in their own planes: if a slope is at most kOfSlopes over the radius,
+/// the rounding_error is within kOfRounding.
 constexpr double kOfSlopes = 0x1p-25, kOfRounding = 0x1p-21;
 bool is_no_steeper(double dz_dx, double dz_dy, const PictureSize& size, double steepest) {
   return std::abs(dz_dx) * size.width + std::abs(dz_dy) * size.height <= steepest;
@@ -55,7 +55,7 @@ bool is_no_steeper(double dz_dx, double dz_dy, const PictureSize& size, double s
 }  // namespace
 
 int turn_if_convex(std::span<const Point3> vertices) {
-  bool known = true;  // and of no corner straight
+  bool known = true;  // and no corner is straight
   const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
     const int side =
         filtered_orientation(Point2(vertices[i]), Point2(vertices[j]), Point2(vertices[k]));
@@ -68,13 +68,13 @@ int turn_if_convex(std::span<const Point3> vertices) {
   return known ? turning : 0;
 }
 
-/// Triangles that wait until there are enough of them to be made ready together.
+/// Triangles collected until there are enough to be prepared together.
 class RowFills::Triangles {
  public:
   Triangles(RowFills& fills, const ViewedScene& scene, const PictureSize& size)
       : fills_(fills), scene_(scene), size_(size) {}
 
-  /// Any fill; those that do not wait are made ready at once.
+  /// Adds any fill; fills that are not collected are prepared at once.
   void add_any(Fill fill) {
     const bool waits =
         has_own_plane(scene_, fill) || (fills_.as_entered_ && scene_.sides(fill) == 3 &&
@@ -114,7 +114,7 @@ class RowFills::Triangles {
       made.certain = is_no_steeper(made_.dz_dx[i], made_.dz_dy[i], size_, fills_.steepest_);
     }
     made.left = made.right = 0;
-    made.z = made_.z[i];  // of no meaning where it is not certain
+    made.z = made_.z[i];  // without meaning unless it is certain
     made.dz_dx = made_.dz_dx[i];
     made.dz_dy = made_.dz_dy[i];
     if (fills_.as_entered_) {
@@ -123,7 +123,7 @@ class RowFills::Triangles {
     }
     if (is(made_.has_sides, i)) take_sides(i, made);
   }
-  /// Two or three of them, in places that no branch decides.
+  /// Stores the two or three sides, without branches.
   void take_sides(int i, RowFill& made) {
     RowEdge on_left[4], on_right[4];
     int left = 0, right = 0;
@@ -168,7 +168,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, int threa
   });
 }
 
-/// A coordinate near a picture is no more than twice its side in size.
+/// A coordinate near a picture is at most twice its side in magnitude.
 void RowFills::find_slack(const ViewedScene& scene, const PictureSize& size, bool as_entered) {
   const double viewing = as_entered ? scene.viewing_radius() : 0.0;
   const double radius = as_entered ? scene.plane_radius() : scene.touching_radius();
@@ -181,7 +181,7 @@ void RowFills::find_slack(const ViewedScene& scene, const PictureSize& size, boo
   slack_ = {part * size.width, part * size.height};
 }
 
-/// A vertex is so close to a row of centres that viewing may have moved it over them.
+/// True if a vertex is so close to a row of centres that viewing may have moved it across.
 bool RowFills::is_close_to_rows(const PointRow& vertices, const PictureSize& size) const {
   constexpr double kAlways = 0.25;
   if (slack_.row == 0.0) return false;
@@ -216,11 +216,11 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   const Rectangle extent = bounding_rectangle(vertices);
   const double left = extent.x_min * size.width, right = extent.x_max * size.width;
   const double width = size.width;
-  // The columns of the centres between its left and its right, with what rounding can do.
+  // The columns of the centres between its left and its right, with a margin for rounding.
   const double first = std::ceil(left - std::abs(left) * 0x1p-50 - slack_.column - 0.5);
   const double end = std::ceil(right + std::abs(right) * 0x1p-50 + slack_.column - 0.5);
   if (!(first < end && first < width && end > 0.0)) return;
-  // The sides of one that is close to a row are looked at one by one there, and beside it.
+  // If it is close to a row, its sides are examined one by one there, and in the adjacent rows.
   const int beside = is_close ? 1 : 0;
   const int row_begin = std::max(first_row_above(extent.y_min, size.height) - beside, 0);
   const int row_end = std::min(first_row_above(extent.y_max, size.height) + beside, size.height);
@@ -251,7 +251,7 @@ void RowFills::make(const ViewedScene& scene, const PictureSize& size, Fill fill
   if (turn != 0) make_edges(vertices, size, turn, made);
 }
 
-/// Its depths, if they are known well enough and there are floats for them.
+/// Sets the depths, if they are accurate enough and fit into floats.
 void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange& range,
                          const PictureSize& size, RowFill& made) const {
   made.certain = range.error <= error_of_certain_ && range.largest <= kLargestDepth &&
@@ -262,8 +262,8 @@ void RowFills::set_depth(double z, double dz_dx, double dz_dy, const DepthRange&
   made.dz_dy = static_cast<float>(dz_dy);
 }
 
-/// The same of the plane that the fill lies in as it was entered, by the points that stand for it.
-/// These are off by the radius in each coordinate, and a place's depth is a combination of theirs.
+/// The same for the plane as entered in which the fill lies, by its representative points. These
+/// are off by the radius in each coordinate, and a point's depth is a combination of theirs.
 void RowFills::set_depth_in_common(const ViewedScene& scene, const Primitives::PlanePoints& shared,
                                    const PictureSize& size, RowFill& made) const {
   constexpr double kOfThreePoints = 8.0;
@@ -290,15 +290,15 @@ void RowFills::set_depth_in_common(const ViewedScene& scene, const Primitives::P
   set_depth(z, depth.dz_dx, depth.dz_dy, {largest, error}, size, made);
 }
 
-/// What make would make of it, in less: a triangle needs no test whether it is convex, and its
-/// plane is that of its corners. False if it needs more.
+/// The result of make in less time: a triangle needs no test for convexity, and its plane is that
+/// of its corners. False if the full form is needed.
 bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, Fill fill) {
   RowFill& made = fills_[fill];
   const auto [p, q, r] = scene.corners_of_triangle(fill);
   const double width = size.width, height = size.height;
   const double x[3] = {p->x * width, q->x * width, r->x * width};
   const double y[3] = {p->y * height, q->y * height, r->y * height};
-  // Far from the picture the bounds below are another's.
+  // Far from the picture other bounds hold.
   const auto [left, right] = std::minmax({x[0], x[1], x[2]});
   const auto [bottom, top] = std::minmax({y[0], y[1], y[2]});
   if (!(left >= -width && right <= 2.0 * width && bottom >= -height && top <= 2.0 * height)) {
@@ -343,12 +343,12 @@ bool RowFills::make_triangle(const ViewedScene& scene, const PictureSize& size, 
   return true;
 }
 
-/// How far viewing may have moved a crossing.
+/// The largest displacement of a crossing by viewing.
 double RowFills::of_viewing(double slope) const {
   return slack_.column + 2.0 * std::abs(slope) * slack_.row;
 }
 
-/// As make_edges. A side that crosses no row of centres bounds none.
+/// As make_edges. A side that crosses no row of centres is no bound in any.
 void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3],
                                       const int (&rows)[3], bool counterclockwise,
                                       RowFill& made) const {
@@ -382,7 +382,7 @@ void RowFills::make_edges_of_triangle(const double (&x)[3], const double (&y)[3]
   made.right = static_cast<std::uint8_t>(right);
 }
 
-/// The inside is on the left of a side that runs up if the polygon runs counterclockwise.
+/// The inside is on the left of an ascending side if the polygon runs counterclockwise.
 void RowFills::make_edges(std::span<const Point3> vertices, const PictureSize& size, int turn,
                           RowFill& made) {
   const auto rows = static_cast<double>(made.row_end - made.row_begin);

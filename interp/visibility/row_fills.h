@@ -13,9 +13,9 @@
 
 namespace displayfile {
 
-/// A side of a convex polygon as the fast z-buffer crosses rows with it: in row j of the polygon's
-/// own rows the first centre at or right of it is that of column ceil(x + j slope), columns counted
-/// from the polygon's first.
+/// A side of a convex polygon in the form by which the fast z-buffer finds crossings: in row j of
+/// the polygon's own rows the first centre at or right of it is in column ceil(x + j slope),
+/// columns counted from the polygon's first.
 struct RowEdge {
   float x, slope;
 };
@@ -26,17 +26,18 @@ struct RowEdge {
 struct alignas(64) RowFill {
   std::int32_t row_begin = 0, row_end = 0;
   std::int32_t column = 0;                     ///< no centre of a column before it is covered,
-  std::int32_t column_end = 0;                 ///< nor of this one or any after it
+  std::int32_t column_end = 0;                 ///< nor of this column or any after it
   float z = 0.0F, dz_dx = 0.0F, dz_dy = 0.0F;  ///< at that column's centre in row_begin; slopes
   float edge_error = 0.0F;                     ///< bounds that of the sides' crossings
-  std::uint8_t left = 0, right = 0;  ///< how many sides; none: not convex, or not known well
+  std::uint8_t left = 0, right = 0;  ///< numbers of sides; 0: not convex, or too inaccurate
   bool certain = false;      ///< the error of its depths is no more than RowFills::depth_error()
-  bool turned_away = false;  ///< a triangle that runs clockwise, which bodies hide as a rule
+  bool turned_away = false;  ///< a clockwise triangle, as a rule hidden by its body
   std::uint32_t edges = 0;   ///< where they are stored, if there are more than kOwnEdges
   static constexpr int kOwnEdges = 3;
   RowEdge own_edges[kOwnEdges] = {};
 
-  /// Its depth at a centre; NaN, of which no comparison holds, if that is not known well.
+  /// Its depth at a centre; NaN, for which every comparison is false, if it is not known
+  /// accurately.
   float at(int picture_row, int picture_column) const {
     if (!certain) return std::numeric_limits<float>::quiet_NaN();
     const auto down = static_cast<float>(picture_row - row_begin);
@@ -45,18 +46,18 @@ struct alignas(64) RowFill {
   }
 };
 
-/// All fills of a scene, made ready for pictures of one size.
+/// All fills of a scene, prepared for pictures of one size.
 class RowFills {
  public:
   using Fill = ViewedScene::Fill;
 
-  /// Some fills that follow each other, which one thread works on.
+  /// Consecutive fills that one thread prepares.
   struct Batch {
     std::size_t number;
     Fill begin, end;
   };
   /// Prepares the fills, replacing earlier ones, on up to `threads` threads. `made` is called for
-  /// each finished batch, by the thread that made it. `as_entered`: the picture is that of the
+  /// each finished batch, by the thread that prepared it. `as_entered`: the picture is that of the
   /// scene as entered, so that viewing's rounding counts as an error.
   void make(const ViewedScene& scene, const PictureSize& size, int threads, bool as_entered,
             const std::function<void(const Batch&)>& made);
@@ -111,8 +112,8 @@ class RowFills {
   std::size_t batches_ = 0;
   float depth_error_ = 0.0F;
   double error_of_certain_ = 0.0;  // no more than depth_error_
-  /// Fills are compared in their own planes, and the depths of some may be off by rounding before:
-  /// by little where their slopes are no more than `steepest_`.
+  /// Fills are compared in their own planes, and the depths of some may be off by earlier rounding:
+  /// by little where their slopes are at most `steepest_`.
   bool are_rounded_ = false;
   double steepest_ = 0.0;
   bool as_entered_ = false;
@@ -120,7 +121,7 @@ class RowFills {
 };
 
 /// 1 or -1 if the polygon goes once around and turns one way only, counterclockwise or clockwise; 0
-/// if it does not, or rounding leaves that undecided. Device coordinates.
+/// if not, or if rounding leaves that undecided. Device coordinates.
 int turn_if_convex(std::span<const Point3> vertices);
 
 }  // namespace displayfile

@@ -29,7 +29,7 @@ HWY_INLINE Doubles most(Doubles a, Doubles b, Doubles c) { return hn::Max(hn::Ma
 HWY_INLINE Doubles times(Doubles a, Doubles b) { return hn::Mul(a, b); }
 HWY_INLINE Doubles sum(Doubles a, Doubles b) { return hn::Add(a, b); }
 
-/// Some of a block's triangles, as many as a vector has doubles, from the i-th on.
+/// As many of a block's triangles as a vector has doubles, from the i-th on.
 class Made {
  public:
   Made(const TriangleBlock& block, int i, const PictureSize& size, const RowSlack& slack)
@@ -55,8 +55,8 @@ class Made {
   }
 
  private:
-  /// As the function of that name (hidden/exact/pixel_centre.h); what is just on a row of centres
-  /// is left to that.
+  /// As the function of that name (hidden/exact/pixel_centre.h), to which cases exactly on a row of
+  /// centres are left.
   HWY_INLINE Doubles first_row_above(Doubles y) {
     const Doubles one = all(1.0), two = all(2.0);
     const Doubles t = hn::Sub(times(y, height_), all(0.5)), row = hn::Floor(t);

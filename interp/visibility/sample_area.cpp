@@ -20,7 +20,7 @@ struct Centres {
   Point2 size;
 };
 
-/// False if the side between a and b (pixel units, rounded) surely passes by the rectangle: it is
+/// False if the side between a and b (pixel units, rounded) certainly misses the rectangle: it is
 /// wholly to one side of it, or has all its corners on one side of its line. The bound is derived
 /// in interp/visibility/warnock.md.
 bool may_meet(const Point2& a, const Point2& b, const Centres& c) {
@@ -68,8 +68,8 @@ bool covers(std::span<const Point3> polygon, const PixelCentre& centre) {
   return covered;
 }
 
-/// Where no side meets the rectangle of the centres, the polygon covers all of them or none: one
-/// tells.
+/// Where no side meets the rectangle of the centres, the polygon covers all of them or none:
+/// testing one is sufficient.
 AreaCategory category_of(std::span<const Point3> polygon, const SampleArea& extents,
                          const SampleArea& area, const PictureSize& size) {
   if (intersection(extents, area).empty()) return AreaCategory::disjoint;

@@ -13,7 +13,7 @@ using SampleArea = PixelBox;
 
 inline bool is_pixel(const SampleArea& area) { return area.columns() == 1 && area.rows() == 1; }
 
-/// How a polygon lies to a sample area (the problem book's section 10.6). Areas are made of
+/// The relation of a polygon to a sample area (the problem book's section 10.6). Areas consist of
 /// centres, so a polygon surrounds one if it covers all of its centres, and is disjoint from it if
 /// it covers none.
 enum class AreaCategory { surrounding, intersecting, contained, disjoint };
@@ -22,8 +22,8 @@ enum class AreaCategory { surrounding, intersecting, contained, disjoint };
 bool covers(std::span<const Point3> polygon, const PixelCentre& centre);
 
 /// The category of a polygon with these extents. Surrounding and disjoint are always correct; where
-/// rounding leaves open whether a side passes by the area, the polygon is intersecting, which
-/// decides nothing. For a pixel it is exact: surrounding or disjoint.
+/// rounding leaves open whether a side misses the area, the polygon is intersecting, which decides
+/// nothing. For a pixel it is exact: surrounding or disjoint.
 AreaCategory category_of(std::span<const Point3> polygon, const SampleArea& extents,
                          const SampleArea& area, const PictureSize& size);
 

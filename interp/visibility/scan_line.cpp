@@ -37,8 +37,9 @@ ScanLine::Counts ScanLine::draw_rows_counting(int row_begin, int row_end,
   return counts;
 }
 
-/// The last row up to which a polygon is certain to stay behind another, or -1: it is within the
-/// other, and farther at the corners of the trapezoid between that row and this, so in all of it.
+/// The last row up to which a polygon certainly stays behind another, or -1: it is within the
+/// other, and farther at the corners of the trapezoid between that row and this, so everywhere in
+/// it.
 int ScanLine::hidden_until(const ActivePolygons& polygons, ActivePolygons::Index hidden,
                            ActivePolygons::Index other, CloseDepths& close) const {
   const auto widths = polygons.stays_within(hidden, other);

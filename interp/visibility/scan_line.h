@@ -15,20 +15,21 @@ namespace displayfile {
 /// ROUNDOFF depths are compared as the textbook's SIGNOF does.
 ///
 /// The textbook's chapter 9, "Scan-line algorithms"; the lecture's section 4; the problem book's
-/// section 10.5. What it takes is in interp/visibility/scan_line.md.
+/// section 10.5. Its cost is described in interp/visibility/scan_line.md.
 class ScanLine : public ImageSpaceMethod {
  public:
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override {
     draw_rows_counting(row_begin, row_end, seen);
   }
-  /// The polygons that cross the first row are entered again, and their order is found anew.
+  /// For each call, the polygons that cross the first row are entered again, and their order is
+  /// found anew.
   int rows_at_a_time() const override { return 64; }
 
   struct Counts {
     SpanSweep::Counts sweep;
-    std::uint64_t rests = 0;      ///< polygons left alone for some rows: hidden on all of them
-    std::uint64_t rows_left = 0;  ///< of all those, together
+    std::uint64_t rests = 0;      ///< polygons skipped for some rows: hidden on all of them
+    std::uint64_t rows_left = 0;  ///< the rows skipped, in total
   };
   /// Draws the rows, and returns counts of the work.
   Counts draw_rows_counting(int row_begin, int row_end, const SeenRun& seen) const;

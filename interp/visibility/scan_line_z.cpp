@@ -10,10 +10,10 @@ namespace displayfile {
 
 namespace {
 
-/// Polygons of the table that are passed over together if none of them reaches a row.
+/// The number of polygons of the table that are skipped together if none of them reaches a row.
 constexpr std::size_t kBlock = 64;
 
-/// Edges that there is always room for.
+/// The number of edges for which there is always room.
 constexpr std::size_t kFewEdges = 64;
 
 }  // namespace
@@ -35,10 +35,9 @@ void ScanLineZ::prepare(const Request& request, int /*threads*/) {
   }
 }
 
-/// The rows from row_begin to row_end, one after the other from the bottom. Its active edge list is
-/// not ActivePolygons, which keeps polygons in no order and an entry for each row of the picture:
-/// here the spans of a row are drawn in the order of entry, and nothing grows with the picture's
-/// height.
+/// The sweep over the rows from row_begin to row_end, from the bottom. Its active edge list is not
+/// ActivePolygons, which keeps polygons unordered and an entry for each row of the picture: here
+/// the spans of a row are drawn in order of entry, and no memory depends on the picture's height.
 class ScanLineZ::Sweep {
  public:
   Sweep(const ScanLineZ& method, int row_begin, int row_end)
@@ -62,8 +61,8 @@ class ScanLineZ::Sweep {
   }
 
  private:
-  /// A polygon that reaches the row. Of its edges, by first row, those before `active` have ended
-  /// and those from `next` on have not begun.
+  /// A polygon that reaches the row. Of its edges, ordered by first row, those before `active` have
+  /// ended and those from `next` on have not begun.
   struct ActivePolygon {
     Fill fill;
     int end_row;
@@ -105,8 +104,8 @@ void ScanLineZ::Sweep::find_active_below(int row) {
   std::ranges::sort(active_, {}, &ActivePolygon::fill);
 }
 
-/// Enters the polygons that begin in this row. Spans are drawn in the order of entry, so that of
-/// equal depths the later one is seen.
+/// Enters the polygons that begin in this row. Spans are drawn in order of entry, so that of equal
+/// depths the later one is visible.
 void ScanLineZ::Sweep::enter_polygons(int row) {
   const auto& table = method_.table_;
   const auto before = static_cast<std::ptrdiff_t>(active_.size());
@@ -126,7 +125,7 @@ void ScanLineZ::Sweep::enter(const Polygon& polygon, int row) {
                      FillDepth(scene_, polygon.fill, size_, method_.request_->roundoff)});
 }
 
-/// The edges of polygons that ended stay until they may be a third of all: a constant cost an edge.
+/// The edges of ended polygons are kept until they may be a third of all: constant cost per edge.
 void ScanLineZ::Sweep::drop_ended_edges(std::size_t to_come) {
   std::size_t living = to_come;
   for (const ActivePolygon& polygon : active_) living += polygon.end - polygon.active;
@@ -154,7 +153,7 @@ void ScanLineZ::Sweep::update_edges(ActivePolygon& polygon, int row) {
   polygon.edges_hold_until = until;
 }
 
-/// The edges of one polygon are paired, whatever lies between them: even-odd.
+/// Pairs the edges of one polygon, whatever lies between them: even-odd.
 void ScanLineZ::Sweep::fill_between_edges(const ActivePolygon& polygon, int row) {
   row_.begin_fill(polygon.fill, polygon.depth);
   if (polygon.next - polygon.active == 2) {

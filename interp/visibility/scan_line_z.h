@@ -8,20 +8,21 @@
 namespace displayfile {
 
 /// The scan-line z-buffer (Carpenter): all polygons are scan-converted together, row by row, so
-/// that one row of depths and fills is all the z-buffer there is
-/// (interp/visibility/scan_line_z.md). Besides that it keeps 12 bytes a polygon, and those that
-/// reach the row; nothing grows with the picture's height.
+/// that the z-buffer is a single row of depths and fills (interp/visibility/scan_line_z.md). In
+/// addition it keeps 12 bytes a polygon, and the polygons that reach the row; no memory depends on
+/// the picture's height.
 class ScanLineZ : public ImageSpaceMethod {
  public:
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
-  /// The polygons that reach the first row are found without looking at all of them.
+  /// The polygons that reach the first row are found without examining all of them.
   int rows_at_a_time() const override { return 16; }
 
  private:
   using Fill = ViewedScene::Fill;
 
-  /// A line of the polygon table: the rows that the fill crosses, first_row <= row < end_row.
+  /// A row of the polygon table: the picture rows that the fill crosses, first_row <= row <
+  /// end_row.
   struct Polygon {
     Fill fill;
     int first_row, end_row;

@@ -45,9 +45,9 @@ void SpanSweep::falls_due(Index span, int column) {
   std::push_heap(due_.begin(), due_.end());
 }
 
-/// The first column at which the other is seen, of two that are seen in different order at `column`
-/// and at `last`: the lecture's N = (z* - z) / (dz - dz*) columns on, if a comparison confirms it;
-/// by halving if not.
+/// The first column at which the other is visible, of two whose order differs at `column` and at
+/// `last`: the lecture's N = (z* - z) / (dz - dz*) columns on, if a comparison confirms it;
+/// otherwise found by bisection.
 int SpanSweep::crossover(const Span& seen, const Span& other, int column, int last) {
   ++counts_.crossovers;
   int before = column, after = last;

@@ -12,15 +12,15 @@
 
 namespace displayfile {
 
-/// One scan line without a z-buffer: of the runs of pixels in which polygons are IN, the visible
-/// one in each span between two ends (interp/visibility/scan_line.md). For one thread.
+/// One scan line without a z-buffer: finds, from the runs of pixels in which polygons are IN, the
+/// visible one in each span between two ends (interp/visibility/scan_line.md). For one thread.
 class SpanSweep {
  public:
   using Fill = ViewedScene::Fill;
 
   struct Counts {
     std::uint64_t spans = 0;        ///< runs in which a polygon is IN
-    std::uint64_t painted = 0;      ///< runs of pixels painted, the background's left out
+    std::uint64_t painted = 0;      ///< runs of pixels painted, without the background's
     std::uint64_t comparisons = 0;  ///< of two fills at a centre
     std::uint64_t crossovers = 0;   ///< found between polygons that interpenetrate
   };
@@ -31,8 +31,8 @@ class SpanSweep {
   /// A run of columns, first < end, of this row in which a polygon is IN.
   void add(const ActivePolygons::Polygon& polygon, ActivePolygons::Index index, int first, int end);
 
-  /// Writes the fill seen at each centre of the row. Calls hidden(polygon, other) where all of the
-  /// run of a polygon is hidden by the other's.
+  /// Writes the fill visible at each centre of the row. Calls hidden(polygon, other) if a polygon's
+  /// entire run is hidden by the other's.
   template <class Hidden>
   void sweep(std::span<Fill> seen, Hidden&& hidden);
 
@@ -49,9 +49,9 @@ class SpanSweep {
     double z, dz_dx, x0, error;  ///< depth in this row at x0, and its slope
     Fill fill;
     int first, end;
-    int due;            ///< from which column on its parent need not hide it
-    Index child, next;  ///< the first child; the next of its parent's or of its bucket
-    Index before;       ///< the one before of its parent's, or for the first its parent
+    int due;            ///< the column from which its parent may fail to hide it
+    Index child, next;  ///< the first child; the next sibling, or the next in its bucket
+    Index before;       ///< the previous sibling, or for the first child its parent
     std::uint32_t polygon : 31, may_rest : 1;
     double depth(int column) const { return z + dz_dx * (column + 0.5 - x0); }
   };
@@ -131,7 +131,7 @@ SpanSweep::Index SpanSweep::meld(Index a, Index b, int column, Hidden&& hidden) 
   if (behind.end <= seen.end) {
     if (behind.may_rest && behind.first == column) hidden(behind.polygon, seen.polygon);
     if (behind.child == kNone) return winner;  // never seen
-    // What it hides is hidden by nothing after it.
+    // After it ends, nothing is known to hide the spans behind it.
     if (behind.end < seen.end) falls_due(loser, behind.end);
   }
   hang(loser, winner);
@@ -172,7 +172,7 @@ SpanSweep::Index SpanSweep::after_end(Index ended, int column, Hidden&& hidden) 
   return nearest;
 }
 
-/// Spans that are due at the column, or their rests, compete with the visible span.
+/// The spans due at the column, and their remainders, compete with the visible span.
 template <class Hidden>
 SpanSweep::Index SpanSweep::decide_due(Index seen, int column, Hidden&& hidden) {
   while (!due_.empty() && due_.front().column <= column) {

@@ -14,14 +14,14 @@ namespace displayfile {
 
 namespace {
 
-/// Early finishing: at this many polygons, and at areas of so many pixels, scan conversion costs
-/// less than more subdivision (measured: interp/visibility/warnock.md).
+/// Early finishing: at this many polygons, and at areas of this many pixels, scan conversion costs
+/// less than further subdivision (measured: interp/visibility/warnock.md).
 constexpr std::size_t kFewPolygons = 4;
 constexpr long long kSmallArea = 32LL * 32;
 
 }  // namespace
 
-/// One call's work: the stack of areas, the lists, and what is seen in the rows.
+/// The data of one call: the stack of areas, the lists, and the visible fills of the rows.
 class Warnock::Subdivision {
  public:
   Subdivision(const Warnock& warnock, int row_begin, int row_end);
@@ -30,12 +30,12 @@ class Warnock::Subdivision {
   void tell(const SeenRun& seen) const;
 
  private:
-  /// An area yet to be looked at, and where its parent's list ends in lists_.
+  /// An area still to be visited, and where its parent's list ends in lists_.
   struct Pending {
     SampleArea area;
     std::size_t list_begin, list_end;
   };
-  /// A potentially visible polygon, and how it lies to the area: not disjoint.
+  /// A potentially visible polygon, and its category for the area: not disjoint.
   struct Listed {
     Fill fill;
     AreaCategory category;
@@ -63,8 +63,8 @@ class Warnock::Subdivision {
   CloseDepths depths_;
   SampleArea screen_;  // all that is drawn
 
-  SampleArea area_;         // the one looked at, whose list
-  std::size_t list_begin_;  // is the last of
+  SampleArea area_;         // the area being processed
+  std::size_t list_begin_;  // of the area's list, the last in lists_
   std::vector<Listed> lists_;
   std::vector<Pending> pending_;
   std::vector<Fill> seen_;  // of the screen's pixels, row by row
@@ -83,7 +83,7 @@ Warnock::Subdivision::Subdivision(const Warnock& warnock, int row_begin, int row
             ViewedScene::kBackground) {}
 
 /// The stack holds the areas still to come; their parents' lists lie in lists_ in the same order,
-/// so what lies behind the parent's of the area on top belongs to areas that are done.
+/// so entries after the list of the top area's parent belong to finished areas.
 void Warnock::Subdivision::run() {
   for (Fill fill = 1; fill < scene_.end(); ++fill) {
     lists_.push_back({fill, AreaCategory::intersecting});
@@ -114,7 +114,7 @@ void Warnock::Subdivision::make_list(const Pending& pending) {
   }
 }
 
-/// The polygon that is seen in the middle of the area, among those that surround it.
+/// The polygon visible in the middle of the area, among those that surround it.
 std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
   const int column = area_.first_column + area_.columns() / 2;
   const int row = area_.first_row + area_.rows() / 2;
@@ -126,7 +126,7 @@ std::optional<Warnock::Fill> Warnock::Subdivision::nearest_surrounding() {
   return nearest;
 }
 
-/// The difference of two planes' depths is linear: what holds at the corners holds between them.
+/// The difference of two planes' depths is linear: a sign at all corners holds between them.
 bool Warnock::Subdivision::hides_over(Fill a, Fill b, const SampleArea& area) {
   const int left = area.first_column, right = area.end_column - 1;
   const int bottom = area.first_row, top = area.end_row - 1;
@@ -167,8 +167,8 @@ void Warnock::Subdivision::scan_convert() {
   }
 }
 
-/// Divides the area into quarters; an area more than twice as long as it is wide into halves, so
-/// that areas come near to squares.
+/// Divides the area into quarters, or into halves if it is more than twice as long as wide, so that
+/// areas approach squares.
 void Warnock::Subdivision::subdivide() {
   const auto [left, right, bottom, top] = area_;
   const int columns = area_.columns(), rows = area_.rows();
@@ -184,8 +184,8 @@ void Warnock::Subdivision::subdivide() {
   }
 }
 
-/// Paints the fill where it is seen rather than what is there, in runs of pixels that show the
-/// same.
+/// Paints the fill where it hides the present one, comparing in runs of pixels that show the same
+/// fill.
 void Warnock::Subdivision::paint(Fill fill, int row, int first, int end) {
   Fill* seen = row_of(row);
   while (first < end) {

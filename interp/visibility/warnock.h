@@ -9,16 +9,16 @@
 
 namespace displayfile {
 
-/// Warnock's area subdivision that finishes early: areas that are small, or have few polygons, are
+/// Warnock's area subdivision with early finishing: areas that are small, or have few polygons, are
 /// not subdivided (interp/visibility/warnock.md). The books' algorithm is PlainWarnock
-/// (interp/visibility/plain_warnock.h). 4 bytes a pixel, 64 a fill.
+/// (interp/visibility/plain_warnock.h). Memory: 4 bytes a pixel, 64 a fill.
 class Warnock : public ImageSpaceMethod {
  public:
   using Fill = ViewedScene::Fill;
 
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
-  /// Every polygon is looked at for each call.
+  /// Each call examines every polygon.
   int rows_at_a_time() const override { return 128; }
 
  private:

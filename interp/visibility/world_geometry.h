@@ -19,7 +19,7 @@
 #include "hidden/exact/rounding.h"
 
 /// The geometry of rays in world coordinates (interp/visibility/ray_cast.md): one algorithm, two
-/// precisions. Numbers are balls first; where these leave something undecided, exact.
+/// precisions. Numbers are balls first, and exact where these leave a decision open.
 namespace displayfile::in_world {
 
 inline constexpr int kUndecided = 2;
@@ -67,8 +67,8 @@ struct Linear {
   Linear times(const Number& s) const { return {a * s, b * s, c * s, d * s}; }
 };
 
-/// A linear function over boxes none of whose coordinates is larger than `size`, wide enough for
-/// all rounding.
+/// A linear function over boxes whose coordinates are at most `size` in magnitude, with an error
+/// bound for all rounding.
 class OverBoxes {
  public:
   OverBoxes(const Linear<Ball>& f, const Point3& size)
@@ -80,7 +80,7 @@ class OverBoxes {
     most_offset_ = f.d.middle + 2.0 * error;
   }
 
-  /// At a point none of whose coordinates is larger.
+  /// At a point whose coordinates are within that size.
   Ball at(const Point3& p) const {
     const double value = normal_[0] * p.x + normal_[1] * p.y + normal_[2] * p.z;
     return {value + offset_.middle, offset_.radius};
@@ -92,7 +92,7 @@ class OverBoxes {
     boxes.set(0, box);
     return most(boxes)[0];
   }
-  /// No point of a box has less; it is at a corner, known by the signs.
+  /// A lower bound over each box; it is at a corner, which the signs determine.
   EachBox least(const SpaceBoxes& boxes) const {
     return at_corners(boxes.low, boxes.high, least_offset_);
   }
@@ -101,7 +101,7 @@ class OverBoxes {
   }
 
  private:
-  /// Looks at one axis after the other, as rising or falling along it says.
+  /// Visits one axis after the other, according to whether the function rises or falls along it.
   template <class Sides>
   EachBox at_corners(const Sides& rising, const Sides& falling, double offset) const {
     const auto& x = normal_[0] < 0.0 ? falling[0] : rising[0];
@@ -113,7 +113,7 @@ class OverBoxes {
     }
     return values;
   }
-  /// In place of the eight or fewer roundings of one unit that a term takes part in.
+  /// Bounds the at most eight roundings of one unit in which a term takes part.
   static double error_of(const Ball& of) { return of.radius + 16.0 * kUnit * std::abs(of.middle); }
 
   std::array<double, 3> normal_;
@@ -148,7 +148,8 @@ struct MatrixRows {
     };
     x = between(view.viewport.x_min, view.viewport.x_max, 0);
     y = between(view.viewport.y_min, view.viewport.y_max, 1);
-    // Not by z and w, whose rounded coefficients would put the planes beside where they were set.
+    // Not by z and w, whose rounded coefficients would displace the planes from where they were
+    // set.
     const glm::dmat4& plane = volume.view_plane();
     const Linear<Number> toward{number<Number>(plane[0][2]), number<Number>(plane[1][2]),
                                 number<Number>(plane[2][2]), number<Number>(plane[3][2])};
@@ -172,8 +173,8 @@ struct MatrixRows {
 
 // ---- A ray ----------------------------------------------------------------------------------
 
-/// A ray is where the plane through a column of pixel centres and the eye meets that through a
-/// row. Points right of the column and above the row are on the positive sides.
+/// A ray as the intersection of two planes through the eye: through a column of pixel centres and
+/// through a row. Points right of the column and above the row are on the positive sides.
 template <class Number>
 struct Ray {
   Linear<Number> column, row;
@@ -184,7 +185,8 @@ struct Quotient {
 };
 inline Quotient centre(int pixel, int pixels) { return {2.0 * pixel + 1.0, 2.0 * pixels}; }
 
-/// All points whose device coordinate is that; `along` is its row of the view's.
+/// The plane of all points with that device coordinate; `along` is the coordinate's row of the
+/// view's matrix.
 template <class Number>
 Linear<Number> plane_at(const Linear<Number>& along, const Quotient& at, const Linear<Number>& w) {
   return along.times(number<Number>(at.below)) - w.times(number<Number>(at.above));
@@ -194,9 +196,9 @@ Linear<Number> plane_at(const Linear<Number>& along, const Quotient& at, const L
 
 enum class Clipping { undecided, nothing, something };  ///< was cut away
 
-/// Sutherland and Hodgman's step. It is not the clip pipeline's, which divides and rounds: here
-/// exact numbers must say the same as rounded ones. A vertex on the plane is inside, and an edge is
-/// cut only from strictly inside to outside.
+/// A step of Sutherland and Hodgman's clipping. It is not the clip pipeline's, which divides and
+/// rounds: here exact numbers must give the same result as rounded ones. A vertex on the plane is
+/// inside, and an edge is cut only from strictly inside to outside.
 template <class Number>
 Clipping clip(const Linear<Number>& inside, WorldPoints<Number>& points, WorldPoints<Number>& cut) {
   bool is_outside = false;
@@ -223,7 +225,7 @@ Clipping clip(const Linear<Number>& inside, WorldPoints<Number>& points, WorldPo
   points.swap(cut);
   return Clipping::something;
 }
-/// By one plane after the other.
+/// Clips by one plane after the other.
 template <class Number>
 Clipping clip(const std::vector<Linear<Number>>& planes, WorldPoints<Number>& points,
               WorldPoints<Number>& cut) {
@@ -236,7 +238,7 @@ Clipping clip(const std::vector<Linear<Number>>& planes, WorldPoints<Number>& po
   return all;
 }
 
-/// All that the view leaves of a polygon.
+/// The part of a polygon in the view volume.
 template <class Number>
 Clipping clip_whole(std::span<const Point3> polygon, const MatrixRows<Number>& view,
                     WorldPoints<Number>& points, WorldPoints<Number>& cut) {
@@ -248,7 +250,7 @@ Clipping clip_whole(std::span<const Point3> polygon, const MatrixRows<Number>& v
   return in_window == Clipping::nothing ? before : in_window;
 }
 
-/// Even-odd, as interp/truth/truth.md defines it: 1, 0, or kUndecided.
+/// Coverage by the even-odd rule of interp/truth/truth.md: 1, 0, or kUndecided.
 template <class Number>
 int covers(const WorldPoints<Number>& points, const Ray<Number>& ray) {
   if (points.empty()) return 0;
@@ -287,8 +289,8 @@ std::vector<Place<Number>> places(const WorldPoints<Number>& points,
   return places;
 }
 
-/// Which way a polygon that is wholly in front of the eye turns in the picture, -1, 0 or 1: the
-/// sign of its area there, of the parts that turn one way less that of the others.
+/// The orientation in the picture of a polygon entirely in front of the eye, -1, 0 or 1: the sign
+/// of its area, the sum of the signed areas of its parts.
 inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
                            const MatrixRows<ExactNumber>& view) {
   const std::vector<Place<ExactNumber>> at = places(points, view);
@@ -304,10 +306,10 @@ inline int turn_in_picture(const WorldPoints<ExactNumber>& points,
   return sum.sign();
 }
 
-// ---- Where a ray meets a plane --------------------------------------------------------------
+// ---- Intersection of a ray and a plane ------------------------------------------------------
 
-/// It is the sum of three points of the plane, each weighted by what the ray's planes make of the
-/// other two.
+/// The hit is the sum of three points of the plane, each weighted by the values of the ray's planes
+/// at the other two.
 template <class Number>
 struct Hit {
   Number z, w;                ///< the depth in the view is z / w
@@ -342,8 +344,8 @@ Hit<Number> hit_of(const WorldPlane<Number>& plane, const Ray<Number>& ray,
   return hit;
 }
 
-/// The same point, rounded, in world coordinates. Throws Error if it is farther away than any
-/// double.
+/// The same point, rounded, in world coordinates. Throws Error if it is out of the range of
+/// doubles.
 inline Point3 point_hit(const WorldPlane<ExactNumber>& plane, const Ray<ExactNumber>& ray) {
   const std::array<ExactNumber, 3> weight = weights(plane, ray);
   WorldPoint<ExactNumber> sum;

@@ -49,7 +49,7 @@ void WorldRayCast::prepare(const Request& request, int) {
   depths_ = rays_.size() < 2 ? FillDepths() : FillDepths(request.scene, request.size, {});
 }
 
-/// Where the rays of several views see fills, the nearest of these is seen.
+/// Where rays of several views hit fills, the nearest of these is visible.
 void WorldRayCast::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
   const auto width = static_cast<std::size_t>(request_->size.width);
   std::vector<std::uint32_t> primitives(width);

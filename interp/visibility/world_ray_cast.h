@@ -10,13 +10,13 @@ namespace displayfile {
 
 /// Ray casting in object space as a method: the fill of the viewed scene visible at each pixel
 /// centre is the one hit by the rays in world coordinates (interp/visibility/ray_cast.md). Rays
-/// pass through everything that viewing removes.
+/// pass through everything removed by viewing.
 class WorldRayCast : public ImageSpaceMethod {
  public:
   /// The world must outlive this; null: prepare throws Error.
   explicit WorldRayCast(const ViewedWorld* world) : world_(world) {}
 
-  /// Takes up a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
+  /// Prepares for a viewed scene of the world's display file. Throws Error with a ROUNDOFF.
   void prepare(const Request& request, int threads) override;
   void draw_rows(int row_begin, int row_end, const SeenRun& seen) const override;
 

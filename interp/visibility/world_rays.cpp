@@ -25,9 +25,9 @@ namespace {
 
 using namespace in_world;
 
-/// Which way the triangles from a flat polygon's first vertex to its sides run, as seen along an
-/// axis that its plane is not parallel to: 1 counterclockwise, -1 clockwise, 0 both or neither.
-/// Where all run the same way, so does every part of the polygon.
+/// The orientation of the triangles from a flat polygon's first vertex to its sides, seen along an
+/// axis not parallel to its plane: 1 counterclockwise, -1 clockwise, 0 both or neither. If all have
+/// the same orientation, so does every part of the polygon.
 int way_around(std::span<const Point3> polygon, int axis) {
   const auto seen = [&](std::size_t i) {
     return Point2(polygon[i][(axis + 1) % 3], polygon[i][(axis + 2) % 3]);
@@ -58,7 +58,7 @@ WorldRays::WorldRays(const RetainedScene& scene, const DisplayFile& attributes)
   build();
 }
 
-/// Nothing if all its vertices are in line.
+/// None if all its vertices are collinear.
 std::optional<Primitives::PlanePoints> WorldRays::plane_of(
     std::uint32_t primitive, std::span<const Primitives::PlanePoints> shared) const {
   const bool is_shared = !shared.empty() && shared[primitive][0] != Primitives::kOwnPlane;
@@ -101,7 +101,7 @@ Bounds WorldRays::bounds_of(const Polygon& polygon) const {
   Bounds bounds;
   for (const Point3& p : points(polygon)) bounds.include(p);
   if (polygon.flat) return bounds;
-  // In nearly all views it is off the plane that it is seen in by less than this.
+  // In nearly all views its distance from the plane in which it is visible is less than this.
   constexpr double kWider = 0x1p-10;
   const Point3 size = bounds.high - bounds.low;
   const Point3 wider(kWider * std::max({size.x, size.y, size.z}) + kTiny);
@@ -143,8 +143,8 @@ class WorldRays::Caster {
             world.size_),
         boxes_hold_(world.by_view_.empty()) {}
 
-  /// For many rays: works out once what the view makes of the polygons of which each view makes
-  /// something else. If this is not called it is done where a ray hits one.
+  /// For many rays: computes once the visibility of polygons that depends on the view. If this is
+  /// not called, it is computed when a ray hits one.
   void view_polygons() {
     is_seen_.resize(world_.by_view_.size());
     std::vector<Bounds> boxes;
@@ -165,7 +165,7 @@ class WorldRays::Caster {
     boxes_hold_ = true;
   }
 
-  /// All rays of a column or of a row of pixels, or of a point, lie in a plane.
+  /// The plane of all rays of a column or a row of pixels, or of a point.
   struct Side {
     Quotient at;
     Linear<Ball> plane;
@@ -174,18 +174,18 @@ class WorldRays::Caster {
   Side column(const Quotient& at) const { return side(near_.x, at); }
   Side row(const Quotient& at) const { return side(near_.y, at); }
 
-  /// One ray, and what it has hit so far.
+  /// One ray, and its hits so far.
   struct Work {
     const Side *column, *row;
     Ray<Ball> near;
     std::optional<Ray<ExactNumber>> exact;
     const Polygon* seen;
     Hit<Ball> hit;
-    double hidden;  // nothing less near is seen
+    double hidden;  // the nearness below which nothing is visible
     WorldPoints<Ball> points, cut;
   };
 
-  /// The primitive seen, or kNothing.
+  /// The visible primitive, or kNothing.
   std::uint32_t cast(const Side& column, const Side& row, Work& work) const {
     work.column = &column;
     work.row = &row;
@@ -201,7 +201,7 @@ class WorldRays::Caster {
     return work.seen == nullptr ? kNothing : work.seen->primitive;
   }
 
-  /// Where the ray cast last hits what it sees.
+  /// The point at which the ray cast last hits the visible primitive.
   Point3 point_seen(Work& work) const {
     return point_hit(plane_of_hits<ExactNumber>(*work.seen), exact_ray(work));
   }
@@ -212,7 +212,7 @@ class WorldRays::Caster {
     return {at, plane, OverBoxes(plane, world_.size_)};
   }
 
-  /// Tells which of eight boxes a ray meets, and how near they begin.
+  /// Tests which of eight boxes a ray meets, and how near they begin.
   struct Meets {
     const OverBoxes &column, &row, &nearness;
     SpaceTree::Lanes operator()(const SpaceBoxes& boxes, OverBoxes::EachBox& nearest) const {
@@ -221,7 +221,7 @@ class WorldRays::Caster {
       nearest = nearness.most(boxes);
       SpaceTree::Lanes met;
       for (std::size_t k = 0; k < met.size(); ++k) {
-        // Where a bound is no number nothing is known to be missed.
+        // Where a bound is NaN, no miss is certain.
         const int missed = static_cast<int>(left[k] > 0.0) | static_cast<int>(right[k] < 0.0) |
                            static_cast<int>(lowest[k] > 0.0) | static_cast<int>(highest[k] < 0.0);
         met[k] = 1 - missed;
@@ -230,7 +230,7 @@ class WorldRays::Caster {
     }
   };
 
-  /// However near what the ray has hit is.
+  /// Tests the polygons that may be nearer than their boxes, whatever the ray has hit.
   void cast_at_those_out_of_boxes(Work& work) const {
     const auto meets = [&](const SpaceBoxes& boxes) {
       OverBoxes::EachBox nearest;
@@ -259,13 +259,13 @@ class WorldRays::Caster {
     work.hit = hit;
     const Ball nearness = hit.nearness / hit.of_world;
     const double least = nearness.middle - 2.0 * nearness.radius;
-    // A plane may be seen beyond what is infinitely far away, where it is not nearer than anything.
+    // A plane may be visible beyond infinity, where it is not nearer than anything.
     const bool is_known =
         perspective_ ? nearness.middle + 2.0 * nearness.radius < 0.0 : least == least;
     work.hidden = is_known && boxes_hold_ ? least : -std::numeric_limits<double>::infinity();
   }
 
-  /// Rather than what the ray has hit so far.
+  /// True if the polygon is visible rather than the ray's hit so far.
   bool is_seen(const Polygon& polygon, const Hit<Ball>& hit, Work& work) const {
     int order = compare(hit, work.hit);
     if (order == kUndecided) {
@@ -292,7 +292,7 @@ class WorldRays::Caster {
     return *work.exact;
   }
 
-  /// Clipped but for the sides of the window; false if that is undecided.
+  /// Clips against all planes except the sides of the window; false if that is undecided.
   template <class Number>
   bool vertices_of(const Polygon& polygon, const MatrixRows<Number>& view,
                    WorldPoints<Number>& points, WorldPoints<Number>& cut) const {
@@ -301,7 +301,7 @@ class WorldRays::Caster {
     return clip(view.clip, points, cut) != Clipping::undecided;
   }
 
-  /// The plane whose depth is seen.
+  /// The plane that defines the visible depth.
   template <class Number>
   WorldPlane<Number> plane_of_hits(const Polygon& polygon) const {
     const std::array<Point3, 3> corners = world_.corners_of_plane(polygon);
@@ -309,8 +309,8 @@ class WorldRays::Caster {
             world_point<Number>(corners[2])};
   }
 
-  /// Clipping leaves some of it, and that does not turn its back: of a polygon of which each view
-  /// makes something else.
+  /// True if clipping leaves a part, which does not face away: for a polygon whose visibility
+  /// depends on the view.
   bool is_seen(const Polygon& polygon) const {
     if (!is_seen_.empty()) return is_seen_[polygon.by_view] != 0;
     return viewer().is_seen(world_.points(polygon), polygon.both_sides);
@@ -325,9 +325,9 @@ class WorldRays::Caster {
   MatrixRows<ExactNumber> exact_;
   OverBoxes nearness_;
   std::vector<std::uint8_t> is_seen_;      // by Polygon::by_view, after view_polygons
-  std::vector<std::uint32_t> out_of_box_;  // polygons that may be seen nearer than their boxes
+  std::vector<std::uint32_t> out_of_box_;  // visible polygons possibly nearer than their boxes
   SpaceTree their_boxes_;
-  bool boxes_hold_;  // no others are
+  bool boxes_hold_;  // all other polygons are no nearer than their boxes
 };
 
 /// The rays through the pixel centres of a viewport.
@@ -389,7 +389,7 @@ std::vector<std::int32_t> WorldRays::picks(const View& view, const PictureSize& 
   return picks;
 }
 
-/// Edges of the viewport are covered as a polygon's are: the left and the upper one.
+/// Edges of the viewport are covered like a polygon's: the left and the upper one.
 std::optional<WorldRays::Seen> WorldRays::seen_at(const View& view, const Point2& at) const {
   const Rectangle& viewport = view.viewport;
   const Caster caster(*this, view, {});

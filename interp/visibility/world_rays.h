@@ -18,15 +18,15 @@ namespace displayfile {
 
 /// Ray casting in object space: in world coordinates, before viewing, a ray runs from the eye
 /// (perspective) or along a projector (parallel) through each pixel's centre to the nearest solid
-/// fill. The hierarchy of boxes through which it finds its way belongs to the world, and serves
-/// every view.
+/// fill. The hierarchy of boxes that it traverses belongs to the world, and serves every view.
 ///
-/// What a ray hits is decided as if the world's polygons went through the view's matrix unrounded
-/// (interp/visibility/ray_cast.md). Lines are not seen.
+/// Hits are decided as if the world's polygons were transformed by the view's matrix without
+/// rounding (interp/visibility/ray_cast.md). Lines are ignored.
 class WorldRays {
  public:
-  /// Takes the visible segments as they now are; `attributes` is the display file of the system
-  /// that retained them. Throws Error if one has an image transformation: those act after viewing.
+  /// Takes the visible segments in their current state; `attributes` is the display file of the
+  /// system that retained them. Throws Error if one has an image transformation: those act after
+  /// viewing.
   WorldRays(const RetainedScene& scene, const DisplayFile& attributes);
 
   /// The visible pick identifiers, row by row from the top, -1 for none; on up to `threads`
@@ -37,18 +37,18 @@ class WorldRays {
   /// of scene() for each, or kNothing. Several threads may call it at a time.
   using CastRow = std::function<void(int row, std::span<std::uint32_t> seen)>;
   static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
-  /// The rays of a picture, which must not outlive this. They see those primitives alone for which
-  /// `is_there` says so, all if it is empty. Throws Error as ViewVolume does.
+  /// The rays of a picture, which must not outlive this. They hit only primitives for which
+  /// `is_there` is true, all if it is empty. Throws Error as ViewVolume does.
   CastRow rays(const View& view, const PictureSize& size,
                std::function<bool(std::uint32_t)> is_there = {}) const;
 
-  /// What the ray through one point sees.
+  /// The result of the ray through one point.
   struct Seen {
     std::uint32_t primitive;
-    Point3 point;  ///< where, in world coordinates, rounded
+    Point3 point;  ///< the visible point, in world coordinates, rounded
   };
-  /// At a point of the picture (device coordinates, 0 to 1 over the picture); nothing outside of
-  /// the viewport. Throws Error as ViewVolume does.
+  /// The fill visible at a point of the picture (device coordinates, 0 to 1 over the picture); none
+  /// outside of the viewport. Throws Error as ViewVolume does.
   std::optional<Seen> seen_at(const View& view, const Point2& at) const;
 
   const RetainedScene& scene() const { return world_; }  ///< the visible segments
@@ -60,10 +60,10 @@ class WorldRays {
     static constexpr std::uint32_t kAlike = ~std::uint32_t{0};
     std::uint32_t primitive;        ///< in order of entry
     Primitives::PlanePoints plane;  ///< in which it is visible, by points of the world
-    std::uint32_t by_view;  ///< its number among those of which each view makes something else
-    std::int8_t turn;       ///< 1 if it runs as those three do, -1 if the other way round, or 0
-    bool flat;              ///< no vertex is off that plane
-    bool both_sides;        ///< back faces are kept
+    std::uint32_t by_view;          ///< its number among those whose visibility depends on the view
+    std::int8_t turn;  ///< 1 if it has the orientation of those three, -1 if the opposite, or 0
+    bool flat;         ///< no vertex is off that plane
+    bool both_sides;   ///< back faces are kept
   };
   class Caster;
   class PictureRays;

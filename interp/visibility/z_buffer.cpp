@@ -22,7 +22,7 @@ namespace {
 
 using Fill = ViewedScene::Fill;
 
-/// Depths in doubles of fills that were asked for lately.
+/// Depths in doubles of recently used fills.
 class KnownDepths {
  public:
   KnownDepths(const ViewedScene& scene, const PictureSize& size) : scene_(&scene), size_(size) {
@@ -52,7 +52,7 @@ class KnownDepths {
 };
 
 /// Decides first in doubles, and then by exact arithmetic; or as the textbook's SIGNOF does: closer
-/// than ROUNDOFF counts as equal, and of equals the later is seen.
+/// than ROUNDOFF counts as equal, and of equals the later is visible.
 class DepthDecisions : public BandDecisions {
  public:
   DepthDecisions(const ImageSpaceMethod::Request& request, const RowFills& fills,
@@ -60,7 +60,7 @@ class DepthDecisions : public BandDecisions {
       : fills_(fills), rows_(rows), known_(request.scene, request.size), orders_(request.scene) {
     take(request);
   }
-  /// For the pictures of another request, with the memory of those before.
+  /// Prepares for the pictures of another request, reusing memory.
   void take(const ImageSpaceMethod::Request& request) {
     scene_ = &request.scene;
     size_ = request.size;
@@ -76,7 +76,8 @@ class DepthDecisions : public BandDecisions {
     return static_cast<float>(margin) * (1.0F + 0x1p-20F);
   }
 
-  /// What is equal within ROUNDOFF may be farther, and so step by step much farther.
+  /// With a ROUNDOFF, a replacing fill may be farther by less than it, and after several
+  /// replacements much farther.
   bool keep_the_nearest() const override { return !roundoff_; }
 
   void begin(Fill fill) override { fill_ = fill; }
@@ -95,9 +96,9 @@ class DepthDecisions : public BandDecisions {
     return spans_;
   }
 
-  /// No centres are noted yet in the band that begins.
+  /// Begins a band, without noted centres.
   void begin_band() { noted_ = PixelSet(size_.width, rows_.row_begin, rows_.row_end); }
-  /// Decides those that were, close to boundaries of the band's fills, as entered.
+  /// Decides the noted centres, close to boundaries of the band's fills, as entered.
   void decide_noted(const FillsOfBand& fills) {
     if (noted_.empty()) return;
     in_order_.resize(fills.towards.size() + fills.turned_away.size());
@@ -156,13 +157,13 @@ class DepthDecisions : public BandDecisions {
   /// A difference in single precision is 1 at most.
   static constexpr float kNothingKnown = 1.0F;
 
-  /// One of the two fills is seen all over what both cover.
+  /// The difference for a pair of which one fill is visible wherever both cover.
   DepthDifference everywhere(Fill other, Order order) const {
     const bool later_is_seen = order == Order::second;
     return {.from = other, .z = later_is_seen == is_later(other) ? 1.0 : -1.0};
   }
 
-  /// The fill begun was entered after the other, which was drawn before it.
+  /// True if the fill begun was entered after the other, which was drawn before it.
   bool is_later(Fill other) const { return fill_ > other; }
 
   const FillDepth& own_depth() {
@@ -173,8 +174,8 @@ class DepthDecisions : public BandDecisions {
     return own_;
   }
 
-  /// True if the fill begun, of depth z at the pixel, is seen rather than the fill that the pixel
-  /// shows.
+  /// True if the fill begun, of depth z at the pixel, is visible rather than the fill that the
+  /// pixel shows.
   bool is_seen(int row, int column, double z, Fill other) {
     const FillDepth& other_depth = known_.of(other);
     const double nearer = z - finite(other_depth.depth.at(other_depth.depth.row(row), column));
@@ -186,14 +187,14 @@ class DepthDecisions : public BandDecisions {
     return orders_.later_is_seen(earlier, later, centre) == is_later(other);
   }
 
-  /// A depth as a z-buffer stores it, where infinity is the background.
+  /// A depth as stored by a z-buffer, in which infinity is the background.
   static double finite(double z) {
     constexpr double kLargest = std::numeric_limits<double>::max();
     return std::clamp(z, -kLargest, kLargest);
   }
 
-  /// A difference that is known to within `error`, and on the picture no larger than `largest`,
-  /// scaled for single precision.
+  /// A difference with an error of at most `error`, and of magnitude at most `largest` on the
+  /// picture, scaled for single precision.
   static DepthDifference in_single_precision(const DepthDifference& d, double largest,
                                              double error) {
     constexpr double kSingle = 0x1p-20, kLeast = 0x1p-900;
@@ -217,7 +218,7 @@ class DepthDecisions : public BandDecisions {
     const FillDepth &own = own_depth(), &from = known_.of(other);
     const PixelDepth &a = own.depth, &b = from.depth;
     const double width = size_.width, height = size_.height;
-    const auto largest = [&](const PixelDepth& d) {  // of what is computed with it
+    const auto largest = [&](const PixelDepth& d) {  // the largest intermediate value
       return std::abs(d.z0) + std::abs(d.dz_dx) * (std::abs(d.x0) + width) +
              std::abs(d.dz_dy) * (std::abs(d.y0) + height);
     };
@@ -248,7 +249,7 @@ class DepthDecisions : public BandDecisions {
 
 }  // namespace
 
-/// What one thread draws bands with.
+/// A thread's working data for drawing bands.
 struct ZBuffer::Worker {
   BandRows rows{};
   std::vector<float> z, farthest;
@@ -284,7 +285,7 @@ struct ZBuffer::Worker {
   }
 };
 
-/// The workers that are at rest.
+/// The idle workers.
 struct ZBuffer::Workers {
   std::mutex mutex;
   std::vector<std::unique_ptr<Worker>> at_rest;
@@ -330,7 +331,7 @@ void ZBuffer::for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& 
   }
 }
 
-/// What a batch has in each band: how many fills, and their columns.
+/// Counts a batch's fills in each band, and finds their columns.
 void ZBuffer::count_in_bands(const RowFills::Batch& batch) {
   const std::span<Band> bands = of_batch(batch.number);
   std::ranges::fill(bands, Band{.first_column = request_->size.width});
@@ -344,7 +345,7 @@ void ZBuffer::count_in_bands(const RowFills::Batch& batch) {
   }
 }
 
-/// A counting sort, the batches in parallel: within each half of a band the order of entry stays.
+/// A counting sort, the batches in parallel: each half of a band keeps the order of entry.
 void ZBuffer::sort_into_bands(int threads) {
   bands_.assign(bands(), {.first_column = request_->size.width});
   std::uint32_t all = 0;
@@ -376,7 +377,7 @@ void ZBuffer::sort_into_bands(int threads) {
   });
 }
 
-/// Beyond the columns of a band's fills there is the background.
+/// Outside of the columns of a band's fills the background is visible.
 void ZBuffer::draw_rows(int row_begin, int row_end, const SeenRun& seen) const {
   auto worker = take_worker();
   const int width = request_->size.width;

@@ -10,15 +10,15 @@
 
 namespace displayfile {
 
-/// The z-buffer (interp/visibility/z_buffer.md): fills are made ready once for a size and sorted
-/// into bands of a few rows, whose depths and fills stay in the cache while they are drawn in
-/// vectors of single precision. What that leaves undecided, and only that, is decided in doubles
-/// and then exactly; with a ROUNDOFF in doubles as the textbook's SIGNOF does.
+/// The z-buffer (interp/visibility/z_buffer.md): fills are prepared once for a size and sorted into
+/// bands of a few rows, whose depths and fills stay in the cache while they are drawn in vectors of
+/// single precision. Only undecided cases are decided in doubles and then exactly; with a ROUNDOFF
+/// in doubles as the textbook's SIGNOF does.
 class ZBuffer : public ImageSpaceMethod {
  public:
   enum class Decided {
     truly,
-    in_single_precision  ///< gets pixels wrong: it is there to measure what deciding truly costs
+    in_single_precision  ///< gets pixels wrong: for measuring the cost of exact decisions
   };
   explicit ZBuffer(Decided decided = Decided::truly);
   ~ZBuffer() override;
@@ -40,11 +40,11 @@ class ZBuffer : public ImageSpaceMethod {
   }
   template <class Visit>
   static void for_each_band(const RowFill& fill, std::span<Band> bands, Visit&& visit);
-  /// With a ROUNDOFF none is: of fills equal within it the drawing order decides.
+  /// With a ROUNDOFF none is: among fills equal within it the drawing order decides.
   bool is_drawn_late(const RowFill& fill) const { return fill.turned_away && !request_->roundoff; }
   void count_in_bands(const RowFills::Batch& batch);
   void sort_into_bands(int threads);
-  /// What a batch of fills has of each band; then where the next of these comes.
+  /// The counts of a batch's fills in each band; later the place of the next of these fills.
   std::span<Band> of_batch(std::size_t number) {
     return std::span(bands_of_batches_).subspan(number * bands(), bands());
   }

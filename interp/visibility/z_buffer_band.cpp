@@ -100,7 +100,8 @@ class RowDrawer {
     }
   }
 
-  /// From here on what tiles show is not known.
+  /// Writes the fills of all uniform tiles into their pixels; tiles are no longer tracked from here
+  /// on.
   void write_wholes() {
     if (!wholes_known_) return;
     wholes_known_ = false;
@@ -113,8 +114,8 @@ class RowDrawer {
     begun_ = true;
   }
 
-  /// The crossing that bounds the polygon in a row, on its left or on its right: with the sides
-  /// there taken as lines, the rightmost of the left crossings, the leftmost of the right ones.
+  /// The crossing that bounds the polygon in a row, on its left or right: with the sides there
+  /// extended to lines, the rightmost of the left crossings, the leftmost of the right ones.
   HWY_INLINE Floats crossing(const RowEdge* edges, int count, bool rightmost, Floats row) const {
     Floats x = hn::MulAdd(hn::Set(f_, edges[0].slope), row, hn::Set(f_, edges[0].x));
     for (int k = 1; k < count; ++k) {
@@ -140,7 +141,7 @@ class RowDrawer {
       hn::StoreU(column(left), i_, columns_.first + (row - row_begin));
       hn::StoreU(column(right), i_, columns_.end + (row - row_begin));
       if constexpr (kExact) {
-        // How far from the middle between two centres; half a column on one.
+        // The distance from the middle between two centres; half a column at a centre.
         const Floats half = hn::Set(f_, 0.5F);
         const Floats off = hn::Max(hn::Abs(hn::Sub(hn::Sub(hn::Ceil(left), left), half)),
                                    hn::Abs(hn::Sub(hn::Sub(hn::Ceil(right), right), half)));
@@ -155,8 +156,8 @@ class RowDrawer {
 
   static constexpr int kTile = BandRows::kTileColumns;
 
-  /// True if the fill, in that box, lies behind all that its tiles show. Depth is linear: it is
-  /// nearest at a corner of the box.
+  /// True if the fill, in that box, lies behind everything that its tiles show. Depth is linear: it
+  /// is nearest at a corner of the box.
   HWY_INLINE bool is_behind_all(const RowFill& f, const PixelBox& box) const {
     const int first_tile = box.first_column / kTile, last_tile = (box.end_column - 1) / kTile;
     if (!farthest_found_ || !f.certain || last_tile - first_tile > 1) return false;
@@ -168,11 +169,11 @@ class RowDrawer {
     return nearest - farthest < -hn::GetLane(margin_);
   }
 
-  /// Looking at tiles costs as much as drawing a few rows.
+  /// Examining tiles costs as much as drawing a few rows.
   static bool is_wide(int columns) { return columns >= 4 * kTile; }
 
-  /// Finds the tiles that the fill may be seen in, runs of them: in the others it lies behind all
-  /// that was drawn. Depth is linear, so over what the fill covers of a tile it is nearest and
+  /// Finds the tiles, in runs, where the fill may be visible: in the others it lies behind
+  /// everything drawn. Depth is linear, so over the covered part of a tile it is nearest and
   /// farthest at corners. False if there is none.
   HWY_NOINLINE bool find_open_tiles(const RowFill& f, const PixelBox& box) {
     const int low = box.first_row - f.row_begin, high = box.end_row - 1 - f.row_begin;
@@ -206,7 +207,7 @@ class RowDrawer {
     return any;
   }
 
-  /// The columns that are covered in each row.
+  /// The columns covered in every row.
   struct Common {
     int first, end;
   };
@@ -222,7 +223,7 @@ class RowDrawer {
   }
 
   /// A tile that the fill covers shows nothing beyond the fill's own farthest depth from now on. If
-  /// it showed one fill all over which is farther, or nothing, it now shows this one.
+  /// it showed a single farther fill, or nothing, it now shows this one.
   void draw_open_tiles(const RowFill& f, Fill fill, const PixelBox& box) {
     const bool all_rows = box.first_row == rows_.row_begin && box.end_row == rows_.row_end;
     const Common common = all_rows ? common_columns(box.end_row - box.first_row) : Common{0, 0};
@@ -270,7 +271,7 @@ class RowDrawer {
     }
   }
 
-  /// Between the fill and what the tile shows, over part of it: as order_over.
+  /// Compares the fill with the fill that the tile shows, over a part of it: as order_over.
   int order_in_tile(int tile, Fill fill, const PixelBox& part) {
     const Fill shown = rows_.whole[tile];
     if (shown == ViewedScene::kBackground) return 1;
@@ -283,8 +284,7 @@ class RowDrawer {
     return order_over(close_, part);
   }
 
-  /// 1 if the fill that the difference is of is seen all over the box, -1 if nowhere; 0 if that is
-  /// not known.
+  /// 1 if the fill of the difference is visible all over the box, -1 if nowhere; 0 if unknown.
   static int order_over(const DepthDifference& d, const PixelBox& box) {
     const double at = d.z + d.dz_dx * box.first_column + d.dz_dy * box.first_row;
     const double along = d.dz_dx * (box.end_column - 1 - box.first_column);
@@ -294,7 +294,7 @@ class RowDrawer {
     return at + std::max(along, 0.0) + std::max(up, 0.0) < -error ? -1 : 0;
   }
 
-  /// Into the tile's pixels, which show several fills from now on.
+  /// Writes the tile's fill into its pixels; from now on it shows several fills.
   void write_whole(int tile) {
     Fill& shown = rows_.whole[tile];
     if (shown != ViewedScene::kBackground && shown != BandRows::kSeveral) {
@@ -307,8 +307,8 @@ class RowDrawer {
     shown = BandRows::kSeveral;
   }
 
-  /// The columns of a fill that is not known to be convex. If a row has several runs of them, they
-  /// are drawn at once; then false.
+  /// Finds the columns of a fill that is not known to be convex. If a row has several runs, they
+  /// are drawn at once, and false is returned.
   HWY_NOINLINE bool decide_all_columns(const RowFill& f, Fill fill, const PixelBox& box) {
     begin(fill);
     const auto spans = decisions_.spans(box.first_row, box.end_row);
@@ -372,7 +372,7 @@ class RowDrawer {
     }
   }
 
-  /// Whatever is there.
+  /// Writes a span without comparing depths.
   HWY_INLINE void write_span(const RowFill& f, Fill fill, int row, int first, int end) {
     const int lanes = static_cast<int>(hn::Lanes(f_));
     const Floats slope = hn::Set(f_, f.dz_dx);
@@ -392,12 +392,12 @@ class RowDrawer {
            static_cast<float>(first - f.column) * f.dz_dx;
   }
 
-  /// A span, and the column from which on it is to be drawn.
+  /// A span, and the column from which it is still to be drawn.
   struct SpanLeft {
     int first, from, end;
   };
 
-  /// What the fill drawn lies before or behind another by, along a row.
+  /// The difference of depths between the fill drawn and another, along a row.
   struct RowDifference {
     Fill from;
     Floats start, slope, error;  ///< start: at the first column of the span
@@ -408,8 +408,8 @@ class RowDrawer {
             hn::Set(f_, static_cast<float>(d.dz_dx)), hn::Set(f_, d.error)};
   }
 
-  /// Where depths are too close: a pixel that shows the fill which was close last is decided by the
-  /// difference of the two depths, which is known better than each of them.
+  /// Draws where depths are too close: a pixel that shows the last close fill is decided by the
+  /// difference of the two depths, which is more accurate than either of them.
   HWY_NOINLINE void draw_closely(Fill fill, int row, const SpanLeft& span, Floats slope,
                                  float start) {
     const int lanes = static_cast<int>(hn::Lanes(f_));
@@ -428,7 +428,7 @@ class RowDrawer {
       const auto shows = [&](Fill one) {
         return hn::RebindMask(f_, hn::Eq(shown, hn::Set(u_, one)));
       };
-      const FloatMask others = hn::AndNot(shows(fill), covered);  // unless it is done anew
+      const FloatMask others = hn::AndNot(shows(fill), covered);  // unless they are redone
       FloatMask nearer = hn::And(others, hn::Gt(nearer_by, margin_));
       FloatMask undecided = hn::AndNot(hn::Gt(hn::Abs(nearer_by), margin_), others);
       const auto decide_close = [&](FloatMask same) {
@@ -451,7 +451,7 @@ class RowDrawer {
       if (HWY_UNLIKELY(!hn::AllFalse(f_, too_close)) && draw_exactly(row, i, too_close)) {
         forget_differences();
         close = in_row(close_, row, span.first);
-        continue;  // anew, with what is known now
+        continue;  // redone with the new results
       }
       i += lanes;
       offset = hn::Add(offset, step);
@@ -459,7 +459,7 @@ class RowDrawer {
   }
 
   /// Remembers a fill that lies before or behind the one begun in all rows: neighbouring pixels and
-  /// rows are then decided without looking at the difference again.
+  /// rows are then decided without evaluating the difference again.
   void keep_order(const DepthDifference& d) {
     const int order = order_over(d, box_);
     if (order != 0) ordered_ = {d.from, order > 0};
@@ -478,10 +478,10 @@ class RowDrawer {
   void forget_differences() {
     ++generation_;
     close_ = {.from = ViewedScene::kBackground,
-              .z = 1.0};  // what is drawn over the background is seen
+              .z = 1.0};  // a fill drawn over the background is visible
   }
 
-  /// The difference from the other fill, which is the close one from now on.
+  /// The difference from the other fill, which becomes the close one.
   const DepthDifference& difference_from(Fill other) {
     if (other == ViewedScene::kBackground) return close_ = {.from = other, .z = 1.0};
     Remembered& known = differences_[other % differences_.size()];
@@ -516,7 +516,7 @@ class RowDrawer {
   bool farthest_found_ = false;
   bool begun_ = false;
   PixelBox box_{};  // that holds all that is drawn of the fill begun
-  /// Differences from fills that were drawn before the one begun, by their numbers.
+  /// Differences from fills drawn before the one begun, by their numbers.
   struct Remembered {
     DepthDifference difference;
     std::uint64_t generation = 0;  // others are forgotten
@@ -524,7 +524,7 @@ class RowDrawer {
   std::array<Remembered, 16> differences_;
   std::uint64_t generation_ = 0;
   DepthDifference close_;  // that which was used last
-  /// One that lies before or behind the fill begun wherever that is drawn.
+  /// A fill that lies before or behind the fill begun wherever that is drawn.
   struct Ordered {
     Fill fill = BandRows::kSeveral;
     bool is_behind = false;

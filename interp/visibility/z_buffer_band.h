@@ -26,11 +26,11 @@ struct BandRows {
   ViewedScene::Fill* fill;  ///< ViewedScene::kBackground: none
 
   // Tiles are kTileColumns columns of all these rows.
-  /// A depth that no pixel of the tile is beyond, minus infinity if none is known. There is room
+  /// A depth beyond which no pixel of the tile lies, minus infinity if none is known. There is room
   /// for kPadding more.
   float* farthest;
-  /// The fill that a tile shows all over, which is written into its pixels later; the background,
-  /// which is there already; or kSeveral.
+  /// The single fill that a tile shows, written into its pixels later; the background, which is
+  /// already there; or kSeveral.
   ViewedScene::Fill* whole;
   static constexpr ViewedScene::Fill kSeveral = ~ViewedScene::Fill{0};
 
@@ -40,14 +40,14 @@ struct BandRows {
   }
 };
 
-/// What drawing into bands works with, kept from band to band and from picture to picture.
+/// Working memory for drawing into bands, kept between bands and pictures.
 struct BandScratch {
   struct Run {
     int first, end;
   };
-  std::vector<std::uint32_t> open;  ///< where a fill may be seen: a bit a tile, a word a vector
+  std::vector<std::uint32_t> open;  ///< where a fill may be visible: a bit a tile, a word a vector
   std::vector<float> own_farthest;  ///< its depths in these tiles
-  std::vector<Run> runs;            ///< of columns, which it is to be drawn in
+  std::vector<Run> runs;            ///< of columns, in which it is to be drawn
 };
 
 /// The depth of a fill minus that of one drawn before it, times a positive number: z + dz_dx i +
@@ -56,12 +56,12 @@ struct BandScratch {
 struct DepthDifference {
   ViewedScene::Fill from = ViewedScene::kBackground;  ///< the one drawn before
   double z = 0.0, dz_dx = 0.0, dz_dy = 0.0;
-  /// Bounds the error of what single precision makes of it.
+  /// Bounds the error of its evaluation in single precision.
   float error = 0.0F;
 };
 
-/// What the depths in single precision leave undecided, and how far apart two of them decide. The
-/// policy of the z-buffer, exact or with a ROUNDOFF, is here and nowhere else.
+/// Decides the cases that single precision leaves open, and sets how far apart two depths must be
+/// to decide. The z-buffer's policy, exact or with a ROUNDOFF, is here and nowhere else.
 class BandDecisions {
  public:
   using Fill = ViewedScene::Fill;
@@ -75,15 +75,15 @@ class BandDecisions {
   /// True if a pixel's fill is never replaced by a farther one, so that a tile's farthest depth is
   /// a valid bound.
   virtual bool keep_the_nearest() const = 0;
-  /// The fill that is drawn until the next call.
+  /// Begins a fill, which is drawn until the next call.
   virtual void begin(Fill fill) = 0;
   /// The spans in which the fill begun covers centres of these rows; valid until the next call.
   virtual std::span<const Span> spans(int row_begin, int row_end) = 0;
   /// The difference between the current fill and another, by their present data.
   virtual DepthDifference difference_from(Fill other) = 0;
-  /// Draws those pixels of a row, from `column`, whose bits are set, one after another: the fill
-  /// begun covers them, and each shows another. True as soon as more is known of two fills than
-  /// before: then the others may be decided by it.
+  /// Draws the pixels of a row, from `column`, whose bits are set, one after another: the fill
+  /// begun covers them, and each shows another fill. Returns true as soon as a new result about two
+  /// fills is known, by which the remaining pixels may be decided.
   virtual bool draw(int row, int column, std::uint32_t bits) = 0;
 };
 
@@ -93,14 +93,14 @@ struct FillsOfBand {
   std::span<const ViewedScene::Fill> turned_away;  ///< RowFill::turned_away
 };
 
-/// Draws the fills into rows that were cleared. Those turned away come last, so that what the
-/// others hide in whole tiles is passed over.
-/// Computes in the widest vectors that the processor has; the fills seen are the same with any.
+/// Draws the fills into cleared rows. Those turned away come last, so that parts hidden by the
+/// others in whole tiles are skipped. Uses the widest vectors of the processor; the visible fills
+/// are the same with any.
 void draw_into_band(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
                     BandDecisions& decisions, BandScratch& scratch);
 
-/// Draws as draw_into_band does, but with rounded decisions only, to measure what the exact ones
-/// cost.
+/// Draws as draw_into_band does, but with rounded decisions only, to measure the cost of exact
+/// ones.
 void draw_into_band_rounded(const RowFills& fills, const FillsOfBand& to_draw, const BandRows& rows,
                             BandDecisions& decisions, BandScratch& scratch);
 

@@ -4,8 +4,8 @@
 
 #include "interp/c/displayfile_c.h"
 
-// Where the members of the C API's structures stand, as JSON, so that a page need not know how the
-// compiler lays them out: {"df_options": {"size": 96, "members": {"width": ["i32", 4], ...}}, ...}.
+// The layout of the C API's structures, as JSON, so that a page need not know the compiler's layout
+// rules: {"df_options": {"size": 96, "members": {"width": ["i32", 4], ...}}, ...}.
 
 namespace {
 

@@ -41,7 +41,7 @@ auto make_unique_for_overwrite(size_t size) {
   return unique_ptr<Array>(new remove_extent_t<Array>[size]);
 }
 
-/// So that classes with such a member can have default comparisons.
+/// Allows default comparisons of classes with such a member.
 template <typename Value>
 constexpr auto operator<=>(const optional<Value>& a, const optional<Value>& b)
     -> decltype(*a <=> *b) {
@@ -119,7 +119,7 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
 
 namespace ranges {
 
-/// `compare` of the projections of two elements, `test` of that of one.
+/// `compare` applied to the projections of two elements, `test` to that of one.
 template <typename Compare, typename Projection>
 constexpr auto compared(Compare& compare, Projection& projection) {
   return [&](auto&& a, auto&& b) -> bool {
@@ -179,10 +179,10 @@ constexpr auto count(Range&& range, const Value& value, Projection projection = 
   return std::count_if(std::begin(range), std::end(range), equal_to_value(value, projection));
 }
 
-/// As many are in order after insertion; two such runs are the first that are merged.
+/// The length of the runs sorted by insertion before merging.
 constexpr ptrdiff_t kInsertedRun = 16;
 
-/// Inserts each of the elements where it belongs among those before it.
+/// Inserts each element at its place among those before it.
 template <typename Iterator, typename Less>
 void sort_by_insertion(Iterator first, Iterator last, Less& less) {
   for (Iterator k = first; k != last; ++k) {
@@ -193,9 +193,8 @@ void sort_by_insertion(Iterator first, Iterator last, Less& less) {
   }
 }
 
-/// Merges runs that grow: n log n comparisons, whatever the elements are, and equal ones stay in
-/// their order. The library's sort is five times as much code for each kind of element, and there
-/// are many kinds.
+/// Merges growing runs: O(n log n) comparisons for any elements, and stable. The library's sort is
+/// five times as much code for each type of element, and there are many types.
 template <typename Iterator, typename Less>
 void sort_by_merging(Iterator first, Iterator last, Less& less) {
   const ptrdiff_t size = last - first;

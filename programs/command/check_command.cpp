@@ -36,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What an input's segments hold, against a dump.
+/// Compares the instructions in an input's segments with a dump.
 class InstructionCheck : public GoldenCheck {
  public:
   explicit InstructionCheck(const CheckedInputs& inputs) : inputs_(inputs) {}
@@ -132,15 +132,15 @@ std::string totals(std::span<const Row> rows) {
                      count(Verdict::bad));
 }
 
-/// Without the input's name before it: the table has it. A place in the file stays.
+/// The message without the input's name before it, which the table has. A place in the file stays.
 std::string without_name(const std::string& message, const std::string& input) {
   if (!message.starts_with(input + ":")) return message;
   const std::string rest = message.substr(input.size() + 1);
   return rest.starts_with(' ') ? rest.substr(1) : rest;
 }
 
-/// A difference as it follows the input's name and a colon: with the line in the input, if it is
-/// known. Empty if there is none.
+/// A difference in the form that follows the input's name and a colon: with the line in the input,
+/// if it is known. Empty if there is none.
 std::string after_name(const std::optional<GoldenDifference>& difference) {
   if (!difference) return "";
   return difference->line == 0 ? " " + difference->text

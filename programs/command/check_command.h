@@ -16,7 +16,7 @@ namespace displayfile {
 /// drawing order. It draws nothing, except for another kind of check.
 struct CheckCommand {
   std::vector<std::string> inputs;
-  std::string with;  ///< a drawing program before each input, and before one for all to be equal to
+  std::string with;  ///< a drawing program before each input, and before one reference of all
   HiddenSurfaceWords hidden_surfaces;
   PictureSizeWord size{""};  ///< of the pictures, or of those that windows are made for
   MeshWords meshes;
@@ -30,7 +30,7 @@ struct CheckCommand {
   std::shared_ptr<GoldenCheckOption> other = nullptr;
 
   CLI::App& add_to(CLI::App& app);
-  int run();  ///< 2 if an input is bad, otherwise 1 if one differs
+  int run();  ///< 2 if an input is invalid, otherwise 1 if one differs
 
  private:
   bool is_one_file() const;

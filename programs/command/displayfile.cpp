@@ -62,7 +62,7 @@ std::vector<char*> command_line(int argc, char** argv) {
   return words;
 }
 
-/// What is in the place of a subcommand's name must be one.
+/// Throws Error if the first word is neither an option nor a command's name.
 void require_known_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
@@ -79,7 +79,7 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
                           did_you_mean(name, known), fmt::join(names, " ")));
 }
 
-/// The message about an option that is not one of the command's, or else about what was wrong.
+/// The message about an option that the command does not have, otherwise about the error.
 std::string wrong_command_line(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -130,7 +130,7 @@ void prepare(Command& command) {
   if constexpr (requires { command.other; }) command.other = std::make_shared<PictureCheck>();
 }
 
-/// What the commands are added to.
+/// The parser to which commands are added, and their common state.
 struct CommandLine {
   CLI::App& app;
   const AskedOfItself& asked;

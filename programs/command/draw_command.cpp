@@ -302,7 +302,7 @@ MeshWords DrawCommand::entering(const DrawOptions& drawing) const {
 StartingShading DrawCommand::starting_shading() const {
   const bool has_meshes = !std::ranges::all_of(inputs, is_drawing_program);
   const bool has_programs = std::ranges::any_of(inputs, is_drawing_program);
-  // Hatching lines run on over the facets of what is round, up to the creases that are drawn.
+  // Hatching lines run on over the facets of curved surfaces, up to the creases that are drawn.
   const LineSelection lines = entering_.lines.value_or(LineSelection{});
   const StartingShading for_hatching{Shading::gouraud, lines.crease_degrees};
   return shading.starting(has_meshes, has_programs,
@@ -419,11 +419,11 @@ std::vector<DrawCommand::Outputs> DrawCommand::outputs_of_each(const DrawOptions
 
 namespace {
 
-/// What would keep all inputs from being drawn: an option, or a folder that is not there.
+/// Throws Error for what would keep all inputs from being drawn: an option, or a missing folder.
 void require_drawable_names(const std::string& output, const DrawOptions& options,
                             const std::filesystem::path& first, const std::filesystem::path& ids,
                             const std::filesystem::path& depth) {
-  picture_kind(output, options);  // an unknown extension is told with the name as given
+  picture_kind(output, options);  // reports an unknown extension with the name as given
   const auto beside = [](const std::filesystem::path& pattern, const std::filesystem::path& file) {
     if (file.empty()) return file;
     const std::filesystem::path folder = folder_before_fields(pattern.string());

@@ -41,7 +41,7 @@ struct DrawCommand {
   MeshWords meshes;
   bool stats = false;
   bool quiet = false;                     ///< no warnings; inputs not drawn are listed at the end
-  bool explain = false;                   ///< what `auto` picked, and why
+  bool explain = false;                   ///< the choice of `auto`, and the reason
   std::optional<std::string> line_width;  ///< in words (programs/options/line_words.h)
   std::optional<std::string> line_order;  ///< entry or depth
   std::optional<std::string> halo;        ///< in words, as line_width
@@ -69,8 +69,8 @@ struct DrawCommand {
   std::optional<ExactScale> exact_scale(const DrawOptions& drawing) const;
   void fit_to_all(const DrawOptions& drawing);
   TurntableViews views_drawn() const;
-  /// Draws inputs, and makes the folders of outputs, if any are to be made, when all is read.
-  /// Returns what the printed options have to say of it.
+  /// Draws inputs, and makes the folders of outputs, if any are to be made, once all inputs are
+  /// read. Returns the text of the printing options.
   std::string draw_into(std::span<const std::string> drawn, const std::filesystem::path& file,
                         const DrawOptions& drawing, MadeFolders* folders,
                         NotInPicture& left_out) const;

@@ -40,7 +40,7 @@ CLI::App& ExportCommand::add_to(CLI::App& app) {
 
 namespace {
 
-/// What the inputs have that is no solid fill.
+/// The contents of the inputs that are not solid fills.
 struct NotExported {
   std::size_t lines = 0, hollow = 0, texts = 0;
 };

@@ -30,7 +30,7 @@ struct PageCommand {
  private:
   DrawOptions drawing() const;
   StartingShading starting_shading() const;
-  /// With what every page that draws has in `data`.
+  /// Adds the entries that every drawing page has in `data`.
   PageContents product(nlohmann::ordered_json data, const PageFiles& files) const;
   PageContents scene(nlohmann::ordered_json data, DrawOptions options) const;
 };

@@ -1,5 +1,5 @@
-// The command `displayfile check` by itself: what tests/check-goldens needs, so that a compiler
-// need compile nothing that draws.
+// The command `displayfile check` by itself, for tests/check-goldens, so that a compiler need not
+// compile code that draws.
 
 #include <CLI/CLI.hpp>
 #include <exception>

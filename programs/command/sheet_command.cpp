@@ -44,7 +44,7 @@ SheetProjection projection_of(const std::string& word) {
   throw Error(fmt::format("--projection {}: expected third or first", word));
 }
 
-/// Whether a face of the part lies in the plane at a position of a view.
+/// True if a face of the part lies in the plane at a position of a view.
 bool has_face_at(const Mesh& part, ViewKind view, double position) {
   const auto in_plane = [&](std::uint32_t corner) {
     return in_view(view, part.vertices[corner]).z == position;
@@ -55,8 +55,8 @@ bool has_face_at(const Mesh& part, ViewKind view, double position) {
   return false;
 }
 
-/// Whether a plane at a position of a view has a part of a face behind it and another not: false in
-/// a gap between bodies.
+/// True if a plane at a position of a view has one part of a face behind it and another not: false
+/// in a gap between bodies.
 bool cuts_a_face(const Mesh& part, ViewKind view, double position) {
   const auto behind = [&](std::uint32_t corner) {
     return in_view(view, part.vertices[corner]).z < position;
@@ -68,9 +68,9 @@ bool cuts_a_face(const Mesh& part, ViewKind view, double position) {
   return false;
 }
 
-/// Throws Error unless the plane at a position of a view cuts the part. Since what lies in the
-/// plane counts as before it (section.md), a face at the part's near end is cut, and one at its far
-/// end has nothing behind it.
+/// Throws Error unless the plane at a position of a view cuts the part. Since points in the plane
+/// count as before it (section.md), a face at the part's near end is cut, and one at its far end
+/// has nothing behind it.
 void require_cut(const Mesh& part, ViewKind view, std::string_view name, double position) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const std::uint32_t corner : part.corners) {
@@ -91,7 +91,7 @@ void require_cut(const Mesh& part, ViewKind view, std::string_view name, double 
                    high));
 }
 
-/// Each name of parts once, in order, and how many have it.
+/// Each name of parts once, in order, and the number of parts with it.
 std::vector<PartsListRow> listed(std::span<const NamedPart> parts) {
   std::vector<PartsListRow> all;
   std::unordered_map<std::string_view, std::size_t> row_of;
@@ -126,7 +126,7 @@ std::vector<std::uint8_t> parts_named(const std::string& words, const Part& part
   return named;
 }
 
-/// Throws Error if nothing of a view lies in the circle of a detail.
+/// Throws Error if a detail's circle contains nothing of the view.
 void require_shown(const DetailWanted& detail, const PartDrawing& view, const std::string& word) {
   const Point2 nearest = glm::clamp(detail.middle, view.low, view.high);
   if (glm::distance(nearest, detail.middle) < detail.radius) return;
@@ -136,7 +136,7 @@ void require_shown(const DetailWanted& detail, const PartDrawing& view, const st
                   word, view.low.x, view.high.x, view.low.y, view.high.y));
 }
 
-/// Names each part of --uncut that no section plane goes through.
+/// Warns of each part of --uncut that no section plane goes through.
 void warn_of_whole_parts(const Part& part, const std::vector<std::uint8_t>& uncut,
                          std::span<const ViewWanted> views) {
   const auto is_cut = [&](const std::string& name) {
@@ -191,7 +191,7 @@ std::vector<PartsListRow> parts_list_of(const Part& part, bool is_asked) {
   return {};
 }
 
-/// What stands at points of the part, each in a view.
+/// The annotation at points of the part, each in a view.
 PartAnnotation placed_annotation(const Part& part, std::span<const ViewWanted> wanted,
                                  std::span<const PartDrawing> views) {
   PartAnnotation annotation{{}, {}, part.axes};

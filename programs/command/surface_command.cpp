@@ -40,14 +40,14 @@ bool has_holes(const SurfaceData& surface) {
   return std::ranges::any_of(surface.heights, [](double height) { return std::isnan(height); });
 }
 
-/// Bytes that drawing takes for a cell, at the most at a time, measured: of curves by the perimeter
-/// method, and of what any other method draws.
+/// The most bytes that drawing holds at a time for a cell, measured: of curves by the perimeter
+/// method, and of anything drawn by another method.
 constexpr double kBytesOfCurves = 500.0, kBytesOfOthers = 1300.0;
-/// Address space that is asked for at once, over that: not all of it is used without gaps.
+/// The factor for address space that is reserved at once: not all of it is used without gaps.
 constexpr double kRoom = 1.25;
 
-/// Throws Error if the system has not the memory that so many points need, before any time is spent
-/// on them.
+/// Throws Error, before any time is spent on them, if the system lacks the memory that the points
+/// need.
 void require_memory(double points, const std::string& surface, double bytes_of_cell) {
   constexpr double kGigabyte = 1e9, kWorthAsking = 1e8;
   const double needed = points * bytes_of_cell;
@@ -61,15 +61,15 @@ void require_memory(double points, const std::string& surface, double bytes_of_c
                   surface, points, needed / kGigabyte, offered / kGigabyte, most, most));
 }
 
-/// One surface in lines is drawn nearest first; what has colours, or passes through another, as
-/// surfaces are.
+/// One surface in lines is drawn nearest first; coloured or intersecting surfaces are drawn as
+/// surfaces.
 HiddenMethod usual_method(std::span<const SurfaceData> surfaces, bool coloured) {
   if (surfaces.size() > 1 || coloured) return HiddenMethod::automatic;
   return has_holes(surfaces[0]) ? HiddenMethod::franklin : HiddenMethod::perimeter;
 }
 
-/// The user routines by which a program sets what the options set of hidden surfaces, so that it
-/// draws the same without them. A surface is open: its back faces are seen.
+/// Records the user routines that set the hidden-surface options, so that the program draws the
+/// same without them. A surface is open: its back faces are visible.
 void record_drawing(Recorder& recorder, const DrawOptions& options,
                     const std::optional<LineSelection>& lines) {
   GraphicsSystem system;
@@ -238,7 +238,7 @@ int SurfaceCommand::run() const {
     record_drawing(*recorder, options, lines);
     system.set_recorder(&*recorder);
   }
-  // The program has it too.
+  // The recorded program has this setting too.
   if (hidden_surfaces.touching) system.set_hidden_surfaces({.touching = *hidden_surfaces.touching});
   if (lines) {
     SystemInside::replace_lines(system, *lines);

@@ -145,7 +145,7 @@ int TruthCommand::run() {
   return status;
 }
 
-/// That of the display file; or one from before viewing, and then the report has the number of
+/// The picture of the display file, or one from before viewing: then the report has the number of
 /// pixels in which the two differ.
 Picture TruthCommand::true_picture(const GraphicsSystem& system, const RetainedScene& retained,
                                    From judged_from, std::string& report) const {

@@ -36,7 +36,7 @@ struct TruthCommand {
   int run();
 
  private:
-  /// What the item buffer is judged from.
+  /// The source of the item buffer.
   enum class From { display_file, world, entered };
   From judged_from() const;
   bool wants_lines() const { return !seen_lines.empty() || !hidden.empty(); }

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// What of the statistics does not depend on the kind of tree.
+/// The statistics that do not depend on the kind of tree.
 std::string polygons_entered(const GraphicsSystem& system) {
   return fmt::format("polygons entered   {} ({} not flat, triangulated)\n",
                      system.counts().polygons, system.counts().triangulated);

@@ -30,7 +30,7 @@ namespace displayfile {
 
 namespace {
 
-/// The smaller of what is allowed already and this.
+/// Lowers the maximum of a limit to `most` if it is above that.
 void lower_limit(int resource, rlim_t most) {
   rlimit limit{};
   if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0) return;
@@ -39,8 +39,7 @@ void lower_limit(int resource, rlim_t most) {
   setrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit);
 }
 
-/// To all that may be had: the limit that is inherited is what the waiting process has for itself
-/// (LentMemory).
+/// Raises a limit to its maximum: the inherited one is the waiting process's own (LentMemory).
 void raise_limit(int resource) {
   rlimit limit{};
   if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0) return;

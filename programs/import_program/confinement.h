@@ -15,10 +15,10 @@ struct Enforced {
   bool calls = false;  ///< seccomp: no system call but those that reading needs
 };
 
-/// What a process gives up at its start, before anything is loaded: it ends when the one that
-/// waits for it ends, leaves no core file, writes no file, has few files open, and no descriptor
-/// but the first `descriptors`; after `seconds` of the processor's time it is ended. False if the
-/// process that waits has ended already.
+/// Confines this process at its start, before anything is loaded: it ends when the waiting process
+/// ends, leaves no core file, writes no file, has few files open, and no descriptor but the first
+/// `descriptors`; after `seconds` of the processor's time it is ended. Returns false if the waiting
+/// process has ended already.
 bool begin_confinement(long waiting_process, int descriptors, std::size_t seconds);
 
 /// Restricts the process before a mesh is read: no more than `bytes` of additional memory, no files

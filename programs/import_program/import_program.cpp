@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kEndedAlready = 1;
 
-/// Where nobody listens any more, the signal that it brings ends the process.
+/// If the waiting process has gone, the signal from the pipe ends this one.
 void write_all(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = write(kReplyDescriptor, bytes.data(), bytes.size());
@@ -44,7 +44,7 @@ std::size_t number(std::string_view word) {
   return value;
 }
 
-/// Some of the library's readers catch what new throws, and go on as if the file were a bad one.
+/// Some of the library's readers catch what new throws and continue as if the file were invalid.
 [[noreturn]] void end_hungry() { _exit(kOutOfMemoryStatus); }
 
 Mesh read_confined(const std::string& path, bool with_normals, std::size_t memory) {
@@ -63,7 +63,7 @@ void answer(const std::string& path, bool with_normals, std::size_t memory) {
     send_refusal(e.what(), write_all);
   } catch (const std::bad_alloc&) {
     end_hungry();
-  } catch (const std::exception& e) {  // what a reader of the library let through
+  } catch (const std::exception& e) {  // an exception that a reader of the library did not catch
     send_refusal(fmt::format("{}: not a mesh that can be read: {}", path, e.what()), write_all);
   }
 }
@@ -81,7 +81,7 @@ int read_for_waiting_process(int argc, char** argv) {
     return kEndedAlready;
   }
   answer(words[6], words[5] == std::string_view("1"), number(words[3]));
-  _exit(0);  // what the library would still free takes longer than to end
+  _exit(0);  // freeing the library's memory would take longer than to end
 }
 
 }  // namespace displayfile

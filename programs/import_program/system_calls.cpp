@@ -30,7 +30,7 @@ namespace displayfile {
 
 namespace {
 
-/// A call that is allowed if the bits of its argument under the mask are these.
+/// A call that is allowed if the bits of its argument under the mask equal these.
 struct Allowed {
   long call;
   unsigned argument = 0;
@@ -78,7 +78,7 @@ std::vector<Allowed> allowed_calls() {
       {SYS_faccessat2},
 #endif
       {SYS_getcwd},
-      {SYS_statfs},  // how long paths may be
+      {SYS_statfs},  // the longest paths
       {SYS_fcntl, 1, kAll, F_GETFL},
       {SYS_fcntl, 1, kAll, F_GETFD},
       {SYS_fcntl, 1, kAll, F_SETFD},
@@ -87,7 +87,7 @@ std::vector<Allowed> allowed_calls() {
       {SYS_fcntl64, 1, kAll, F_GETFD},
       {SYS_fcntl64, 1, kAll, F_SETFD},
 #endif
-      // what is open already
+      // on files that are open already
       {SYS_write},
       {SYS_writev},
       // memory
@@ -124,7 +124,7 @@ std::vector<Allowed> allowed_calls() {
       {SYS_exit},
       {SYS_exit_group},
   };
-  if (kWatchesResidentMemory) {  // a sanitizer asks by a pipe whether memory can be read
+  if (kWatchesResidentMemory) {  // a sanitizer finds out by a pipe if memory can be read
     calls.push_back({SYS_pipe2});
 #ifdef SYS_pipe
     calls.push_back({SYS_pipe});
@@ -137,7 +137,7 @@ sock_filter statement(unsigned code, std::uint32_t value) {
   return {static_cast<std::uint16_t>(code), 0, 0, value};
 }
 
-/// Goes on if equal, or else passes over so many.
+/// Continues if equal; otherwise skips `skipped_if_not` statements.
 sock_filter if_equal(std::uint32_t value, std::uint8_t skipped_if_not) {
   return {BPF_JMP | BPF_JEQ | BPF_K, 0, skipped_if_not, value};
 }

@@ -30,8 +30,7 @@ std::string exact_stage_counts() {
   return text.empty() ? "exact stage        not used\n" : text;
 }
 
-/// What sorting the hidden surfaces cost, or how much of lines is seen; nothing if none were
-/// sorted.
+/// The cost of sorting hidden surfaces, or the visible share of lines; nothing if none were sorted.
 std::string sort_counts(const DisplayFile& file, HiddenMethod method,
                         std::size_t polygons_and_lines) {
   const SortCounts counts = counts_of_sorts(file);
@@ -85,7 +84,7 @@ std::string crumb_counts(const DisplayFile& file, const DrawOptions& options) {
   return fmt::format("crumbs left out    {}\n", counter.count());
 }
 
-/// How many of the polygons lie in planes that they share, as they were entered.
+/// The number of polygons that lie in planes shared by others, as they were entered.
 std::string touching_counts(const DisplayFile& file) {
   const ViewedScene scene(file);
   std::size_t polygons = 0;

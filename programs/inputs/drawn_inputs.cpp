@@ -23,7 +23,7 @@ namespace displayfile {
 
 namespace {
 
-/// What is said where it would take more to know more.
+/// Printed where finding the reason would exceed the limits.
 constexpr const char* kNoReason = "finding the reason would exceed the limits";
 
 bool reads_standard_input(std::span<const std::string> inputs) {
@@ -52,8 +52,7 @@ DrawnInputs::DrawnInputs(std::span<const std::string> inputs, const PicturePlan&
     system_.retain(&scene_);  // for check_window too, as standard input is read once
   }
   enter(system_);
-  SystemInside::retains_alone(system_) ? settle_in_view(plan_, &system_)
-                                       : settle(plan_, &system_);
+  SystemInside::retains_alone(system_) ? settle_in_view(plan_, &system_) : settle(plan_, &system_);
 }
 
 bool DrawnInputs::are_bare_meshes() const {
@@ -93,7 +92,7 @@ void DrawnInputs::enter(GraphicsSystem& system) const {
   enter_inputs(inputs_, system, meshes_, aspect, options.surfaces);
 }
 
-/// What they drew is retained for that when they are read once more, as standard input cannot be.
+/// The scene is retained for this when the inputs are read again, as standard input cannot be.
 std::string DrawnInputs::why_nothing_is_seen() const {
   const DisplayFile& drawn = system_.display_file();
   const SeenIn picture = seen_in(plan_);

@@ -25,8 +25,8 @@ class DrawnInputs {
   DrawnInputs(const DrawnInputs&) = delete;
   DrawnInputs& operator=(const DrawnInputs&) = delete;
 
-  /// Bare meshes of which no more than a picture of pixels is wanted, found in image space, are
-  /// retained alone: its display file is then empty.
+  /// Bare meshes for which only a pixel picture by an image-space method is requested are only
+  /// retained: the display file is then empty.
   const GraphicsSystem& system() const { return system_; }
   /// That of the call, settled, with the chosen method for meshes alone.
   const PicturePlan& plan() const { return plan_; }

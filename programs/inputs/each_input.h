@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// What became of one of many inputs.
+/// The result for one of several inputs.
 struct InputResult {
   std::string text;      ///< for standard output
   std::string error;     ///< a message that names the input; empty if there was none

@@ -115,7 +115,7 @@ void append_dash_dots(const Point3& from, const Point3& to, double period,
     if (length > 0.0) pieces.emplace_back(from, to);
     return;
   }
-  // Whole periods and one more dash.
+  // An integral number of periods and one more dash.
   const double periods = std::max(1.0, std::round(length / period - kDash));
   const double unit = 1.0 / (periods + kDash);
   const auto at = [&](double t) { return glm::mix(from, to, std::min(t * unit, 1.0)); };
@@ -138,7 +138,7 @@ std::string name_of(const AssembledInputs& assembly, const RetainedScene::Segmen
   return object.empty() ? fmt::format("{}", segment.name) : object;
 }
 
-/// Segments of annotation alone belong to the part that has their title as its name.
+/// Segments with only annotation belong to the part that has their title as its name.
 void join_annotation_by_title(const AssembledInputs& assembly, std::span<const AssemblyPart> parts,
                               std::vector<std::size_t>& part_of_opening) {
   for (const RetainedScene::Segment& segment : assembly.scene.segments()) {
@@ -203,8 +203,8 @@ std::vector<std::pair<Point3, Point3>> traces_of(std::span<const AssemblyPart> p
 
 namespace {
 
-/// The names of segments that were whole in their view, and are not as they are moved. A view is
-/// fitted to what is moved where there are meshes and no window is set.
+/// The names of segments that were whole in their view and are clipped after the moves. With meshes
+/// and no window set, the view is fitted to the moved parts.
 std::vector<int> cut_off_by_moves(const AssembledInputs& assembly,
                                   std::span<const std::string> inputs,
                                   std::span<const Point3> places) {

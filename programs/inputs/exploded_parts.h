@@ -17,18 +17,18 @@ struct AssemblyPart {
   Point3 low, high;  ///< its box, before it is moved
   Point3 move{0.0};
   Point3 neighbour{0.0};  ///< the move of the part before it, from which its trace line starts
-  /// Of an input: its file's name without folder and extension. Of a segment: its title, or the
-  /// object's name, or its number.
+  /// An input's file name without folder and extension; a segment's title, otherwise the object's
+  /// name, otherwise its number.
   std::string name{};
 };
 
-/// Sets the moves of two parts or more. Along an axis those that the explosion names come first, in
-/// its order, and then the others, in the order of the ends of their boxes at which it begins, of
-/// equals that of their other ends. The first stays; the box of each
-/// other begins at the end of those before it, or where it was if that is farther, and `factor`
-/// times the mean length of the parts beyond it. Radially each part's middle is moved by `factor`
-/// times its distance from the middle of the box of all. Throws Error if no part would move, for a
-/// name that no part has, and for one that is named twice.
+/// Sets the moves of two parts or more. Along an axis, the parts named by the explosion come first,
+/// in its order, then the others in the order of the ends of their boxes at which the axis begins,
+/// with ties by their other ends. The first part stays; the box of each other begins at the end of
+/// those before it, or where it was if that is farther, and `factor` times the mean length of the
+/// parts beyond it. Radially each part's middle is moved by `factor` times its distance from the
+/// middle of the box of all. Throws Error if no part would move, for a name that no part has, and
+/// for a part named twice.
 void move_apart(std::vector<AssemblyPart>& parts, const Explosion& explosion);
 
 /// The moves of segments, in the order in which the inputs open them, and the trace lines' dashes.

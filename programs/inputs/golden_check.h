@@ -13,7 +13,7 @@
 
 namespace displayfile {
 
-/// How inputs differ from what is expected.
+/// The difference between inputs and their reference.
 struct GoldenDifference {
   std::string text;      ///< one line
   std::size_t line = 0;  ///< of the last input, if it is a drawing program; 0: not known
@@ -41,7 +41,7 @@ struct CheckedInputs {
   PictureSizeWord size;  ///< empty: not given
 };
 
-/// A check that the command line may ask for in place of the usual one.
+/// A check that the command line may select in place of the usual one.
 class GoldenCheckOption : public GoldenCheck {
  public:
   virtual void add_to(CLI::App& command) = 0;

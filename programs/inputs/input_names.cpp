@@ -45,7 +45,7 @@ Figure figure_of(std::string_view line) {
   return std::ranges::any_of(words, is_there) ? words : Figure{whole};
 }
 
-/// Line ends may be those of Windows; empty lines are none.
+/// Line ends may be those of Windows; empty lines are ignored.
 void append_figures_in(const std::string& list, std::vector<Figure>& figures) {
   const std::string text = read_text_file(list);
   if (text.find('\0') != std::string::npos) {

@@ -20,12 +20,14 @@ std::vector<std::string> input_lists(const std::vector<std::string>& words);
 /// Adds --with, a program that is entered before each figure.
 void add_with(CLI::App& command, std::string& with);
 
-/// The inputs of each figure: a word is one, and so is a line of a list. A line is one name, with
-/// its blanks, or several names between blanks: if the whole is no file but one of those is. A name
-/// that holds blanks is then in quotation marks. Throws Error as input_names does.
+/// The inputs of each figure. A word is one figure, and so is a line of a list. A line is one name,
+/// including its blanks; or several names separated by blanks, if the whole line is not a file and
+/// one of those names is. A name with blanks is then in quotation marks. Throws Error as
+/// input_names does.
 std::vector<Figure> input_figures(const std::vector<std::string>& words);
 
-/// The figures with --with before each. Throws Error if it is standard input. Empty: as they are.
+/// The figures with the program of --with before each; unchanged if it is empty. Throws Error if it
+/// is standard input.
 std::vector<Figure> with_common(const std::string& with, std::vector<Figure> figures);
 
 /// The names of figures: of the last input of each.

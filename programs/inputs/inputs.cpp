@@ -49,12 +49,12 @@ void report_skipped(std::span<const std::string> meshes, std::span<const Mesh::S
 
 namespace {
 
-/// Inputs as read, and what is known of the meshes before any of them is entered.
+/// Inputs as read, and the properties of the meshes that are known before any of them is entered.
 struct InputsRead {
   std::vector<std::string> programs;  // their texts
   std::vector<Mesh> meshes;
-  /// World coordinates of meshes before which no program sets the window, and of what programs draw
-  /// in the same view.
+  /// World coordinates of meshes before which no program sets the window, and of the programs'
+  /// drawings in the same view.
   std::vector<Point3> bare;
   CameraAsSet before{};   ///< before the first of them
   CommonUpright upright;  ///< of those meshes
@@ -66,7 +66,7 @@ bool differ_in_window_alone(View one, const View& other) {
   return one == other;
 }
 
-/// Adds what programs drew in the view, and is visible.
+/// Adds the visible points that programs drew in the view.
 void append_drawn(const View& view, const RetainedScene& retained, const GraphicsSystem& system,
                   std::vector<Point3>& points) {
   const RetainedScene drawn = retained.visible_in(system.display_file());
@@ -81,7 +81,7 @@ void append_drawn(const View& view, const RetainedScene& retained, const Graphic
   }
 }
 
-/// As far as it goes: what is wrong with it is told when it is replayed among the others.
+/// Replays up to the first error, which is reported when the program is replayed among the others.
 void replay_ahead(const std::string& program, const std::string& name, GraphicsSystem& ahead) {
   const std::size_t saved = ahead.counts().transformations_saved;
   try {
@@ -106,7 +106,7 @@ bool takes_fitted_view(const CameraAsSet& set) {
 void enter_ahead(const Mesh& mesh, GraphicsSystem& ahead) {
   try {
     enter_empty_segments(mesh, ahead);
-  } catch (const Error&) {  // which is told when the mesh is entered
+  } catch (const Error&) {  // which is reported when the mesh is entered
   }
 }
 
@@ -141,11 +141,11 @@ std::size_t bytes_of_meshes(std::span<const std::string> inputs) {
   }
   return static_cast<std::size_t>(std::min(bytes, kMost));
 }
-/// Replays the programs ahead of their time, beside the system: what they draw is to be in the view
-/// that is fitted to the meshes as they place them.
+/// Replays the programs in advance, beside the system: the view that is fitted to the meshes, where
+/// the programs place them, includes the programs' drawings.
 InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem& system,
                        const MeshOptions& options) {
-  ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and what is made of it are more
+  ask_for_memory(2 * bytes_of_meshes(inputs));  // a mesh's text and its data are larger
   InputsRead read{{}, {}, {}, {}, CommonUpright(options.camera)};
   Camera of_options = options.camera;
   of_options.turning = false;
@@ -190,8 +190,8 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   return read;
 }
 
-/// Axes stand where the view has them: in the one that is fitted to what is known so far. Adds what
-/// programs draw in that one, if there are axes among it.
+/// The positions of axes depend on the view: first one is fitted to the points known so far. Adds
+/// the programs' drawings in that view if they have axes.
 void append_axes(std::span<const std::string> inputs, const GraphicsSystem& system,
                  InputsRead& read) {
   const auto has_axes = [](const std::string& program) {
@@ -221,8 +221,8 @@ void append_axes(std::span<const std::string> inputs, const GraphicsSystem& syst
   append_drawn(shared, drawn, fitted, read.bare);
 }
 
-/// Notes, once a call of the command, that an STL file, which does not state its up axis, has set
-/// that of the picture.
+/// Notes, once per call of the command, that an STL file, which does not state its up axis, has set
+/// the picture's up axis.
 void note_up_axis_of_stl(std::span<const std::string> inputs, const InputsRead& read,
                          const Camera& camera) {
   const auto is_stl = [](const std::string& input) { return extension_of(input) == ".stl"; };
@@ -236,7 +236,7 @@ void note_up_axis_of_stl(std::span<const std::string> inputs, const InputsRead& 
   warnings() << fmt::format("{}: STL has z up: --up sets another axis\n", *stl);
 }
 
-/// While it lives, what close-segment looks at is told to a Progress.
+/// While it lives, progress of close-segment is reported to a Progress.
 class ToldOfClosing {
  public:
   ToldOfClosing(GraphicsSystem& system, Progress& progress) : system_(system) {
@@ -267,7 +267,8 @@ void enter_meshes_with_lines(std::span<const Mesh> meshes, GraphicsSystem& syste
 constexpr const char* kNothingToFit =
     "--fit all: expected a mesh before which no program sets the window";
 
-/// All pictures have the view where their programs agree on what they set before the meshes.
+/// Sets the view common to all pictures. Throws Error unless this one's programs set the same
+/// before the meshes as those of the others.
 void set_view_of_all(const ViewOfAll& all, const CameraAsSet& before, GraphicsSystem& system) {
   if (!(before == all.before)) {
     throw Error(
@@ -318,7 +319,7 @@ void fit_window(std::span<const std::string> programs, std::span<const std::stri
   if (points.empty()) return;
   const View fitted = fit(view, points, system.aspect_ratio());
   Rectangle window = fitted.window;
-  if (SystemInside::scale(system)) {  // then only what is shown has to fit
+  if (SystemInside::scale(system)) {  // then only visible points have to fit
     const Rectangle shown = shown_in_window(fitted, points);
     if (shown.x_min < shown.x_max && shown.y_min < shown.y_max) window = shown;
   }
@@ -436,7 +437,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
 
 namespace {
 
-/// What of some pictures' inputs a view is fitted to.
+/// The points of some pictures' inputs to which a view is fitted.
 struct PointsOfAll {
   std::vector<Point3> points;
   std::optional<CameraAsSet> before;  ///< of the first picture
@@ -474,7 +475,7 @@ std::shared_ptr<const ViewOfAll> fit_to_all(std::span<const std::vector<std::str
       all.add(read);
     } catch (const LimitReached&) {
       throw;
-    } catch (const Error&) {  // which is told when the picture's inputs are entered
+    } catch (const Error&) {  // which is reported when the picture's inputs are entered
     }
   }
   if (!all.before) throw Error(kNothingToFit);

@@ -23,10 +23,10 @@ bool is_drawing_program(const std::string& input);
 
 /// Replays drawing programs and enters meshes, in order, into one system. If no program before the
 /// first mesh sets the window, a view is fitted to all meshes without a preceding program that sets
-/// it, and to what programs draw in the same view: it is in force from the start, so that programs
-/// before and after a mesh share it. View settings of programs before the first mesh are kept
-/// (fit_view in displayfile/mesh/fitted_view.h). Returns the up axis of a fitted camera; nothing if
-/// none was fitted. Throws Error, naming the file and the position.
+/// it, and to the programs' drawings in the same view: it is in force from the start, so that
+/// programs before and after a mesh share it. View settings of programs before the first mesh are
+/// kept (fit_view in displayfile/mesh/fitted_view.h). Returns the up axis of a fitted camera;
+/// nothing if none was fitted. Throws Error, naming the file and the position.
 std::optional<Upright> enter_inputs(std::span<const std::string> inputs, GraphicsSystem& system,
                                     const MeshOptions& options = {});
 /// The same with the command's options, for pictures of an aspect ratio.

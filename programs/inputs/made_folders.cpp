@@ -52,7 +52,7 @@ int MadeFolders::held(const fs::path& folder) {
 
 MadeFolders::~MadeFolders() {
   std::ranges::reverse(made_);
-  // What is not empty stays.
+  // Folders that are not empty stay.
   for (const auto& [from, path] : made_) remove_empty_folder(from, path);
   for (const auto& [path, number] : held_) release_folder(number);
 }

@@ -32,7 +32,7 @@ class MadeFolders {
   int held(const std::filesystem::path& folder);
 
   std::mutex one_at_a_time_;
-  std::vector<Made> made_;                  // each after the one that it is in
+  std::vector<Made> made_;                  // each after its parent
   std::vector<UnfinishedPath> unfinished_;  // of the same
   std::map<std::filesystem::path, int> held_;
 };

@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// Whether something of a visible segment has what its instructions store of vertices.
+/// True if a visible segment's instructions as entered have such vertex data.
 template <class Stored>
 bool has_stored(const DisplayFile& drawn, Stored stored) {
   return std::ranges::any_of(drawn.segments(), [&](const Segment& segment) {

@@ -14,11 +14,11 @@ namespace displayfile {
 /// the command.
 class NotInPicture {
  public:
-  /// Notes what a picture leaves out of what the application drew, and of the options.
-  /// Shadows are the map's, which is drawn for methods of image space too. Several threads may call
-  /// it at a time.
+  /// Notes which of the application's drawing and which options a picture leaves out. Shadows are
+  /// the map's, which is drawn for methods of image space too. Several threads may call it at a
+  /// time.
   void note(const GraphicsSystem& system, const PicturePlan& plan);
-  /// Notes what drawing warned of.
+  /// Notes the warnings of drawing.
   void note(const std::vector<DrawWarning>& warned);
   /// Warns, with the output's name as given, if something was left out
   /// (programs/process/warnings.h).

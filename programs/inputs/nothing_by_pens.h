@@ -7,8 +7,8 @@
 
 namespace displayfile {
 
-/// True if options ask for a picture by pens, and pens draw nothing of it: `drawn` is as it was
-/// sorted for the picture, the options have its background.
+/// True if options select a picture by pens and pens draw nothing of it. `drawn` is sorted for the
+/// picture; the options have its background.
 bool pens_draw_nothing(const DisplayFile& drawn, const DrawOptions& options);
 
 /// Warns of that, with the output's name (programs/process/warnings.h).

@@ -12,7 +12,7 @@ namespace displayfile {
 //   {name}    the input's file name without its extension, unless that would leave "." or "..";
 //             stdin for standard input
 //   {ext}     its extension without the dot; if it has none, the dot before the field goes too
-//   {folder}  its folder; below what stands before the field, if something does: then without a
+//   {folder}  its folder; below the text before the field, if there is one: then without a
 //             root and without ".."
 //   {number}  its place among the inputs, from 000
 //   {{ and }} braces

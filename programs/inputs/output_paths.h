@@ -17,7 +17,7 @@ std::optional<std::filesystem::path> input_at(const std::filesystem::path& name)
 
 /// Throws Error, before any work, if two outputs of a command are one file, or both are standard
 /// output; or if one of them is one of its inputs, or a list of these (input_lists). Empty names
-/// are none.
+/// are ignored.
 void require_files_of_their_own(std::span<const std::string> outputs,
                                 std::span<const std::string> inputs,
                                 std::span<const std::string> lists = {});

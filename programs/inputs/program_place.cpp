@@ -23,7 +23,7 @@ struct Source {
   Kind kind = Kind::unknown;
   std::size_t ordinal = 0;        ///< of the primitive, among those of its kind in the segment
   std::int64_t pick = -1;         ///< in force
-  std::string_view routine = {};  ///< that sets the attribute, if it is one
+  std::string_view routine = {};  ///< the routine that sets the attribute, if any
 };
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kAttributes{{
@@ -99,7 +99,7 @@ Source source_of(const DumpDifference& difference, std::string_view dump) {
   return SegmentDump().source_of(lines.substr(lines.find('\n') + 1), difference.instruction);
 }
 
-/// Watches a replay for the line that a source stands for.
+/// Watches a replay for the line that a source denotes.
 class LineFinder {
  public:
   LineFinder(const GraphicsSystem& system, const Source& source, int segment, bool is_sorted)

@@ -30,7 +30,7 @@ std::map<int, std::size_t> names_after(std::string_view program, std::string_vie
   return names;
 }
 
-/// Names of the segments that a program opens, but for those that it deletes or renames before.
+/// Names of the segments that a program opens, except those that it deletes or renames before.
 std::vector<int> names_opened(std::string_view program) {
   const auto deleted = names_after(program, "delete-segment");
   const auto renamed = names_after(program, "rename-segment");

@@ -19,7 +19,7 @@ class AskedOfItself {
   bool for_any_machine() const { return manual_; }
   /// The subcommand of the command line, for any request; empty if there is none.
   std::string_view subcommand() const;
-  /// True if it is about what that subcommand takes.
+  /// True if the request is about that subcommand's arguments.
   bool of_subcommand(const CLI::App& subcommand) const;
 
   /// Prints the requested text on standard output; nothing for an unknown subcommand. Requires a
@@ -27,7 +27,7 @@ class AskedOfItself {
   void tell(const CLI::App& app, std::span<const NamedValues> named) const;
 
  private:
-  std::span<char* const> words_;  ///< after the command's name, and what it asks with
+  std::span<char* const> words_;  ///< after the command's name and the word of the request
   bool completion_ = false, manual_ = false;
 };
 

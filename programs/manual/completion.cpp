@@ -15,7 +15,7 @@ struct Candidate {
   std::string word, what;
 };
 
-/// What a description begins with.
+/// The beginning of a description, up to the first of `:;[`.
 std::string brief(std::string_view description) {
   return std::string(description.substr(0, description.find_first_of(":;[")));
 }
@@ -53,7 +53,7 @@ class TypedWords {
   bool options_are_over() const { return options_are_over_; }
   bool has(const CLI::Option* option) const { return given_.contains(option); }
 
-  /// What a word that is no option's is; null if there may be none.
+  /// The positional option that a word would set; null if there is none.
   const CLI::Option* positional() const {
     int before = positionals_;
     for (const CLI::Option* option : command_.get_options()) {
@@ -112,7 +112,7 @@ class Completions {
     }
   }
 
-  /// The value of an option; of the word that is typed it is what stands after the first `skipped`.
+  /// The value of an option; in the typed word it begins after the first `skipped` characters.
   void offer_values(const CLI::Option& option, std::size_t skipped,
                     std::span<const NamedValues> named) {
     const OfferedValues values = offered_values(value_name(option).name, named);

@@ -13,8 +13,8 @@ namespace displayfile {
 /// is being typed and may be empty.
 inline constexpr const char* kComplete = "--complete";
 
-/// What may stand for the last word, one a line, with what it is after a tab; and in lines that
-/// begin with a colon what the shell finds by itself or must know:
+/// Prints the candidates for the last word, one a line, each with a description after a tab. Lines
+/// that begin with a colon tell the shell which names to find by itself, or more of the candidates:
 ///   :files [EXT...]  files, of these extensions, or any
 ///   :folders         folders
 ///   :more            a candidate is not the end of its word

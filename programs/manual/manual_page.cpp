@@ -23,7 +23,7 @@ constexpr std::string_view kExitStatus =
     "A message on standard error says what and where, and nothing is written, except pictures of\n"
     "many inputs or views that are already complete.\n";
 
-/// A word as it is printed: a hyphen is the one to be typed.
+/// A word as it is printed: a hyphen is printed as the one that is typed.
 std::string escaped(std::string_view word) {
   std::string text;
   for (const char c : word) {
@@ -42,7 +42,7 @@ std::string bold(std::string_view word) { return fmt::format("\\fB{}\\fR", escap
 
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// What is to be typed as it stands in bold, what stands for something else in italics.
+/// Words to be typed literally in bold, placeholders in italics.
 std::string value_text(std::string_view name) {
   std::string text;
   for (std::size_t at = 0; at < name.size();) {
@@ -62,7 +62,7 @@ std::string value_text(std::string_view name) {
   return text;
 }
 
-/// Names of options in a description are bold, as they are where they are described.
+/// Names of options are bold in descriptions too.
 std::string word_of_text(std::string_view word) {
   const std::size_t begin = word.find("--");
   if (begin == word.npos || begin + 2 >= word.size()) return escaped(word);
@@ -73,8 +73,8 @@ std::string word_of_text(std::string_view word) {
          escaped(word.substr(end));
 }
 
-/// A paragraph in lines of some length, none of which is taken for a request; `line` is how the
-/// first begins.
+/// A paragraph in lines of some length, none of which looks like a request; `line` is the beginning
+/// of the first.
 void print_text(std::string_view text, std::ostream& out, std::string line = "") {
   constexpr std::size_t kLength = 78;
   const auto end_line = [&] {
@@ -125,7 +125,7 @@ std::string range_text(std::string_view checked) {
                      checked.substr(middle + 3, end - middle - 3));
 }
 
-/// What is known of an option beside its description.
+/// The facts about an option that its description does not have.
 std::string option_facts(const CLI::Option& option) {
   std::string facts;
   const ValueName value = value_name(option);

@@ -10,7 +10,7 @@ namespace {
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// Takes what stands before a separator outside of braces off a text.
+/// Removes the part before a separator outside braces from a text, and returns it.
 std::string_view take_until(std::string_view& text, char separator) {
   int braces = 0;
   std::size_t end = 0;
@@ -34,7 +34,7 @@ std::vector<std::string> extensions_in(std::string_view name) {
   return extensions;
 }
 
-/// A word as it is to be typed: without what may follow, and with the = after which something must.
+/// A word to be typed: without an optional suffix, and with the = before a required one.
 std::string word_to_type(std::string_view word) {
   word = word.substr(0, word.find('['));
   const std::size_t equals = word.find('=');
@@ -55,7 +55,8 @@ void append_files(OfferedValues& offered, std::vector<std::string> extensions) {
 
 ValueName value_name(const CLI::Option& option) {
   const std::string name = option.get_type_name();
-  // A colon of the name's own has no blank after it, what is checked has: "A:B:INT in [1 - 9]".
+  // A colon that is part of the name has no blank after it, unlike the check's: "A:B:INT in [1 -
+  // 9]".
   const std::size_t blank = name.find(' ');
   const std::size_t colon = blank == name.npos ? name.npos : name.rfind(':', blank);
   if (colon == name.npos) return {name, ""};

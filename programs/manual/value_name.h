@@ -8,15 +8,15 @@
 
 namespace displayfile {
 
-// What stands for an option's value is its type name in CLI11: --help, the manual pages and
-// completion all have it from there. It is written as the arguments of user routines are,
-// alternatives with | between them, and each of them is
+// The placeholder of an option's value is its type name in CLI11: --help, the manual pages and
+// completion all use it. It is written like the arguments of user routines, as alternatives with |
+// between them, each of which is
 //   segment          a word, in lower case, to be typed as it stands
 //   roundoff[=EPS]   one after which more may stand
 //   front=POSITION   one after which more must
 //   IDS.npy          a file of that kind; OUT.{png,svg} of one of these kinds
 //   FILE, FOLDER     any file, any folder
-//   METHOD           what the program has a list of (NamedValues)
+//   METHOD           a word from a list of the program (NamedValues)
 //   WIDTHxHEIGHT     anything else in capitals, for the reader alone
 // "KIND,..." are several with commas between them.
 
@@ -27,9 +27,9 @@ struct NamedValues {
   std::vector<std::string> (*extensions)();
 };
 
-/// What may be typed for a value.
+/// The values that completion offers.
 struct OfferedValues {
-  std::vector<std::string> words;  ///< one that ends in '=' must go on
+  std::vector<std::string> words;  ///< one that ends in '=' is incomplete
   bool several = false;            ///< with commas between them
   bool files = false, folders = false;
   std::vector<std::string> extensions;  ///< of the files, without the dot; none: any file

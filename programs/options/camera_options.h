@@ -22,33 +22,33 @@ struct CameraWords {
   std::string eye, look_at, up, fov;
   std::string fit_to;  ///< each or all; empty: each
   bool parallel = false, fit = true, widen = false;
-  bool turning = false;  ///< no option: the camera is one of a turntable
+  bool turning = false;  ///< not an option: the camera is a turntable's
 
   void add_to(CLI::App& command, const UsualCamera& usual = {});
   /// Throws Error, naming the option, for an invalid word.
   Camera camera() const;
-  /// True if one view is to be fitted to all inputs of several pictures. Throws Error for another
-  /// word than each or all.
+  /// True if one view is to be fitted to all inputs of several pictures. Throws Error for any word
+  /// but each or all.
   bool fits_all() const;
   /// True if `each` is set, not the default: then windows are fitted to drawing programs too.
   bool fits_each() const { return fit_to == "each"; }
   /// Throws Error, naming the options, if some change a fitted view and there is none.
   void require_fitted(bool fitted) const;
-  /// What the inputs start with.
+  /// Sets the state in which the inputs are entered.
   void start(GraphicsSystem& system, double aspect) const;
 
  private:
   std::vector<std::string> given() const;
 };
 
-/// What --up says where it must be an axis. Throws Error, naming the option, for any other word.
+/// The axis that --up sets. Throws Error, naming the option, for any other word.
 Upright upright_of_option(const std::string& word);
 
 /// Warns on standard error if a window of a picture was stretched by a pixel or more by default.
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
                               int height);
-/// Warns of images that a program turns, if the picture is not square, where its shape is that of
-/// the paper: image transformations are of normalised device coordinates.
+/// Warns of images that a program rotates, if the picture is not square because its shape is the
+/// paper's: image transformations apply in normalised device coordinates.
 void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
                            int height);
 

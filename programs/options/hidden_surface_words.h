@@ -15,15 +15,15 @@ namespace displayfile {
 /// The options of commands that find hidden surfaces, as the command line sets them. Reading it
 /// throws Error for an unknown word.
 struct HiddenSurfaceWords {
-  HiddenSurfaceOptions surfaces;     ///< but for what --lines sets of them
+  HiddenSurfaceOptions surfaces;     ///< without the settings of --lines
   std::optional<LineWords> lines;    ///< none: programs select lines
   std::optional<Touching> touching;  ///< none: programs set it
 
   void add_to(CLI::App& command);
   /// Throws Error if --lines and --hidden-lines contradict each other.
   HiddenSurfaceOptions options() const;
-  /// What --lines selects, of commands that give kinds no styles of their own: throws Error for a
-  /// style.
+  /// The selection of --lines, for commands that give kinds no styles of their own: throws Error
+  /// for a style.
   std::optional<LineSelection> line_selection() const;
 };
 
@@ -35,13 +35,13 @@ CLI::Option* add_word_option(CLI::App& command, const std::string& name, Value& 
   return command.add_option_function<std::string>(name, take, description);
 }
 
-/// The method of --hidden of a command that takes those methods only. Throws Error for any other
-/// word, listing those; `lack` says what other methods lack.
+/// The method of --hidden for a command that supports only the methods `taken`. Throws Error for
+/// any other word, listing them; `lack` describes what other methods lack.
 HiddenMethod method_among(const std::string& word, std::span<const HiddenMethod> taken,
                           std::string_view lack);
 
 void add_touching_option(CLI::App& command, std::optional<Touching>& touching);
-/// What --lines selects. Throws Error, naming the option, for a style.
+/// The selection of --lines. Throws Error, naming the option, for a style.
 LineSelection selection_of(const LineWords& lines);
 
 }  // namespace displayfile

@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// The options of commands that read meshes: what the import library may take for one.
+/// The options of commands that read meshes: limits of the import library for each mesh.
 struct ImportWords {
   std::string memory, seconds;
   bool any_format = false;

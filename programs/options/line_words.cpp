@@ -35,7 +35,8 @@ std::string_view part_before(std::string_view& rest, char separator) {
       item));
 }
 
-/// True for what is an angle after crease=: a number without a unit, unless it can only be a width.
+/// True if the value after crease= is an angle: a number without a unit, unless it can only be a
+/// width.
 bool is_angle(std::string_view value) {
   const auto length = line_length_of(value);
   if (!length) return value.ends_with("deg");

@@ -27,10 +27,10 @@ struct LineLength {
   double in_pixels(const PixelSize& pixel, std::string_view what) const;
 };
 std::optional<LineLength> line_length_of(std::string_view word);
-/// What --line-width sets, in pixels. Throws Error, naming the option, for another word, and as
+/// The value of --line-width, in pixels. Throws Error, naming the option, for another word, and as
 /// in_pixels.
 double line_width_of_option(const std::string& word, const PixelSize& pixel);
-/// What --halo sets, likewise; it may be 0.
+/// The value of --halo, likewise; it may be 0.
 double halo_of_option(const std::string& word, const PixelSize& pixel);
 
 /// The style of lines of one kind.
@@ -39,7 +39,7 @@ struct StyleOfKind {
   LineKindStyle style;
 };
 
-/// What --lines sets: which kinds of lines are drawn, and in which styles.
+/// The value of --lines: which kinds of lines are drawn, and in which styles.
 class LineWords {
  public:
   /// Reads KIND, KIND=STYLE or crease=DEGREES, one or more, separated by commas. A number after

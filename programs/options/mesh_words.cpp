@@ -45,7 +45,7 @@ void MeshWords::start(GraphicsSystem& system, double aspect) const {
     SystemInside::replace_line_kind_style(system, kind, style);
   }
   if (touching) SystemInside::replace_touching(system, *touching);
-  // Lines are selected among what is retained, also after a program's segments.
+  // Lines are selected from the retained scene, also after a program's segments.
   if (lines_of_meshes) system.retain();
 }
 

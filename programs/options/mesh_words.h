@@ -18,27 +18,27 @@ namespace displayfile {
 
 struct ViewOfAll;  // programs/inputs/inputs.h
 
-/// The options of commands that enter meshes, as words: those of the camera, the colour, and what
-/// the import library may take.
+/// The options of commands that enter meshes, as words: the camera, the colour and the import
+/// library's limits.
 struct MeshWords : CameraWords {
   std::string colour;
   ImportWords import;
-  std::optional<LineSelection> lines;    ///< no option: what --lines selects of all inputs
-  std::optional<double> line_width;      ///< no option: that of --line-width, in pixels
-  std::vector<StyleOfKind> line_styles;  ///< no option: those that --lines sets
-  /// No option: what --touching sets of all inputs.
+  std::optional<LineSelection> lines;    ///< not an option: the selection of --lines for all inputs
+  std::optional<double> line_width;      ///< not an option: that of --line-width, in pixels
+  std::vector<StyleOfKind> line_styles;  ///< not an option: those of --lines
+  /// Not an option: the value of --touching for all inputs.
   std::optional<Touching> touching;
-  /// No option: the lines of meshes, where neither --lines nor a program selects any.
+  /// Not an option: the lines of meshes, where neither --lines nor a program selects any.
   std::optional<LineSelection> lines_of_meshes;
-  std::optional<Explosion> explosion;         ///< no option: what --explode sets of all inputs
-  std::optional<ExactScale> scale;            ///< no option: that of --scale
-  std::shared_ptr<const ViewOfAll> together;  ///< no option: the view of --fit all
+  std::optional<Explosion> explosion;  ///< not an option: the value of --explode for all inputs
+  std::optional<ExactScale> scale;     ///< not an option: that of --scale
+  std::shared_ptr<const ViewOfAll> together;  ///< not an option: the view of --fit all
 
   /// `many`: the command draws a picture of each of many inputs.
   void add_to(CLI::App& command, bool many = false);
   /// Throws Error for a word that is not understood.
   MeshOptions options() const;
-  /// What the inputs start with.
+  /// Sets the state in which the inputs are entered.
   void start(GraphicsSystem& system, double aspect) const;
 };
 

@@ -13,7 +13,7 @@ namespace displayfile {
 
 namespace {
 
-/// The names of methods, and after each that finds surfaces, that of its colour rule.
+/// The names of methods, then those of the colour rules of the methods that find surfaces.
 std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const HiddenMethodEntry& entry : hidden_methods()) {

@@ -36,7 +36,7 @@ CLI::Validator number_in(Number least, Number most) {
   return CLI::Validator(read, fmt::format("{} in [{} - {}]", kind, least, most));
 }
 
-/// The same of any that is finite; help says nothing of it.
+/// The same for any finite number; help does not mention it.
 template <class Number>
 CLI::Validator any_number() {
   using Limits = std::numeric_limits<Number>;

@@ -9,8 +9,8 @@ struct NumberRange {
   int first, end;
 };
 
-/// What FIRST:END says, a part of 0 to `all`, which are `things`. Throws Error, naming the option,
-/// for another text, an empty range, or one that is not within them.
+/// The range FIRST:END within 0 to `all`; errors call its elements `things`. Throws Error, naming
+/// the option, for another text, an empty range, or one out of bounds.
 NumberRange number_range(const std::string& option, const std::string& text, int all,
                          const char* things);
 

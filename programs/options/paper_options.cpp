@@ -151,7 +151,7 @@ void PaperWords::add_to(CLI::App& command) {
 
 namespace {
 
-/// In mm: of a picture whose density is not known, a point.
+/// In mm; a point for a picture of unknown density.
 double usual_pixel(const DrawOptions& options) {
   return options.dpi ? kMillimetresOfInch / *options.dpi : 1.0 / kPointsOfMillimetre;
 }
@@ -161,7 +161,7 @@ struct Sides {
   int width, height;
 };
 
-/// In mm: a pixel with which the picture leaves nothing of the room out.
+/// In mm: the pixel size with which the picture covers the whole room.
 double covering_pixel(const Sides& sides, const Point2& room) {
   return std::max(room.x / sides.width, room.y / sides.height);
 }
@@ -172,8 +172,7 @@ Sides usual_sides(const Point2& room, double pixel) {
   return {whole_side(room.x / pixel), whole_side(room.y / pixel)};
 }
 
-/// The first picture, of those whose pixels are about that large, with nearly the room's shape;
-/// millimetres.
+/// The first picture with about that pixel size and nearly the room's shape; millimetres.
 Sides sides_of_shape(const Point2& room, double pixel) {
   constexpr double kAbout = 0.02;
   const Sides usual_ones = usual_sides(room, pixel);
@@ -193,7 +192,7 @@ Sides sides_of_shape(const Point2& room, double pixel) {
 }
 
 /// The shape of the paper between its margins. At a scale a picture without a density may be over
-/// the margins by less than anyone sees, so that what fits on the paper fits in the picture.
+/// the margins by an invisible amount, so that contents that fit on the paper fit in the picture.
 void take_shape(DrawOptions& options, bool at_scale) {
   if (!options.vectors.paper) options.vectors.paper.emplace();
   Paper& paper = *options.vectors.paper;

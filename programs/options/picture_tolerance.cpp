@@ -46,7 +46,7 @@ std::int64_t PictureTolerance::most_wrong(std::int64_t pixels) const {
                     wrong_pixels));
   }
   if (!percent) return static_cast<std::int64_t>(value);
-  // What rounding may take away of a share of whole pixels, and less than decimals that are meant.
+  // More than the rounding of a share of whole pixels, and less than any decimals that are meant.
   constexpr double kRounding = 1e-15;
   return static_cast<std::int64_t>(value * static_cast<double>(pixels) / 100.0 * (1.0 + kRounding));
 }

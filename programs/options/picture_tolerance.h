@@ -8,7 +8,7 @@
 
 namespace displayfile {
 
-/// The options that say how far pictures may be from each other.
+/// The options that set how far pictures may differ.
 struct PictureTolerance {
   int channel = 0;           ///< a pixel is wrong if one of its channels, 0 to 255, differs by more
   std::string wrong_pixels;  ///< number allowed, or per cent of all; empty: none

@@ -11,7 +11,7 @@ namespace displayfile {
 
 namespace {
 
-/// The names without so many of their first characters.
+/// The names without their first `skipped` characters.
 std::vector<std::string_view> names_of(std::span<const Choice> choices, std::size_t skipped) {
   std::vector<std::string_view> names;
   for (const Choice& choice : choices) names.push_back(choice.name.substr(skipped));

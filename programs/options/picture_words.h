@@ -4,7 +4,7 @@
 
 namespace displayfile {
 
-// What can be drawn, as options' values have it (programs/manual/value_name.h).
+// The kinds of pictures, as type names of options' values (programs/manual/value_name.h).
 
 std::string picture_file();          ///< OUT.{png,svg}, of all formats
 std::string picture_format_words();  ///< png|svg

@@ -21,7 +21,7 @@ struct StartingShading {
   double crease_degrees = kNoCrease;
   bool crease_is_set = false;  ///< by an option
 
-  /// Sets what is not the default.
+  /// Sets the values that are not defaults.
   void start(GraphicsSystem& system) const {
     if (shading != Shading::flat) system.set_shading(shading);
     const auto set_crease = [&] { system.set_crease_angle(crease_degrees); };

@@ -16,7 +16,7 @@ struct VectorWords {
   bool is_inline = false, layers = false;
 
   void add_to(CLI::App& command);
-  /// What --font and --text set. Throws Error for an unknown word, or as require_lettering.
+  /// The values of --font and --text. Throws Error for an unknown word, or as require_lettering.
   Lettering lettering() const;
   /// Throws Error for an unknown word, or for a precision out of its range.
   VectorOptions options() const;

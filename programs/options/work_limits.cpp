@@ -51,8 +51,8 @@ WorkLimits limits_of(const WorkLimitWords& words) {
   return limits;
 }
 
-/// The command is given no memory for data beyond so many bytes, by the system: what needs more is
-/// out of memory.
+/// Limits this process's data segment to `bytes`: an allocation beyond that fails. Throws Error if
+/// more is in use.
 void limit_memory_of_process(std::uint64_t bytes) {
   if (const std::size_t now = memory_of_process(); now >= bytes) {
     throw Error(fmt::format("{} bytes of memory are not enough: {} are in use", bytes, now));
@@ -60,7 +60,7 @@ void limit_memory_of_process(std::uint64_t bytes) {
   set_limit_of_data(bytes);
 }
 
-/// A usual limit that the process has passed already, as one with a sanitizer has, is none.
+/// A default limit that the process has already exceeded, as with a sanitizer, is ignored.
 void limit_memory(const WorkLimitWords& words, std::uint64_t bytes) {
   if (bytes == WorkLimits::kNone) return;
   if (words.memory.empty() && memory_of_process() >= bytes) return;

@@ -10,7 +10,7 @@
 
 namespace displayfile {
 
-/// What a command may use at most, as words (clip/base/work_budget.md).
+/// The limits of a command's resources, as words (clip/base/work_budget.md).
 struct WorkLimitWords {
   std::string memory;
   std::optional<double> seconds;
@@ -21,7 +21,7 @@ struct WorkLimitWords {
   void add_to(CLI::App& command, bool for_this_machine = true);
 };
 
-/// What a word says of bytes: a number, and k, M or G after it (1024, 1024^2 and 1024^3 bytes).
+/// The bytes of a word: a number, optionally followed by k, M or G (1024, 1024^2 and 1024^3 bytes).
 /// Throws Error, naming the option, for another word.
 std::size_t bytes_of_word(const std::string& option, const std::string& word);
 
@@ -31,7 +31,7 @@ std::size_t bytes_of_word(const std::string& option, const std::string& word);
 /// stopped, the process ends, with exit status 2, the message and nothing unfinished.
 class WorkLimitsInForce {
  public:
-  /// Throws Error for a word that is none.
+  /// Throws Error for an invalid word.
   explicit WorkLimitsInForce(const WorkLimitWords& words);
   ~WorkLimitsInForce();
   WorkLimitsInForce(const WorkLimitsInForce&) = delete;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kBeforeData = R"(<script type="application/json" id="data">)";
 constexpr std::string_view kStill = "<!-- still -->";
 
-/// What stands between two texts that together are a line.
+/// The part of a line between two texts, if these are its beginning and end.
 std::optional<std::string_view> between(std::string_view line, std::string_view before,
                                         std::string_view after) {
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));

@@ -6,14 +6,14 @@
 
 namespace displayfile {
 
-/// What a page shows.
+/// The contents of a page.
 struct PageContents {
   std::string title;       ///< plain text; empty: the template's
   std::string data;        ///< JSON
   std::string still = {};  ///< SVG, for browsers without WebAssembly or JavaScript
 };
 
-/// A page that is one file and asks nothing of the network: a template of programs/page, in which
+/// A page in one file that needs no network: a template of programs/page, in which
 ///
 ///  1. the content of `<title>` is the title,
 ///  2. each line `<link rel="stylesheet" href="NAME">` is the style sheet,

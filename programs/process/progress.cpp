@@ -11,7 +11,7 @@ namespace {
 std::atomic<bool> one_is_shown = false;
 }
 
-/// What would be shown is for good not the first.
+/// Disables the display for good: only the first Progress is shown.
 void Progress::show_none() { one_is_shown = true; }
 
 Progress::Progress(const std::string& what)

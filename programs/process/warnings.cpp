@@ -10,7 +10,7 @@ namespace {
 
 thread_local std::ostream* collected = nullptr;
 
-/// In the place of standard error's own buffer: what a thread writes goes where it is collected.
+/// Replaces standard error's own buffer: a thread's output goes to its collector.
 class ErrorsByThread : public std::streambuf {
  public:
   ErrorsByThread() : standard_error_(std::cerr.rdbuf(this)) {}

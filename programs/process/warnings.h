@@ -23,8 +23,8 @@ class CollectedWarnings {
   std::ostream* before_;
 };
 
-/// Collects what a library says of a file, without its name, and warns of each line with the name
-/// before it in the end.
+/// Collects a library's messages about a file, which lack its name, and at the end warns of each
+/// line, prefixed with the name.
 class NamedWarnings {
  public:
   explicit NamedWarnings(std::string name);

@@ -6,10 +6,10 @@
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 
-// What touches as people draw it: rugs on floors, windows in walls, parts that are put together, in
-// whole numbers and decimals. Views are from anywhere, so that viewing rounds every plane. What is
-// right is decided from what was entered: polygons that lie in one plane there lie in one plane,
-// and the one entered later is seen. All is drawn about the origin.
+// Objects in contact as people draw them: rugs on floors, windows in walls, assembled parts, in
+// whole numbers and decimals. Views are from anywhere, so that viewing rounds every plane. Truth is
+// decided from the coordinates as entered: polygons coplanar there are coplanar, and the one
+// entered later is visible. All is drawn about the origin.
 
 namespace displayfile {
 
@@ -60,7 +60,7 @@ View view_from_outside(Random& random, bool perspective, const Point3& middle, d
   return view;
 }
 
-/// A scene without polygons, that is turned and moved if its severity says so.
+/// A scene without polygons, turned and moved if its severity requires it.
 Scene touching_scene(Random& random, double severity) {
   Scene scene;
   scene.touching = kUnlessSet;
@@ -70,7 +70,7 @@ Scene touching_scene(Random& random, double severity) {
   return scene;
 }
 
-/// What the scene's placement does, if it has one.
+/// The transformation of the scene's placement, if it has one.
 ModellingTransformation transformation_of(const Scene& scene) {
   ModellingTransformation made;
   if (scene.placements.empty()) return made;
@@ -124,7 +124,7 @@ void add_rugs(Random& random, std::size_t n, double height, Scene& scene) {
   }
 }
 
-/// Each stands on the floor, on one that does, or beside it and against it.
+/// Each stands on the floor, or on another box, or beside it and against it.
 void add_boxes(Random& random, std::size_t n, double height, Scene& scene) {
   Point3 low{0.0}, high{0.0};
   for (std::size_t i = 0; i < n; ++i) {
@@ -160,7 +160,7 @@ std::vector<Polygon> stud(const Point3& foot, double radius, double height) {
   return all;
 }
 
-/// What lies in the plane z = 0, in that of another axis.
+/// A polygon in the plane z = 0, moved to the coordinate plane of another axis.
 Polygon turned_to(int axis, const Polygon& flat) {
   Polygon turned;
   for (const Point3& p : flat) {
@@ -290,7 +290,7 @@ Scene parts_in_decimals(std::size_t n, double severity, std::uint64_t seed) {
       scene.placements.empty() ? Scene::Placement{} : scene.placements.front();
   scene.placements.clear();
   const auto rounded = [](double x) { return std::round(x * 100.0) / 100.0; };
-  // Each part is drawn about its own corner and moved against the one before: beside it, on it or
+  // Each part is drawn about its own corner and moved to touch the one before: beside it, on it or
   // behind it. A plate on its face is a part too.
   Point3 place = decimals(random, -1.5, -1.3);
   for (std::size_t i = 0; i < n; ++i) {
@@ -363,7 +363,8 @@ Scene image_transformed(std::size_t n, double severity, std::uint64_t seed) {
   scene.open_segment(image);
   scene.add(random_floor(random, height));
   add_rugs(random, n, height, scene);
-  scene.open_segment(image);  // what stands there is a segment of its own, transformed alike
+  scene.open_segment(
+      image);  // objects standing there are a segment of their own, transformed alike
   add_rugs(random, n, height, scene);
   add_boxes(random, n, height, scene);
   return scene;

@@ -1,7 +1,7 @@
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 
-// Polygons that lie in one plane: of equal depths the one entered later is seen.
+// Coplanar polygons: at equal depths the one entered later is visible.
 
 namespace displayfile {
 

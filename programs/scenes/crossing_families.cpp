@@ -103,7 +103,7 @@ Scene undecided_at_one_pixel(std::size_t n, double pixels, std::uint64_t seed) {
     const auto side = static_cast<std::size_t>(pixels);
     const Point2 centre{centre_of_pixel(random.below(side), pixels),
                         centre_of_pixel(random.below(side), pixels)};
-    // Both triangles pass the centre at the same depth but for the rounding of their vertices.
+    // Both triangles pass the centre at the same depth, up to the rounding of their vertices.
     for (int k = 0; k < 2; ++k) {
       const Sheet sheet{0.0, random.between(-9.0, 9.0), random.between(-9.0, 9.0)};
       const Sheet moved{0.5 - sheet.at(centre.x, centre.y), sheet.dx, sheet.dy};

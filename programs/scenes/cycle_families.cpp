@@ -7,8 +7,8 @@ namespace displayfile {
 
 namespace {
 
-/// In the middle between two steps of every integer format: at one half, which lies on the border,
-/// they would tell nearer from farther however close.
+/// Midway between two steps of every integer depth format: at one half, which lies on the border
+/// between two, depths would be distinguished however close.
 constexpr double kLevel = 0.4;
 
 Scene cycle(std::size_t n, double severity, std::uint64_t seed) {

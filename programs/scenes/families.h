@@ -7,9 +7,9 @@
 
 namespace displayfile {
 
-// The parts of the table of hard cases, by what is hard. Each is in the file of its name, after its
-// generators, which are that file's own. A case is a line: name, what it is, what the severity
-// means, size, severities, generator, what is hard.
+// The parts of the table of hard cases, by difficulty. Each is in the file of its name, after its
+// generators, which are that file's own. A case is a line: name, description, meaning of the
+// severity, size, severities, generator, difficulty.
 
 std::vector<HardCase> coplanar_families();    ///< polygons that lie in one plane
 std::vector<HardCase> gap_families();         ///< a gap that shrinks

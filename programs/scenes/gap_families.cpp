@@ -3,7 +3,7 @@
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"
 
-// Polygons that are nearly in one plane: what separates them shrinks with the severity.
+// Nearly coplanar polygons: their separation shrinks with the severity.
 
 namespace displayfile {
 

@@ -19,8 +19,8 @@ View view_from_above(double height, double distance) {
   return view;
 }
 
-/// Buildings on a square of blocks: walls, roof and floor. `height` of a building is given the
-/// side of a block.
+/// Buildings on a square of blocks: walls, roof and floor. `height` of a building takes the side of
+/// a block.
 Scene buildings(std::size_t n, std::uint64_t seed, double (*height)(Random&, double)) {
   Random random(seed);
   Scene scene;

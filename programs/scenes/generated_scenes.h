@@ -19,7 +19,7 @@ struct GeneratedScene {
 
 std::span<const GeneratedScene> generated_scenes();
 
-/// Throws Error if there is none of that name.
+/// Throws Error for an unknown name.
 const GeneratedScene& generated_scene(std::string_view name);
 
 }  // namespace displayfile

@@ -13,7 +13,8 @@ namespace displayfile {
 /// Where the truth begins by which a family is judged.
 enum class JudgedFrom {
   display_file,  ///< interp/truth/truth.h
-  entered,  ///< interp/truth/entered_truth.h: what touched then touches, whatever viewing rounds
+  entered,       ///< interp/truth/entered_truth.h: polygons that touch as entered touch, whatever
+                 ///< viewing rounds
 };
 
 /// A family of scenes that break published implementations.
@@ -34,7 +35,7 @@ struct HardCase {
 
 std::span<const HardCase> hard_cases();
 
-/// Throws Error if there is none of that name.
+/// Throws Error for an unknown name.
 const HardCase& hard_case(std::string_view name);
 
 }  // namespace displayfile

@@ -15,7 +15,7 @@ struct MeshDirection {
   Point3 right, up, toward;
 };
 
-/// Along the axes, where much of what people model is edge-on or level, and from three corners.
+/// Along the axes, where many faces of usual models are edge-on or level, and from three corners.
 const std::array<MeshDirection, 6>& mesh_directions();
 
 /// All faces of the mesh, front and back, as large as the picture holds from any direction.

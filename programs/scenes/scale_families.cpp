@@ -113,7 +113,7 @@ Scene giant_images(std::size_t n, double bits, std::uint64_t seed) {
   image.translation = Point2(0.5 - scale / 2.0, 0.5 - scale / 2.0);
   scene.open_segment(image);
   for (std::size_t i = 0; i < n; ++i) {
-    // Edges that pass near the picture's middle, which is that of the large square.
+    // Edges that pass near the picture's middle, the middle of the large square.
     const Point2 along = 0.4 * on_circle(random.unit());
     const Point2 through = Point2(0.5, 0.5) + random_place(random, {-0.5, 0.5}) / scale;
     const Point2 third = random_place(random);

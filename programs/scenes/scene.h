@@ -20,7 +20,7 @@ using Polygon = std::vector<Point3>;
 /// A parallel view in which world coordinates are device coordinates, to the last bit.
 View unit_view();
 
-/// What a generator makes: polygons in order of entry, in segments that may have an image
+/// The result of a generator: polygons in order of entry, in segments that may have an image
 /// transformation, and the view in which they are entered.
 struct Scene {
   struct Segment {
@@ -41,7 +41,7 @@ struct Scene {
   std::vector<std::uint32_t> sides;   ///< of each polygon
   std::vector<Segment> segments;      ///< none: one, without image transformation
   std::vector<Placement> placements;  ///< none: points are in world coordinates
-  /// Gaps are what many are about, also such as are less than numbers can tell.
+  /// Gaps are the subject of many scenes, some smaller than the precision of doubles.
   Touching touching{Touching::Kind::off};
 
   std::size_t polygons() const { return sides.size(); }

@@ -36,8 +36,8 @@ Polygon regular(std::size_t sides, const Point2& centre, double radius, double t
 /// z from its right side to its left.
 Polygon bar(const Point3& a, const Point3& b, double width, double roll = 0.0);
 
-// Several random numbers in the arguments of one call would come in an order that the compiler
-// chooses: these take them in theirs.
+// The order of several random numbers in the arguments of one call would be the compiler's choice:
+// these functions draw them in the order of their own arguments.
 
 struct Range {
   double low = 0.0, high = 1.0;

@@ -200,7 +200,7 @@ Scene quads_rounded_off_plane(std::size_t n, double slope, std::uint64_t seed) {
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t k = 0; k < m; ++k) {
       all.push_back({corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)});
-      // And one of twice the size in the same plane, begun elsewhere.
+      // And one of twice the size in the same plane, with another first vertex.
       all.push_back(
           begun_at({corner(i, k), corner(i + 2, k), corner(i + 2, k + 2), corner(i, k + 2)},
                    random.below(4)));

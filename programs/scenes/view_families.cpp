@@ -18,7 +18,7 @@ View perspective_view(double eye, double front, double back) {
 Scene near_front_plane(std::size_t n, double severity, std::uint64_t seed) {
   Random random(seed);
   Scene scene;
-  // The front plane all but touches the viewer: depth is spent on what is near.
+  // The front plane almost touches the viewer: most of the depth range is spent on near objects.
   scene.view = perspective_view(1.0, -(1.0 - gap(severity)), 100.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double z = -random.between(1.0, 99.0), reach = 1.0 - z;

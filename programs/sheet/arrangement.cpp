@@ -106,7 +106,7 @@ DrawingScale scale_of_sheet(const std::array<PartDrawing, 4>& views, const Sheet
   };
   if (asked != nullptr && fits(asked->factor())) return *asked;
   const double largest = largest_standard_scale(views_fit).factor();
-  // Smaller ones leave more room for details; those that are too small show nothing.
+  // Smaller scales leave more room for details; those that are too small show nothing.
   constexpr double kSmallest = 1.0 / 50.0;
   const DrawingScale found = largest_standard_scale(
       [&](double factor) { return fits(factor) || factor < kSmallest * largest; });

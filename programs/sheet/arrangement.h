@@ -17,7 +17,7 @@ namespace displayfile {
 
 enum class SheetProjection { third, first };
 
-/// Part of a view at another scale: what lies in a circle.
+/// Part of a view at another scale: the inside of a circle.
 struct DetailWanted {
   std::size_t view = 0;  ///< index of a view of the sheet
   Point2 middle{0.0};    ///< in the view's coordinates and unit
@@ -27,7 +27,7 @@ struct DetailWanted {
 /// The letters of details, in order: others than those of sections.
 inline constexpr std::string_view kDetailLetters = "XYZWVUTSRQPNMLKHGFED";
 
-/// What a sheet says of itself, and how it is arranged. Lengths in millimetres.
+/// The texts and the arrangement of a sheet. Lengths in millimetres.
 struct SheetWords {
   std::string title, date;
   SheetProjection projection = SheetProjection::third;

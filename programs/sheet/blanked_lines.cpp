@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastPart = 1e-9;  // of a line, in parts of its length
 
-/// What of a line lies in a convex polygon: from and to, in parts of its length.
+/// Returns the part of a line inside a convex polygon: from and to, as fractions of its length.
 std::optional<std::pair<double, double>> in_polygon(const Point2& from, const Point2& to,
                                                     std::span<const Point2> polygon) {
   double enters = 0.0, leaves = 1.0;
@@ -34,7 +34,7 @@ std::optional<std::pair<double, double>> in_polygon(const Point2& from, const Po
   return std::pair(enters, leaves);
 }
 
-/// What is left of a line, in pieces; nothing if all of it is left.
+/// Returns the pieces of a line outside a convex polygon; nothing if all of it is outside.
 std::optional<std::vector<DrawingSheet::Line>> outside(const DrawingSheet::Line& line,
                                                        std::span<const Point2> polygon) {
   std::vector<Point2> points = line.points;

@@ -7,7 +7,7 @@
 
 namespace displayfile {
 
-/// Removes what of the sheet's lines lies within a convex polygon, counterclockwise, in mm: the
+/// Removes the parts of the sheet's lines inside a convex polygon, counterclockwise, in mm: the
 /// polygon covers what was drawn before it.
 void remove_lines_within(std::span<const Point2> polygon, DrawingSheet& sheet);
 

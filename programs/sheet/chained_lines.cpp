@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSamePoint = 1e-5;  // mm: ends this near are one point
 
-/// The lines of one kind, and which of them end at each point.
+/// The lines of one kind, by the points at which they end.
 class LineChains {
  public:
   explicit LineChains(std::vector<PartDrawing::Line> lines) : lines_(std::move(lines)) {

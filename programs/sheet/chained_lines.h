@@ -8,8 +8,8 @@
 namespace displayfile {
 
 /// Lines in millimetres as polylines of the layers visible and hidden: two that end at the same
-/// point, where no third of their kind does, are drawn in one, so that dashes run on through the
-/// sides of a curve.
+/// point, where no third of their kind does, are joined, so that dashes continue through the sides
+/// of a curve.
 std::vector<DrawingSheet::Line> chained_lines(const std::vector<PartDrawing::Line>& lines);
 
 }  // namespace displayfile

@@ -11,7 +11,7 @@ namespace displayfile {
 
 namespace {
 
-/// Counts how often sides are used, in one direction less in the other.
+/// Counts the uses of sides in one direction less those in the other.
 class SideBalance {
  public:
   void add(std::span<const std::uint32_t> face) {
@@ -34,7 +34,7 @@ class SideBalance {
   std::unordered_map<std::uint64_t, int, SecretHash> uses_;  // of sides that are not balanced
 };
 
-/// Objects that are closed by themselves, and what those in a row that are not make together.
+/// Objects that are closed by themselves, and the unions of consecutive ones that are not.
 std::vector<MeshPiece> closed_objects(const Mesh& mesh, const WeldedFaces& faces) {
   std::vector<MeshPiece> all;
   for (const Mesh::Object& object : mesh.objects) {

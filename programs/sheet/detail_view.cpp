@@ -39,8 +39,8 @@ Point2 middle_of(const PaperBox& box, double radius) {
   return {0.5 * (box.low.x + box.high.x), box.low.y + radius};
 }
 
-/// The polygon's part on one side of a line across an axis. Where it goes there and back along the
-/// line nothing is enclosed.
+/// The polygon's part on one side of a line across an axis. Where it runs to and fro along the
+/// line, nothing is enclosed.
 std::vector<Point2> on_side(const std::vector<Point2>& polygon, int axis, double at, double sign) {
   std::vector<Point2> kept;
   if (polygon.empty()) return kept;
@@ -63,7 +63,7 @@ std::vector<Point2> within(std::vector<Point2> polygon, const PaperBox& square) 
   return polygon;
 }
 
-/// What of a line lies in a circle: from and to, in parts of its length.
+/// Returns the part of a line inside a circle: from and to, as fractions of its length.
 std::optional<std::pair<double, double>> in_circle(const Point2& from, const Point2& to,
                                                    const Point2& middle, double radius) {
   const Point2 along = to - from, start = from - middle;
@@ -76,7 +76,8 @@ std::optional<std::pair<double, double>> in_circle(const Point2& from, const Poi
   return std::pair(enters, leaves);
 }
 
-/// What of a view may be seen in a circle, and not much more: it is drawn at a larger scale.
+/// Returns the part of a view that may be visible in a circle, and little more: it is drawn at a
+/// larger scale.
 PartDrawing near_circle(const PartDrawing& view, const Point2& middle, double radius) {
   constexpr double kMargin = 1.5;
   const PaperBox square{middle - kMargin * radius, middle + kMargin * radius};

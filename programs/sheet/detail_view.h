@@ -12,8 +12,9 @@
 
 namespace displayfile {
 
-/// Free rectangles for details, each nearest to what it shows: a circle and its caption. They keep
-/// clear of the views, of the title block and of each other. Nothing if one has no room.
+/// Free rectangles for details, each with a circle and its caption, nearest to the place that it
+/// shows. They keep clear of the views, of the title block and of each other. Nothing if one does
+/// not fit.
 std::optional<std::vector<PaperBox>> places_of_details(const std::array<PartDrawing, 4>& views,
                                                        std::span<const ViewPlace> places,
                                                        const SheetWords& words);

@@ -28,7 +28,7 @@ struct SheetPen {
   std::string_view name;
   double width;
   std::vector<double> dashes{};  ///< drawn, left out, and so on; empty: solid
-  /// LibreCAD has patterns of its own, and takes these by their names: the one nearest to the
+  /// LibreCAD has patterns of its own and selects them by these names: the one nearest to the
   /// pen's.
   std::string_view dxf_line_type = "CONTINUOUS";
 };
@@ -63,7 +63,8 @@ struct DrawingSheet {
     bool closed = false;
   };
   struct Text {
-    Point2 at;      ///< on its baseline: where it begins, its middle or its end, as it is aligned
+    Point2
+        at;  ///< on its baseline: the beginning, the middle or the end, depending on its alignment
     double height;  ///< of capital letters
     std::string characters;
     TextStyle::Alignment alignment = TextStyle::Alignment::left;
@@ -74,9 +75,8 @@ struct DrawingSheet {
   std::string title;
   std::vector<Line> lines;
   std::vector<Text> texts;
-  std::string font = "sans-serif";  ///< of texts, or hershey, as in Lettering
-  std::vector<std::string>
-      shortened;  ///< what the title block has of fields that it has no room for
+  std::string font = "sans-serif";         ///< of texts, or hershey, as in Lettering
+  std::vector<std::string> shortened;      ///< the title block's fields that do not fit
   std::vector<std::string> not_as_wanted;  ///< sentences on annotation that it does not show
 };
 /// How much of a text stands before its point, in parts of its width.
@@ -91,8 +91,8 @@ inline constexpr double kCapitalsOfFont = 0.72;
 /// Writes a sheet in the format that the file's name ends in: .svg, .pdf or .dxf; whole or not at
 /// all. Throws Error if it cannot.
 void write_sheet(const DrawingSheet& sheet, const std::string& file);
-/// Throws Error for another ending, one whose library this build lacks, or a font that is none, or
-/// not hershey for DXF, whose texts are in the font of its reader.
+/// Throws Error for another extension, for one whose library this build lacks, for an unknown font,
+/// and for DXF, whose texts are in the reader's font, if the font is not hershey.
 void require_sheet_file(const std::string& file, const std::string& font);
 
 void write_sheet_svg(const DrawingSheet& sheet, const std::string& file);

@@ -31,8 +31,8 @@ void append_code(std::string& out, unsigned code) {
   }
 }
 
-/// What means something else in a file, as itself: `%%` begins the name of a character, of which
-/// `%%%` is a percent sign, and `\U+` a character's number.
+/// Escapes texts that a file would interpret: `%%` begins the name of a character, of which `%%%`
+/// is a percent sign, and `\U+` a character's number.
 std::string in_ascii(const std::string& utf8) {
   std::string out;
   for (std::size_t i = 0; i < utf8.size();) {
@@ -60,7 +60,7 @@ std::string in_ascii(const std::string& utf8) {
   return out;
 }
 
-/// As the group 72 of texts has it: 0 left, 1 centre, 2 right.
+/// The value of group 72 of texts: 0 left, 1 centre, 2 right.
 int justification_of(TextStyle::Alignment alignment) {
   return static_cast<int>(2.0 * before_anchor(alignment));
 }

@@ -6,12 +6,12 @@
 
 namespace displayfile {
 
-/// What the module `displayfile-dxf` (clip/base/module.h) does: it is compiled with dxflib, which
-/// is under the GPL, and so is not part of the command.
+/// The interface of the module `displayfile-dxf` (clip/base/module.h): it is compiled with dxflib,
+/// which is under the GPL, and so is not part of the command.
 struct DxfModule {
   const char* version;
   /// Writes the sheet in DXF of AutoCAD 2000. Throws exceptions of the standard library, whose
-  /// `what` is a message; that the file is not whole is not always noticed.
+  /// `what` is a message; an incomplete file is not always noticed.
   void (*write)(const DrawingSheet& sheet, const std::string& path);
 };
 

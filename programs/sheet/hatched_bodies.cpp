@@ -65,7 +65,8 @@ FacesOfBodies cut_faces(const PartDrawing& view, double mm) {
   return faces;
 }
 
-/// How much of test lines the faces of a view share, two at a time; and each with itself: its own.
+/// The length of test lines that the faces of a view share, in pairs; a face paired with itself has
+/// its own.
 class SharedLengths {
  public:
   SharedLengths(const FacesOfBodies& faces, double spacing) {
@@ -75,7 +76,7 @@ class SharedLengths {
       all.insert(all.end(), own.begin(), own.end());
     }
     std::sort(all.begin(), all.end());
-    std::vector<Stretch> open;  // that go on where the next begins
+    std::vector<Stretch> open;  // that continue where the next begins
     for (const Stretch& next : all) {
       std::erase_if(open,
                     [&](const Stretch& o) { return o.line != next.line || o.to <= next.from; });
@@ -127,7 +128,7 @@ FacesOfBodies grouped(const FacesOfBodies& faces, DisjointSets& groups) {
   return of_groups;
 }
 
-/// What bodies share is material.
+/// The intersection of bodies counts as material of both.
 void join_overlapping(const FacesOfBodies& faces, double spacing, DisjointSets& groups) {
   constexpr double kOverlap = 0.01;
   if (faces.size() < 2) return;
@@ -215,7 +216,7 @@ BodyHatching kind_of_hatching(std::size_t kind, double spacing) {
   return {kDirections[kind % 2], spacing * (1.0 + 0.5 * static_cast<double>(kind / 2)), 0};
 }
 
-/// The first kind that no neighbour has; that of an earlier group of the same part, if it may be.
+/// The first kind that no neighbour has; preferably that of an earlier group of the same part.
 std::size_t kind_for(const std::set<std::size_t>& taken, std::optional<std::size_t> of_part) {
   if (of_part && !taken.contains(*of_part)) return *of_part;
   std::size_t kind = 0;

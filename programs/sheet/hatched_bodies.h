@@ -10,8 +10,8 @@
 
 namespace displayfile {
 
-/// How the cut faces of a body are hatched, in all views. Bodies of one group are hatched together:
-/// lines go on from one to the other.
+/// The hatching of a body's cut faces, in all views. Bodies of one group are hatched together:
+/// lines continue from one to the other.
 struct BodyHatching {
   Point2 direction{1.0, 0.0};  ///< of length 1
   double spacing = 1.0;        ///< in mm
@@ -26,7 +26,7 @@ struct BodyHatching {
 std::vector<BodyHatching> hatching_of_bodies(std::span<const PartDrawing> views, double mm,
                                              double spacing);
 
-/// Hatching lines within loops, less what lies within the polygons before them, which are
+/// Hatching lines within loops, less their parts within the polygons before them, which are
 /// counterclockwise. All on paper, in mm.
 std::vector<std::pair<Point2, Point2>> hatching_lines(
     const std::vector<std::vector<Point2>>& loops, const std::vector<std::vector<Point2>>& before,

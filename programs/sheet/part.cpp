@@ -32,7 +32,7 @@ namespace displayfile {
 
 namespace {
 
-/// The axis that a program says is upright, if it is one.
+/// The up axis that a program sets, if it is a coordinate axis.
 std::optional<Upright> upright_of(const View& view) {
   constexpr std::string_view kAxes[] = {"x", "y", "z", "-x", "-y", "-z"};
   const Point3 up = unit(view.up);
@@ -43,7 +43,8 @@ std::optional<Upright> upright_of(const View& view) {
   return std::nullopt;
 }
 
-/// The camera of what a program has drawn, or else the one that it leaves in force.
+/// The up axis of the view in which a program has drawn, otherwise of the one that it leaves in
+/// force.
 std::optional<Upright> upright_of(const GraphicsSystem& system, const RetainedScene& scene,
                                   std::size_t segments_before) {
   if (!system.explicit_settings().contains(Setting::camera)) return std::nullopt;
@@ -84,7 +85,7 @@ std::vector<NamedPart> named_parts(std::span<const SegmentOrigin> origins,
   return parts;
 }
 
-/// What is visible, with the scene's segments as its objects, and these as its parts.
+/// The visible polygons, with the scene's segments as the mesh's objects and the part's parts.
 Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file,
                  const SegmentOrigins& origins, std::span<const std::string> inputs) {
   std::vector<SegmentOrigin> of_parts;
@@ -138,8 +139,9 @@ void divide_into_pieces(Part& part) {
   }
 }
 
-/// Makes sides visible that one polygon alone has: where cutting planes left the part open, it ends
-/// on a sheet, though a picture has no line there. Diagonals, and bridges to holes, run twice.
+/// Makes sides that only one polygon has visible: where cutting planes left the part open, a sheet
+/// shows its end, though a picture has no line there. Diagonals and bridges to holes are used
+/// twice.
 void show_ends(Part& part) {
   if (std::ranges::all_of(part.side_visible, [](auto visible) { return visible != 0; })) return;
   const WeldedFaces faces = weld(part.mesh);

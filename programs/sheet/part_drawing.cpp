@@ -66,8 +66,8 @@ class SidesOfLoops {
   std::vector<Side> sides_;
 };
 
-/// What is left of a part behind the plane. Sides along the plane are no lines of it where they are
-/// sides of the cut face.
+/// The part behind the plane. Sides along the plane are not lines of it where they are sides of the
+/// cut face.
 Part part_behind(const Part& part, Section& cut) {
   Part behind;
   behind.mesh = std::move(cut.behind);
@@ -148,7 +148,7 @@ void append(const Part& other, Part& part) {
   }
 }
 
-/// What of the faces lies before the plane, as polygons on the paper, all counterclockwise.
+/// The parts of the faces before the plane, as polygons on the paper, all counterclockwise.
 std::vector<std::vector<Point2>> faces_before(const Mesh& mesh, double position) {
   const Section cut = section(mesh, {{0.0, 0.0, -1.0}, -position});
   std::vector<std::vector<Point2>> polygons;
@@ -175,7 +175,8 @@ void add_cut_loops(const Section& cut, const Part& part, PartDrawing& view) {
   }
 }
 
-/// How near what is turned about an axis comes to the viewer, the axis given in the view.
+/// The largest z of a shape turned about an axis, which is given in the view: its point nearest to
+/// the viewer.
 double nearest_of(const CentreAxis& axis, const Point3& from, const Point3& to) {
   const double length = glm::distance(from, to), rises = std::abs(to.z - from.z);
   const double across =
@@ -203,7 +204,7 @@ void add_centre_lines_of(std::span<const CentreAxis> axes, PartDrawing& view) {
   }
 }
 
-/// What is left behind a plane across the line of sight, and of the cut faces.
+/// The view of the part behind a plane across the line of sight, and of the cut faces.
 void cut_view(const Part& part, const ViewWanted& wanted, const LinesWanted& lines,
               PartDrawing& view) {
   const SectionPlane plane{{0.0, 0.0, 1.0}, *wanted.position};

@@ -38,9 +38,9 @@ struct SquareWindow {
   }
 };
 
-/// Its side is a power of 2, and its middle a multiple of a part of that: coordinates of few digits
-/// are the window's without rounding, so that what is in line on paper stays so, and a face that is
-/// seen edge-on is.
+/// Its side is a power of 2 and its middle a multiple of a fraction of that: coordinates of few
+/// digits are exact in the window, so that aligned points stay aligned on paper and edge-on faces
+/// stay edge-on.
 SquareWindow exact_window(const Bounds& box) {
   constexpr double kSteps = 1024.0, kMargin = 1.02;
   const Point3 extent = box.high - box.low;
@@ -89,8 +89,8 @@ class PartEntry {
   Triangulation triangulation_;
 };
 
-/// Closed objects in segments of their own: those that touch have no sides in common. All others
-/// together, since they may be parts of one surface.
+/// Closed objects are in segments of their own: touching objects have no sides in common. All
+/// others together, since they may be parts of one surface.
 RetainedScene scene_of(const Part& part, const CutFacesOfPart& cut, const LineSelection& selection,
                        const View& view) {
   RetainedScene scene;

@@ -17,7 +17,7 @@ struct LinesWanted {
   bool hidden;  ///< hidden lines too
   int threads;
 };
-/// The faces where a part was cut: polygons that hide what lies behind them, and loops that are
+/// The faces where a part was cut: polygons that hide the lines behind them, and loops that are
 /// lines.
 struct CutFacesOfPart {
   std::vector<std::vector<Point3>> caps{}, outlines{};

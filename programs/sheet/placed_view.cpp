@@ -48,7 +48,7 @@ void add_hatching(const PartDrawing& view, const ViewPlace& place,
   }
 }
 
-/// Whether a point lies within loops, by their winding number.
+/// True if a point lies within loops, by their winding number.
 bool is_within(const std::vector<std::vector<Point2>>& loops, const Point2& p) {
   int winding = 0;
   for (const auto& loop : loops) {
@@ -63,7 +63,7 @@ bool is_within(const std::vector<std::vector<Point2>>& loops, const Point2& p) {
   return winding != 0;
 }
 
-/// What of a line lies outside of loops.
+/// Adds the parts of a line outside loops.
 void add_outside(const PartDrawing::Line& line, const std::vector<std::vector<Point2>>& loops,
                  std::vector<PartDrawing::Line>& lines) {
   const Point2 along = line.to - line.from;
@@ -89,8 +89,8 @@ void add_outside(const PartDrawing::Line& line, const std::vector<std::vector<Po
   }
 }
 
-/// Beyond the outline by 3 mm, and by less where they are short. A line is drawn as two from its
-/// middle: so crosses are where lines are drawn, and not left out. What lies behind a section is
+/// Centre lines extend beyond the outline by 3 mm, by less where they are short. A line is drawn as
+/// two from its middle, so that crosses fall on dashes and not in gaps. Lines behind a section are
 /// hidden by the cut faces.
 void add_centre_lines(const PartDrawing& view, const ViewPlace& place, DrawingSheet& sheet) {
   constexpr double kLeastBeyond = 1.0, kBeyond = 3.0;

@@ -24,7 +24,7 @@ double turn_after(std::span<const Point2> points, std::size_t k) {
   return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
 }
 
-/// Equal but for the rounding of coordinates.
+/// Equal up to the rounding of coordinates.
 bool equal(double a, double b, double unit) {
   constexpr double kParts = 1e-3, kLength = 2e-4;  // mm
   return std::abs(a - b) <= kParts * std::abs(a) + kLength / unit;
@@ -82,7 +82,7 @@ std::optional<OutlineArc> arc_of(std::span<const Point2> vertices) {
   return arc;
 }
 
-/// A closed outline that begins and ends where no facets go on, unless they go all round.
+/// A closed outline, opened where no facets continue, unless they go all round.
 std::vector<Point2> opened(const std::vector<Point2>& points) {
   std::vector<Point2> round = points;
   round.push_back(points.front());

@@ -25,10 +25,10 @@ struct OutlinePiece {
 /// How far vertices may be from a circle, in mm.
 inline constexpr double kRoundTolerance = 0.001;
 
-/// Divides an outline, in mm, into arcs and the polylines between them. An arc is in the place of
-/// four or more sides of equal length that meet at equal angles of at most 15 degrees, as the
-/// facets of something round do, if all their ends are within the tolerance of one circle. A closed
-/// outline that consists of these alone is a whole circle.
+/// Divides an outline, in mm, into arcs and the polylines between them. An arc replaces four or
+/// more sides of equal length that meet at equal angles of at most 15 degrees, as the facets of a
+/// curved surface do, if all their ends are within the tolerance of one circle. A closed outline
+/// that consists of these alone is a whole circle.
 std::vector<OutlinePiece> round_pieces(const std::vector<Point2>& points, bool closed);
 
 }  // namespace displayfile

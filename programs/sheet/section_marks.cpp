@@ -36,7 +36,7 @@ PaperBox box_of_text(const Point2& middle_of_baseline, const std::string& text) 
   return {middle_of_baseline - Point2(half, 0.0), middle_of_baseline + Point2(half, kLetter)};
 }
 
-/// What of the paper is drawn on.
+/// The parts of the paper that are drawn on.
 class Taken {
  public:
   Taken(const std::array<PlacedDrawing, 4>& views, const SheetWords& words) {
@@ -123,7 +123,7 @@ CuttingLine cutting_line(const PlacedDrawing& other, const PartDrawing& cut, dou
   return {{{{from, -along, seen, letter, beyond}, {to, along, seen, letter, beyond}}}};
 }
 
-/// What is cut, with its letter, and the view in which a line shows where.
+/// A cut with its letter, and the view in which a line shows its position.
 struct ShownCut {
   const PartDrawing* cut;
   const PlacedDrawing* shown_in;

@@ -24,7 +24,7 @@ struct SegmentOrigin {
 /// The origins of a system's segments, by their names, which change while programs are entered.
 class SegmentOrigins {
  public:
-  /// The origin of a segment, of an unknown one that of the input entered last.
+  /// The origin of a segment; if unknown, that of the input entered last.
   SegmentOrigin of(int segment) const;
   void rename(int from, int to);
 

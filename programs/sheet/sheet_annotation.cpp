@@ -23,13 +23,14 @@ namespace {
 
 using Kind = KeptAnnotation::Kind;
 
-constexpr std::size_t kViewsWithDimensions = 3;  // the isometric one shows no length as it is
+constexpr std::size_t kViewsWithDimensions = 3;  // the isometric view shows no length true
 constexpr double kParallel = 1e-9;               // in parts of a dimension's length
-// Of labels beside a view, in heights of capitals.
+// For labels beside a view, in heights of capitals.
 constexpr double kLinesOfLeader = 2.0, kClearances = 3.0;
 
-/// The points of a dimension in a view; nothing if it is not parallel to the view. Of a linear one
-/// that is its line alone: the points that it measures may be at different depths.
+/// The points of a dimension in a view; nothing if it is not parallel to the view. Of a linear
+/// dimension, only its line must be parallel: the points that it measures may be at different
+/// depths.
 std::optional<std::vector<Point3>> points_in(ViewKind view, const KeptAnnotation& dimension) {
   std::vector<Point3> points;
   for (const Point3& p : dimension.points) points.push_back(in_view(view, p));
@@ -137,7 +138,7 @@ Rectangle as_rectangle(const PaperBox& box) {
   return {box.low.x, box.high.x, box.low.y, box.high.y};
 }
 
-/// The annotation of each view, and what else is on the paper.
+/// The annotation of each view, and the other contents of the paper.
 class AnnotatedSheet {
  public:
   AnnotatedSheet(const std::array<PartDrawing, 4>& views, std::span<const ViewPlace> places,
@@ -194,7 +195,7 @@ class AnnotatedSheet {
   std::vector<std::string> sentences_;
 };
 
-/// Up to what is beside the view, above it and below it.
+/// The room up to the contents beside, above and below the view.
 LabelRoom AnnotatedSheet::label_room(std::size_t k) const {
   const Rectangle& view = boxes_[k];
   LabelRoom room{frame_, {}};
@@ -250,7 +251,7 @@ void AnnotatedSheet::draw(std::size_t k, std::size_t i) {
   }
 }
 
-/// What a reader of the sheet should know of annotation in view k, as a part of a sentence.
+/// The fault of an annotation in view k, as a part of a sentence; empty if there is none.
 std::string_view AnnotatedSheet::fault_of(std::size_t k, const PageAnnotation& annotation,
                                           std::span<const AnnotationMark> marks) const {
   if (marks.empty()) return "is shorter than a line is wide: left out";

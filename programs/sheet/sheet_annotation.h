@@ -32,13 +32,13 @@ bool is_label(const KeptAnnotation& annotation);
 double gap_for_labels(const PartAnnotation& annotation);
 
 /// Draws leaders and balloons in their views, and each dimension in one of the first three views to
-/// which it is parallel, so that it shows the length that it measures: of several in the one where
-/// its dimension line is farthest from what it measures, or that shows the circle, otherwise in the
-/// first. Those with automatic placement stand outside of that view; leaders and balloons also
-/// clear of the rectangles `taken` and `reserved`. Balloons cover what is drawn before. Adds the
+/// which it is parallel, so that it shows its true length: of several such views, in the one where
+/// its dimension line is farthest from the measured points, or that shows the circle, otherwise in
+/// the first. Those with automatic placement stand outside of that view; leaders and balloons also
+/// clear of the rectangles `taken` and `reserved`. Balloons cover earlier contents. Adds the
 /// rectangles of texts and balloons to `taken`. Returns a sentence on each dimension that is
-/// parallel to no view, and is left out, and on all that has no room, or reaches beyond the frame
-/// or over another view.
+/// parallel to no view, and is left out, and on each annotation that does not fit, or reaches
+/// beyond the frame or over another view.
 std::vector<std::string> add_annotation(const PartAnnotation& annotation,
                                         const std::array<PartDrawing, 4>& views,
                                         std::span<const ViewPlace> places,

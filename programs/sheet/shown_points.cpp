@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSeen = 0.01;  // in parts of the part's size
 
-/// Whether a line from a to b passes above or below a point, for the even-odd rule.
+/// True if a line from a to b passes below a point, for the even-odd rule.
 bool crosses_below(const Point2& a, const Point2& b, const Point2& p) {
   if ((a.x > p.x) == (b.x > p.x)) return false;
   return a.y + (p.x - a.x) / (b.x - a.x) * (b.y - a.y) < p.y;

@@ -18,14 +18,14 @@ class ShownPoints {
   ShownPoints(const Part& part, std::span<const ViewWanted> wanted,
               std::span<const PartDrawing> views);
 
-  /// The first view in which a point of a face, in the part's coordinates, is seen: where nothing
-  /// lies before it by more than a hundredth of the part's size. Or else, of the views in which it
-  /// is not cut away, the one in which what is seen there is nearest to it.
+  /// The first view in which a point of a face, in the part's coordinates, is visible: where
+  /// nothing lies before it by more than a hundredth of the part's size. Otherwise, of the views in
+  /// which it is not cut away, the one in which the visible surface there is nearest to it.
   std::size_t view_of(const Point3& point) const;
 
  private:
-  /// Behind what a view shows there; 0: the point is seen; infinite: it is cut away, or no point of
-  /// a face.
+  /// The depth of the point behind the visible surface in a view; 0: the point is visible;
+  /// infinite: it is cut away, or not a point of a face.
   double depth_behind(std::size_t view, const Point3& point) const;
 
   const Part& part_;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kHeights{3.5, 2.5, 1.8};
 constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
 
-/// Characters of ASCII by how wide they are, in twentieths of the font's size, rounded up.
+/// Characters of ASCII by width, in twentieths of the font's size, rounded up.
 struct WidthClass {
   int twentieths;
   std::string_view characters;

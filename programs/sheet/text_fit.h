@@ -8,8 +8,8 @@
 
 namespace displayfile {
 
-/// How wide a text is on paper, about, if its capitals are so high. The reader's program chooses
-/// the face: as in DejaVu Sans, one of the widest without serifs.
+/// The approximate width of a text on paper whose capitals have that height. The reader's program
+/// chooses the face: measured in DejaVu Sans, one of the widest without serifs.
 double text_width(std::string_view text, double height);
 
 /// Text in lines below each other.

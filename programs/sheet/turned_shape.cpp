@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of coordinates, in parts of the largest
 
-/// What a routine turns about the line along z through a point.
+/// The shape that a routine turns about the line along z through a point.
 struct Turned {
   Point3 base{0.0};
   std::vector<Point2> profile;
@@ -73,8 +73,8 @@ double distance_to_side(const Point2& p, const Point2& a, const Point2& b) {
   return glm::distance(p, a + t * side);
 }
 
-/// How much a transformation stretches across an axis along z and along it; nothing where circles
-/// about the axis do not stay circles about one.
+/// The factors by which a transformation stretches across an axis along z and along it; nothing
+/// where circles about the axis do not stay circles about one.
 std::optional<Point2> stretch(const ModellingTransformation& modelling) {
   const Point3 x = modelling.apply_to_difference({1.0, 0.0, 0.0});
   const Point3 y = modelling.apply_to_difference({0.0, 1.0, 0.0});

@@ -10,10 +10,10 @@
 
 namespace displayfile {
 
-/// An axis of revolution, along what is turned about it. A sphere has one of length 0: its centre.
+/// The axis of revolution of a shape, over the shape's extent. A sphere's has length 0: its centre.
 struct CentreAxis {
   Point3 from, to;
-  double radius;  ///< largest, of what is turned about it
+  double radius;  ///< largest, of the shape about it
 };
 
 /// The surface that a routine of turned shapes makes, with its axis in world coordinates.
@@ -35,7 +35,7 @@ class TurnedShape {
   bool is_sphere_ = false;
 };
 
-/// True for the routines of drawing programs that turned_shape() knows.
+/// True for the routines of drawing programs that turned_shape() supports.
 bool makes_turned_shape(std::string_view routine);
 
 /// The shape of a drawing program's line that calls cylinder-3, cone-3, sphere-3, torus-3 or turn-3

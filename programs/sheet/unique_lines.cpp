@@ -25,7 +25,7 @@ PlacedLine placed(const PartDrawing::Line& line) {
   const Point2 d = line.to - line.from;
   if (d.x < 0.0 || (d.x == 0.0 && d.y < 0.0)) std::swap(out.from, out.to);
   out.angle = std::atan2(out.to.y - out.from.y, out.to.x - out.from.x);
-  // What is all but upright may point down.
+  // A nearly upright line may point down.
   if (out.angle < -std::numbers::pi / 2.0 + kSameAngle) {
     std::swap(out.from, out.to);
     out.angle += std::numbers::pi;
@@ -33,7 +33,7 @@ PlacedLine placed(const PartDrawing::Line& line) {
   return out;
 }
 
-/// Those of one line: visible ones united, then hidden ones less them.
+/// Appends the union of the visible pieces of one line, then the hidden ones less that.
 void unite(std::span<PlacedLine> group, std::vector<PartDrawing::Line>& out) {
   std::ranges::sort(group, {}, &PlacedLine::begin);
   std::vector<PlacedLine> seen;

@@ -8,8 +8,8 @@ namespace displayfile {
 
 namespace {
 
-/// Where the side from a to b, one of which is below the height and the other not, has it: the same
-/// point whichever way it is asked about.
+/// The point at a height on the side from a to b, of which one end is below the height and the
+/// other not: the same for both directions of the side.
 Point3 on_side(Point3 a, Point3 b, double height, double drawn_at) {
   if (a.z > b.z) std::swap(a, b);
   const double part = (height - a.z) / (b.z - a.z);

@@ -47,8 +47,8 @@ double height_of(std::string_view word, const std::string& place) {
   return value;
 }
 
-/// One row of a text; the column of what is no number is told. Where commas or semicolons stand
-/// between heights, a height that is missing is a hole.
+/// Reads one row of a text; the error for anything but a number has its column. Between commas or
+/// semicolons, a missing height is a hole.
 std::vector<double> heights_of_row(std::string_view line, const std::string& file, int row) {
   constexpr std::string_view kBlanks = " \t\r", kEndsWord = " \t\r,;";
   constexpr double kHole = std::numeric_limits<double>::quiet_NaN();
@@ -83,7 +83,7 @@ std::vector<double> heights_of_row(std::string_view line, const std::string& fil
 
 void read_text_grid(const std::string& file, SurfaceData& surface) {
   const std::string text = read_text_file(file);
-  text_of(file, text);  // refuses what is binary
+  text_of(file, text);  // throws for binary data
   std::size_t columns = 0;
   int row = 0, rows = 0;
   for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
@@ -116,7 +116,8 @@ bool is_there(const std::string& file) {
   return std::filesystem::exists(file, failed);
 }
 
-/// A file that is no grid may be meant; one that an expression is called after is not.
+/// The error for an invalid expression that names a file, which may be meant, asks for a grid's
+/// extension. A valid expression takes precedence over a file of its name.
 std::vector<double> heights_of_words(const std::string& words, const GridRange& range) {
   Progress progress("evaluating " + words);
   try {

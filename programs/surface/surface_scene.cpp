@@ -25,7 +25,7 @@ const LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
 const LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
 const LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
 
-/// What a box around the surfaces is.
+/// The bounds of the surfaces.
 struct SurfaceBox {
   Point3 low{std::numeric_limits<double>::infinity()};
   Point3 high{-std::numeric_limits<double>::infinity()};
@@ -58,7 +58,7 @@ SurfaceBox box_of_surfaces(std::span<const SurfaceData> surfaces, const SurfaceL
   return box;
 }
 
-/// The box as it is shown: two wide, and about as high as wide over the golden section.
+/// Scales the box for display: two wide, and about as high as wide over the golden section.
 void set_box_proportions(GraphicsSystem& system, const SurfaceBox& box, bool true_scale) {
   const Point3 middle = 0.5 * box.low + 0.5 * box.high, size = box.high - box.low;
   system.translate_3(-middle.x, -middle.y, -middle.z);
@@ -104,7 +104,7 @@ constexpr double kLegendRoom = 0.24, kBarLeft = 0.14, kBarRight = 0.115, kNumber
 constexpr double kLetterWidth = 0.64 * kLetterHeight;  // about: fonts differ
 constexpr double kMostForTexts = 0.4;
 
-/// What its texts need beyond that.
+/// The room that the texts need beyond that.
 double room_for_texts(const Legend& legend) {
   const auto width = [](std::string_view text) {
     const auto letters = std::ranges::count_if(

@@ -22,11 +22,11 @@ struct SurfaceLook {
   int contours = 0;       ///< levels of lines at the base
   bool axes = true, box = true;
   std::array<std::string, 3> names{"x", "y", "z"};
-  double curve_width = 0.0;  ///< in pixels; 0: by how many there are
+  double curve_width = 0.0;  ///< in pixels; 0: depending on the number of curves
 };
 
 /// Enters surfaces, their axes and other requested parts as a scene: segment 1 has the surfaces and
-/// what they may hide, segment 2 the legend. Throws Error for an invalid view.
+/// the parts that they may hide, segment 2 the legend. Throws Error for an invalid view.
 void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surfaces,
                     const SurfaceLook& look);
 

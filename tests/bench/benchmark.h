@@ -8,10 +8,10 @@
 
 namespace displayfile::bench {
 
-/// What a benchmark's command line sets; each takes what it has a use for.
+/// The options of a benchmark's command line; each uses some.
 struct Options {
   std::vector<std::string> inputs;  ///< meshes, drawing programs
-  std::vector<std::string> scenes;  ///< generated ones; none: those of the benchmark
+  std::vector<std::string> scenes;  ///< generated ones; none: the benchmark's own
   std::vector<std::string> parts;   ///< of the benchmark; none: all
   std::size_t polygons = 20'000;    ///< of generated scenes
   int size = 1024;                  ///< pixels a side
@@ -19,7 +19,7 @@ struct Options {
   int low = 0, high = 0;  ///< growth from 10^low to 10^high; no more than low: none
 
   bool has(const std::string& part) const;
-  /// The scenes named, or else the usual ones.
+  /// The scenes named, otherwise the usual ones.
   std::vector<std::string> scenes_or(std::vector<std::string> usual) const;
   /// Two a decade.
   std::vector<std::size_t> sizes() const;
@@ -30,7 +30,7 @@ struct Options {
 /// growth.
 void print_row(const Json& row);
 
-/// Each benchmark defines these: what it measures, and the measuring. `main` (benchmark.cpp) reads
+/// Each benchmark defines these: a description, and the measurement. `main` (benchmark.cpp) reads
 /// the command line, runs it, and ends with 2 after a line on standard error if it throws.
 extern const char* const kAbout;
 void run(const Options& options);

@@ -94,7 +94,7 @@ DeviceScene generated(const std::string& name, std::size_t n) {
 }
 
 DeviceScene sphere(std::size_t n) {
-  // Rings of quadrangles, each in two triangles; the poles' are degenerate in one of them.
+  // Rings of quadrangles, each in two triangles; at the poles one of the two is degenerate.
   const auto rings = static_cast<std::size_t>(
       std::max(3.0, std::round(std::sqrt(static_cast<double>(n) / 4.0) + 0.5)));
   const std::size_t around = 2 * rings;

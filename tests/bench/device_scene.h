@@ -10,8 +10,8 @@
 
 namespace displayfile::bench {
 
-/// Polygons as the sort gets them, in normalised device coordinates: the same, point for point,
-/// for us and for those that we are held against.
+/// Polygons as the sort gets them, in normalised device coordinates: the same, point for point, for
+/// us and for our peers.
 struct DeviceScene {
   std::string name;
   std::vector<Point3> points;
@@ -28,8 +28,8 @@ struct DeviceScene {
 struct Model {
   std::string path, name;  ///< the name is the file's, without its extension
   DeviceScene all;         ///< front and back faces
-  /// What the command enters: without back faces if the mesh is closed and consistently oriented,
-  /// and otherwise the same as `all`.
+  /// The faces that the command enters: without back faces if the mesh is closed and consistently
+  /// oriented, and otherwise the same as `all`.
   DeviceScene entered;
   bool closed;
 };
@@ -44,7 +44,7 @@ DeviceScene generated(const std::string& name, std::size_t n);
 /// has all others on one side.
 DeviceScene sphere(std::size_t n);
 
-/// How many others a polygon's extents in the projection overlap, on the average over a sample.
+/// The number of others that a polygon's extents overlap in the projection, averaged over a sample.
 double overlaps_per_polygon(const DeviceScene& scene);
 
 }  // namespace displayfile::bench

@@ -1,5 +1,5 @@
-// What drawing takes by each method, on generated scenes, on one thread: a line each, with the time
-// in milliseconds. tests/bench/page-beside-native runs this program as this machine's and as
+// The time of drawing by each method, on generated scenes, on one thread: a line each, with the
+// time in milliseconds. tests/bench/page-beside-native runs this program as this machine's and as
 // WebAssembly, in turn, and compares.
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ bool draws_pixels(HiddenMethod method) {
          !is_colour_rule(method);
 }
 
-/// The median: the first ones find the code not compiled in full, where it is WebAssembly.
+/// The median: in WebAssembly, the first drawings run before the code is fully compiled.
 double time_of(const GraphicsSystem& system, HiddenMethod method) {
   DrawOptions options{.samples = 1};
   options.width = options.height = kSide;
@@ -55,7 +55,7 @@ void measure() {
       try {
         fmt::print("{} {} {:.6f}\n", generated.name, entry.name, time_of(system, entry.method));
       } catch (const std::exception&) {
-        continue;  // one that does not draw such a scene, there as here
+        continue;  // a method that does not draw such a scene, there as here
       }
     }
   }

@@ -1,10 +1,10 @@
-// What a polygon takes that an application enters, in bytes of operator new that are held once its
-// segment is closed: of triangles with points of their own and of those that share them, from a
-// display file alone and with a retained scene. It calls only routines that have been there for
-// long, to be built with the libraries of older trees too (tests/bench/README.md, entered_bytes).
+// The memory of a polygon that an application enters, in bytes of operator new that are held once
+// its segment is closed: for triangles with points of their own and for those that share them, in a
+// display file alone and with a retained scene. It calls only long-standing routines, to be built
+// with the libraries of older trees too (tests/bench/README.md, entered_bytes).
 //   entered_bytes [SIDE]
-// prints a line each: the bytes of a triangle and a name. They are the mean of five scenes, of
-// 2 SIDE^2 triangles to twice as many, since arrays that double hold up to twice what they use.
+// prints a line each: the bytes of a triangle and a name. They are the mean of five scenes, of 2
+// SIDE^2 triangles to twice as many, since arrays that double hold up to twice what they use.
 
 #include <cmath>
 #include <cstdint>

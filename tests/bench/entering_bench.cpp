@@ -22,7 +22,7 @@ enum class Drawn { unlit, a_style_each, lit };
 struct Field {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;
-  std::vector<FillStyle> fills;  ///< one each, and each another than the last
+  std::vector<FillStyle> fills;  ///< one each, each different from the previous one
 
   explicit Field(std::uint32_t n) {
     const auto at = [n](std::uint32_t i, std::uint32_t j) { return j * (n + 1) + i; };

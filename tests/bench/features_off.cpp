@@ -19,7 +19,8 @@ namespace displayfile::bench {
 namespace {
 
 constexpr std::size_t kPolygons = 1000;
-constexpr std::size_t kTimesDrawn = 2;  // the last time what is made once for all is there
+constexpr std::size_t kTimesDrawn =
+    2;  // at the last drawing, data that are made once for all are there
 
 struct Drawing {
   std::string_view name, scene;
@@ -31,7 +32,7 @@ constexpr std::array kDrawings{Drawing{"soup, painted in order", "soup", std::nu
                                Drawing{"terrain, bsp", "terrain", HiddenMethod::bsp},
                                Drawing{"city, map", "city", HiddenMethod::map}};
 
-/// What callgrind looks for: it stays a function, of a plain name.
+/// The function that callgrind counts: not inlined, with a plain name.
 extern "C" [[gnu::noinline]] void displayfile_features_off(const FeatureUse* use,
                                                            const Scene* scene) {
   draw_with(*use, *scene);

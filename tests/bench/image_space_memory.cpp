@@ -1,5 +1,5 @@
 // The memory that each image-space method takes for a picture, beside a z-buffer of the whole
-// picture: what is taken with new besides the scene. Counts, the same on every machine.
+// picture: bytes allocated with new besides the scene. These counts are the same on every machine.
 
 #include "interp/visibility/image_space.h"
 #include "programs/scenes/generated_scenes.h"

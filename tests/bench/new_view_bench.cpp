@@ -1,6 +1,6 @@
 // New views of a retained scene (displayfile/views/scene_viewer.md) against entering each view anew
-// and drawing that; and what it is worth to keep what a moving eye, or a moving light, leaves as it
-// was: kept, by the same way with nothing but memory kept, and entered and drawn anew, in turn. A
+// and drawing that; and the gain from keeping the data that a moving eye, or a moving light, leaves
+// unchanged: with them kept, the same with only memory kept, and entered and drawn anew, in turn. A
 // mesh, or a terrain of about that number of polygons: plain, lit, and with shadows.
 
 #include <cmath>
@@ -140,7 +140,8 @@ class Bench {
       const glm::dmat3 lights = eye_moves ? glm::dmat3(1.0) : turned(degrees);
       const Picture *by_kept = nullptr, *by_file = nullptr;
       of_kept.add(seconds([&] { by_kept = &kept.draw(view, drawn, lights); }), k >= 0);
-      viewer.view({View(), lights, size(), options_.threads});  // forgets what it saw
+      viewer.view(
+          {View(), lights, size(), options_.threads});  // discards the data of earlier views
       of_memory.add(
           seconds([&] {
             renderer.draw(viewer.view({view, lights, size(), options_.threads}), request_);

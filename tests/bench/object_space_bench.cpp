@@ -1,5 +1,5 @@
 // Sorts, the map and methods of lines in object space, each way in turn with the first of its
-// table: times over that one's, and what it makes. Times with several threads are by the clock.
+// table: times over that one's, and the output's size. Times with several threads are by the clock.
 //   lines          hidden lines of all sides: Franklin's, exact, is the first
 //   map            the visible-surface map is the first; sorts, and one with writing
 //   intersections  lines along which polygons pass through each other; hidden lines are the first
@@ -40,7 +40,7 @@ const char* const kAbout =
 
 namespace {
 
-/// What a way makes, in counts, and the seconds that it takes if those are not of all its work.
+/// The counts of an alternative's output, and its seconds if they are not of all its work.
 struct Way {
   std::string name;
   std::function<Json()> find;
@@ -87,7 +87,7 @@ void print_growth(const std::string& part, const std::vector<std::string>& names
 
 // ---- Lines -------------------------------------------------------------------------------
 
-/// A scene whose polygons share their corners, as those of a mesh do.
+/// A scene whose polygons share their corners, as in a mesh.
 struct SharedScene {
   explicit SharedScene(const DeviceScene& scene) : polygons(scene.polygons) {
     std::map<std::tuple<double, double, double>, std::uint32_t> known;
@@ -149,7 +149,7 @@ Ways intersections(const DeviceScene& scene, const Options& options) {
           {"seeing them alone", [=] { return seen({}, found); }}};
 }
 
-/// The scene, and beside it once more what it has, moved by a part of its size and turned round.
+/// The scene twice: the second copy is moved by a part of its size and turned round.
 DeviceScene twice(const DeviceScene& scene) {
   DeviceScene both = scene;
   both.name += ", twice";
@@ -169,7 +169,7 @@ DeviceScene twice(const DeviceScene& scene) {
 
 // ---- Sorts and the map -------------------------------------------------------------------
 
-/// A scene in one segment of a display file, each polygon of a shade of its own.
+/// A scene in one segment of a display file, each polygon in its own shade.
 DisplayFile entered(const DeviceScene& scene) {
   DisplayFile file;
   Segment& segment = file.create(1);
@@ -254,7 +254,7 @@ Ways roots(const DeviceScene& scene, const Options& options) {
   for (const auto& [name, root] : {std::pair("free", RootChoice::free),
                                    {"sample", RootChoice::sample},
                                    {"last", RootChoice::last}}) {
-    // The textbook's choice costs n^2 on what is convex: beyond this it is left out.
+    // The textbook's choice costs n^2 on convex surfaces: beyond this size it is left out.
     if (root == RootChoice::last && scene.size() > 100'000) continue;
     ways.push_back({name, [&scene, root = root, threads = options.threads] {
                       return sorted(scene, HiddenMethod::bsp, {.root = root, .threads = threads});

@@ -1,7 +1,7 @@
 // Drawings for pens: strokes and lengths before and after, and the travel of the pen between its
-// paths, in our order beside a greedy one's. Each input is drawn as tests/bench/README.md says. Of
-// drawings with few enough points (--polygons) the paths of each layer, for a lower bound
-// (tests/bench/pen-travel). Growth with --low and --high, on strewn strokes.
+// paths, in our order beside a greedy one's. Each input is drawn as tests/bench/README.md
+// describes. For drawings with few enough points (--polygons), also prints the paths of each layer,
+// for a lower bound (tests/bench/pen-travel). Growth with --low and --high, on strewn strokes.
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ namespace {
 
 constexpr double kMetre = 1e6;
 
-/// What vpype's `linesort` does by default, from its documentation: it begins with the first line,
-/// and goes on always to the line that starts or, drawn backward, ends nearest to where the one
+/// The default of vpype's `linesort`, from its documentation: it begins with the first line and
+/// always continues with the line that starts or, drawn backward, ends nearest to where the one
 /// before ended. Closed paths are lines like others, from where they start.
 std::vector<PenPath> sorted_greedily(const std::vector<PenPath>& paths) {
   std::vector<SheetPoint> ends;
@@ -46,7 +46,8 @@ std::vector<PenPath> sorted_greedily(const std::vector<PenPath>& paths) {
   return sorted;
 }
 
-/// An input as lines of these kinds, or hatched: by a sort, whose fills cover each other.
+/// An input as lines of these kinds, or hatched: the latter by a sort, whose fills cover each
+/// other.
 std::vector<PenStrokes> drawn(const std::string& input, const std::string& lines, bool hatched) {
   GraphicsSystem system;
   MeshWords words;

@@ -1,6 +1,6 @@
-// What a filtered predicate costs against the naive determinant, against rounded coefficients and
+// The cost of a filtered predicate against the naive determinant, against rounded coefficients and
 // against CGAL, on the same input in the same run: the methods take turns. Then how often the exact
-// stage decides, and what it costs alone.
+// stage decides, and its cost alone.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-constexpr std::size_t kTuples = 1 << 12;  // in the caches, so that arithmetic is what is timed
+constexpr std::size_t kTuples = 1 << 12;  // in the caches, so that arithmetic is timed
 constexpr int kPasses = 8;
 constexpr int kTurns = 301;
 constexpr int kTurnsOfExact = 9;  // slow, and so less often interrupted in proportion
@@ -43,8 +43,8 @@ std::vector<Point3> random_points(std::size_t count) {
   return points;
 }
 
-/// A method over all tuples, one sign after the other, and not on several tuples at once: a
-/// sort asks for one sign at a time.
+/// A method over all tuples, one sign after the other, not several tuples at once: a sort needs one
+/// sign at a time.
 template <class Sign>
 void add_signs(const Sign& sign_of_tuple, long& sum) {
   for (int pass = 0; pass < kPasses; ++pass) {

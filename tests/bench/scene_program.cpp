@@ -27,7 +27,7 @@ Scene made(std::string_view name, std::size_t polygons, std::uint64_t seed) {
   return generated_scene(name).make(polygons, seed);
 }
 
-/// Without what it sets of touching: that is the command's.
+/// Without its setting of touching, which is the command's.
 void print(const Scene& scene) {
   std::stringstream recorded;
   {

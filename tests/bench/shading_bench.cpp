@@ -1,7 +1,7 @@
 // Flat, Gouraud and Phong shading of the same polygons, in turn, by processor time on one thread:
-// balls of 100, 10,000 and 100,000 triangles, and meshes. `again`: of an unchanged display file, of
-// which the z-buffer has all that it keeps; `anew`: from a display file that is new to it. Bytes
-// are those of the display file.
+// balls of 100, 10,000 and 100,000 triangles, and meshes. `again`: from an unchanged display file,
+// for which the z-buffer has kept its data; `anew`: from a new display file. Bytes are those of the
+// display file.
 
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ const char* const kAbout = "Flat, Gouraud and Phong shading, in turn";
 
 namespace {
 
-/// A ball that fills the picture, of about so many triangles, with its own normals.
+/// A ball that fills the picture, of about that many triangles, with its own normals.
 void enter_ball(int triangles, GraphicsSystem& g) {
   const int n = std::max(3, static_cast<int>(std::lround(std::sqrt(triangles / 2.0))));
   const auto point = [&](int i, int k) {

@@ -125,8 +125,7 @@ void compare_methods(const Options& options) {
 
 using RationalPoint = std::array<mpq_class, 3>;
 
-/// Faces as triangles: what a face of more sides that is not flat is cut into is no matter of
-/// sections.
+/// Faces as triangles: the division of non-flat faces of more sides does not matter to sections.
 std::vector<std::array<Point3, 3>> triangles_of(const Mesh& mesh) {
   std::vector<std::array<Point3, 3>> all;
   Triangulation triangulation;
@@ -205,7 +204,7 @@ std::vector<SectionPlane> planes_through(const Mesh& mesh) {
       normal = Point3(0.0);
       normal[k % 3] = k % 2 == 0 ? 1.0 : -1.0;
       planes.push_back({normal, glm::dot(normal, a)});
-    } else if (k < 20) {  // through a vertex, but for rounding
+    } else if (k < 20) {  // through a vertex, up to rounding
       planes.push_back({normal, glm::dot(normal, a)});
     } else if (k < 30) {  // along a face, from both sides
       const auto face = mesh.face(random() % mesh.faces());

@@ -18,7 +18,7 @@ double decimal(Random& random, double low, double high) {
   return decimal(random.between(low, high));
 }
 
-/// The side of a square of so many cells of so many polygons each.
+/// The cells along a side of a square for `polygons` polygons at `polygons_a_cell` each.
 std::size_t cells_a_side(std::size_t polygons, std::size_t polygons_a_cell) {
   return std::max<std::size_t>(1, side_of_square(polygons / polygons_a_cell));
 }
@@ -48,7 +48,7 @@ Ball around(const Scene& scene) {
   return {0.5 * low + 0.5 * high, 0.5 * glm::distance(low, high)};
 }
 
-/// The polygons of a scene without placements, as they were drawn.
+/// A scene without placements, in a view of all of it.
 Scene seen(Scene scene) {
   const Ball ball = around(scene);
   look_at(ball.middle, ball.radius, scene);
@@ -65,14 +65,14 @@ Scene turned(Scene scene) {
   return scene;
 }
 
-/// A square on the ground, beyond what stands on it.
+/// A square on the ground, larger than the objects on it.
 Polygon ground(double side) {
   return {{-0.5, 0.0, -0.5}, {-0.5, 0.0, side}, {side, 0.0, side}, {side, 0.0, -0.5}};
 }
 
 // ---- A city -----------------------------------------------------------------------------
 
-/// A level rectangle on the ground, or an upright one in the wall that looks along +z or +x.
+/// A level rectangle on the ground, or an upright one in the wall that faces +z or +x.
 Polygon marking(double x, double z, double wide, double deep) {
   return {{x, 0.0, z}, {x, 0.0, z + deep}, {x + wide, 0.0, z + deep}, {x + wide, 0.0, z}};
 }

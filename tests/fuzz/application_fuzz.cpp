@@ -1,5 +1,5 @@
 // libFuzzer target: whatever an application calls, and in whatever order, only Error is thrown; and
-// what it called replays from its recording to the same display file.
+// its recorded calls replay to the same display file.
 
 #include <sstream>
 

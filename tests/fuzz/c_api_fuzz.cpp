@@ -1,6 +1,6 @@
 // libFuzzer target: whatever a C program calls, in whatever order and with whatever structures, a
-// call that fails says why and leaves the system as a twin that never saw it; one that succeeds
-// returns what it returns to the twin.
+// call that fails has a message and leaves the system as a twin that never saw it; one that
+// succeeds returns the same as from the twin.
 
 #include <algorithm>
 #include <cstddef>
@@ -27,7 +27,7 @@ struct Destroy {
 };
 using System = std::unique_ptr<df_system, Destroy>;
 
-/// What a call returned: its code, and the bytes that it handed out.
+/// A call's result: its code, and the bytes that it returned.
 struct Returned {
   int code;
   std::string bytes = {};
@@ -47,7 +47,7 @@ Returned dumped(df_system* system) {
   return {code, code == DF_OK ? std::string(text, length) : ""};
 }
 
-/// The first `size` bytes of a structure, in memory of that size, which says it.
+/// The first `size` bytes of a structure, in memory of that size, with its size field set.
 template <class Structure>
 class Sized {
  public:
@@ -352,7 +352,7 @@ class CProgram {
 
 }  // namespace
 
-// What texts in PNG make Fontconfig keep until the process ends.
+// The memory that Fontconfig keeps until the process ends, for texts in PNG.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 

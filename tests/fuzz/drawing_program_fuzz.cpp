@@ -1,6 +1,6 @@
-// libFuzzer target: whatever the text, replaying it throws nothing but Error, and what its lines
-// drew, those that are refused left out, is recorded and replayed to the same display file, unless
-// that takes very long.
+// libFuzzer target: whatever the text, replaying it throws nothing but Error, and its lines,
+// without refused ones, are recorded and replayed to the same display file, unless that takes very
+// long.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "tests/fuzz/failed.h"
 #include "tests/fuzz/record_and_replay.h"
 
-/// A program of a few lines may ask for minutes of sorting, in which nothing new is seen.
+/// A program of a few lines may need minutes of sorting, in which nothing new is tested.
 constexpr std::uint64_t kMostComparisons = 300'000;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 
 namespace displayfile::fuzz {
 
-/// Something does not hold: says what, and ends the target, which keeps the input.
+/// An invariant does not hold: prints what, and ends the target, which keeps the input.
 [[noreturn]] inline void failed(const std::string& what) {
   std::fprintf(stderr, "%s\n", what.c_str());
   std::abort();

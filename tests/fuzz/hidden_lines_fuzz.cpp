@@ -1,5 +1,5 @@
-// libFuzzer target: of random polygons and lines, every method of lines finds what the truth of
-// lines says is seen.
+// libFuzzer target: for random polygons and lines, every method of lines finds the visible parts of
+// the truth.
 
 #include <string>
 

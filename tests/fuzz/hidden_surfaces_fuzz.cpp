@@ -1,5 +1,5 @@
-// libFuzzer target: of random polygons, concave and crossing as they come, every exact method, the
-// sorts and the map among them, gives the truth's item buffer.
+// libFuzzer target: for random polygons, some concave or self-crossing, every exact method,
+// including the sorts and the map, gives the truth's item buffer.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // libFuzzer target: whatever a material library holds, reading it throws nothing but Error, and
-// every colour that it tells is one.
+// every colour that it returns is valid.
 
 #include <string>
 

@@ -1,5 +1,5 @@
-// libFuzzer target: whatever a mesh file holds, reading it throws nothing but Error; and what was
-// read is drawn as the truth says. The first byte chooses the format, and whether normals are read.
+// libFuzzer target: whatever a mesh file holds, reading it throws nothing but Error; and the mesh
+// is drawn as the truth. The first byte chooses the format, and whether normals are read.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // Mutants of all models in a folder, read as the command reads them: a library that crashes, hangs
-// or hungers must cost one message, and nothing else. See tests/fuzz/README.md.
+// or exhausts its memory must cost one message, and nothing else. See tests/fuzz/README.md.
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -58,8 +58,8 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// By extension: those of at most so many bytes, or else the smallest. Not those that are read
-/// without the import library, and not what lies beside models.
+/// By extension: models of at most `most_bytes`, otherwise the smallest. Without those that are
+/// read without the import library, and without other files beside models.
 std::map<std::string, Format> models_in(const fs::path& folder, std::uintmax_t most_bytes) {
   static const std::set<std::string> kOthers{".obj", ".off",  ".ply",  ".stl",  ".png",     ".jpg",
                                              ".tga", ".bmp",  ".txt",  ".bin",  ".mtl",     ".md",
@@ -115,7 +115,7 @@ class Folders {
   std::map<fs::path, std::string> folders_;
 };
 
-// ---- What became of them ---------------------------------------------------------------
+// ---- Outcomes --------------------------------------------------------------------------
 
 enum Outcome { kRead, kRefused, kCrash, kTime, kMemory, kOurs, kOutcomes };
 constexpr std::array<const char*, kOutcomes> kNames{
@@ -143,7 +143,7 @@ Outcome outcome_of(const std::string& path, bool with_normals, const ImportLimit
 
 constexpr std::size_t kMostFormats = 128;
 
-/// What the process that reads tells the one that watches it.
+/// The data that the reading process shares with the one that watches it.
 struct Shared {
   std::atomic<std::uint64_t> next;                     ///< the mutant that is read, or will be
   std::atomic<std::int64_t> begun;                     ///< seconds
@@ -206,7 +206,7 @@ class Mutants {
     const auto any = [&] { return static_cast<std::size_t>(random() % models.size()); };
     const Model& model = models[static_cast<std::size_t>(n / formats_.size() % models.size())];
     const std::string bytes = mutated(model.bytes, models[any()].bytes, random);
-    constexpr unsigned kNameless = 16;  // one in so many has no extension
+    constexpr unsigned kNameless = 16;  // one in this many has no extension
     const std::string extension = random() % kNameless == 0 ? "" : model.path.extension().string();
     const fs::path path = folders.of(model.path) / ("mutant" + extension);
     std::ofstream(path, std::ios::binary) << bytes;
@@ -240,8 +240,8 @@ class Mutants {
   std::vector<Format> formats_;
 };
 
-/// In the place of starting the program anew: a fork of this process, which has loaded the library
-/// already and has one thread, does what the program does, with limits of its own.
+/// Instead of starting the program anew: a fork of this process, which has loaded the library
+/// already and has one thread, does the program's work, with limits of its own.
 int start_by_fork(std::vector<std::string>& words, int reply, int messages) {
   const pid_t child = fork();
   if (child < 0) return -errno;
@@ -257,7 +257,7 @@ int start_by_fork(std::vector<std::string>& words, int reply, int messages) {
 /// The process that reads.
 int read_all(const Mutants& mutants, std::uint64_t end, Shared& shared) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  std::cerr.rdbuf(nullptr);  // what readers say of mutants
+  std::cerr.rdbuf(nullptr);  // messages of readers about mutants
   if (!mutants.starts_programs()) {
     load_import_library("mutants");
     import_starter() = start_by_fork;

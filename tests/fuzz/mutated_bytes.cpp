@@ -10,7 +10,7 @@ namespace displayfile::test {
 
 namespace {
 
-/// Not a distribution of the library's, which differs from one to the next.
+/// Not a distribution of the standard library, which differs from one library to the next.
 std::size_t below(std::size_t end, std::mt19937_64& random) {
   return end == 0 ? 0 : static_cast<std::size_t>(random() % end);
 }

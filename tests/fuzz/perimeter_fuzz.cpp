@@ -1,5 +1,5 @@
-// libFuzzer target: of a surface over a small grid, seen from anywhere, the perimeter method finds
-// what the truth of lines says is seen, or refuses it with an Error.
+// libFuzzer target: for a surface over a small grid, seen from anywhere, the perimeter method finds
+// the visible parts of the truth, or throws Error.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // libFuzzer target: whatever a PNG, PPM or NPY file holds, reading it throws nothing but Error; and
-// what was read is written and read again as the same. The first byte chooses the format.
+// the picture is the same when written and read again. The first byte chooses the format.
 
 #include <string>
 #include <variant>

@@ -9,7 +9,7 @@
 
 namespace displayfile::fuzz {
 
-/// What a target makes of its bytes: polygons, concave and crossing as they come, with vertices on
+/// A target's scene, made from its bytes: polygons, some concave or self-crossing, with vertices on
 /// a grid and an ulp or two beside it.
 struct PolygonsNearGrid {
   int most;              ///< polygons

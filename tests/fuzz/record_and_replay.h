@@ -15,8 +15,8 @@
 
 namespace displayfile {
 
-/// Replays each line of a program by itself: one that is refused leaves all as it was, and the next
-/// goes on from there.
+/// Replays each line of a program by itself: a refused line leaves the state unchanged, and the
+/// next continues from there.
 inline void replay_lines(std::string_view program, GraphicsSystem& system) {
   while (!program.empty()) {
     const std::size_t length = std::min(program.find('\n'), program.size());
@@ -24,15 +24,15 @@ inline void replay_lines(std::string_view program, GraphicsSystem& system) {
       replay(program.substr(0, length), "line", system);
     } catch (const LimitReached&) {
       throw;
-    } catch (const Error&) {  // or it opened what is still open at its end
+    } catch (const Error&) {  // or it opened the segment that is still open at its end
     }
     program.remove_prefix(std::min(length + 1, program.size()));
   }
 }
 
 /// Replays a program, which may be wrong, without its wrong lines while recording it; replays the
-/// recording, and tells the first difference between the two display files. An Error from the
-/// recording is not caught: what was recorded must replay. Throws LimitReached under a budget.
+/// recording, and returns the first difference between the two display files. An Error from the
+/// recording is not caught: a recording must replay. Throws LimitReached under a budget.
 inline std::optional<std::string> difference_after_record_and_replay(std::string_view program) {
   std::ostringstream recording;
   Recorder recorder(recording);

@@ -1,5 +1,5 @@
 // libFuzzer target: whatever an expression or a text of heights holds, reading it throws nothing
-// but Error; and a surface of what was read can be entered and recorded. The first byte chooses.
+// but Error; and a surface read from it can be entered and recorded. The first byte chooses.
 
 #include <sstream>
 #include <string>

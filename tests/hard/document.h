@@ -23,7 +23,7 @@ std::string document(std::span<const TableRow> rows, std::span<const TableRow> o
 /// A line for each method: the largest gap at which more than a hundredth of the pixels is wrong.
 std::string where_each_breaks(std::span<const TableRow> sweep, std::span<const Method> methods);
 
-/// What methods have to say of themselves, a line each: the depths that OSMesa granted.
+/// The notes of methods, a line each: the depths that OSMesa granted.
 std::string notes(std::span<const Method> methods);
 
 }  // namespace displayfile

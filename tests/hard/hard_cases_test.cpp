@@ -28,7 +28,7 @@
 #include "tests/slower.h"
 #include "tests/without_entered.h"
 
-// That the exact methods have no wrong pixel on these scenes, hard_table tells.
+// hard_table shows that the exact methods have no wrong pixel on these scenes.
 
 namespace displayfile {
 namespace {
@@ -128,13 +128,13 @@ TEST(HardCases, NamesAreDifferent) {
   EXPECT_GE(names.size(), 40u);
 }
 
-/// Families that every method of today draws right: equal polygons round alike, and what is edge-on
-/// or has no area covers nothing, unless a method makes something of it.
+/// Families that every method of today draws right: equal polygons round alike, and polygons that
+/// are edge-on or have no area cover nothing, unless a method draws them.
 constexpr std::array<std::string_view, 3> kDrawnRightByAll{"coplanar_copies", "edge_on",
                                                            "zero_area"};
 
-// A suite whose pictures are empty, or that any method draws right, would judge nothing: of each
-// other family some method that is not exact draws a pixel wrong.
+// A suite whose pictures are empty, or that any method draws right, would judge nothing: in each
+// other family some inexact method draws a pixel wrong.
 TEST(HardCases, AreHard) {
   const auto all = methods();
   std::size_t painter_wrong = 0, float_wrong = 0;
@@ -164,7 +164,7 @@ TEST(HardCases, AreHard) {
   EXPECT_GT(float_wrong, hard_cases().size() / 2);
 }
 
-/// The families of what touches, each scene as it was made.
+/// The families of touching polygons, each scene as it was made.
 template <class Judge>
 void for_each_touching_scene(std::uint64_t seeds, const Judge& judge) {
   for (const HardCase& family : hard_cases()) {
@@ -206,8 +206,7 @@ TEST(TouchingFamilies, AreRightByEveryExactMethodAndNotWithoutTouching) {
   EXPECT_EQ(wrong_when_off["rug_on_floor"], 0);
 }
 
-/// What is meant to touch lies within the reach that holds unless it is set; a wider one finds no
-/// more.
+/// Polygons that are meant to touch lie within the default reach; a wider one finds no more.
 TEST(TouchingFamilies, PolygonsLieInEachOthersPlanes) {
   for_each_touching_scene(2, [&](const HardCase&, const Scene& scene) {
     test::Retained retained;
@@ -220,7 +219,7 @@ TEST(TouchingFamilies, PolygonsLieInEachOthersPlanes) {
   });
 }
 
-/// Each generator makes what its family's words say of views and placements.
+/// Each generator makes views and placements as its family's words describe.
 TEST(TouchingFamilies, ViewsAndPlacementsAreThoseOfTheSeverity) {
   for (const HardCase& family : hard_cases()) {
     if (family.judged_from != JudgedFrom::entered) continue;
@@ -238,7 +237,7 @@ TEST(TouchingFamilies, ViewsAndPlacementsAreThoseOfTheSeverity) {
   }
 }
 
-/// A scene enters its placements and views as its words say, and leaves no transformation behind.
+/// A scene enters its placements and views as described, and leaves no transformation behind.
 TEST(Scenes, PolygonsAreMovedTurnedAndMovedAgain) {
   Scene scene;
   scene.add({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
@@ -272,8 +271,8 @@ TEST(Scenes, PolygonsAreMovedTurnedAndMovedAgain) {
   EXPECT_EQ(corner(4, 0), Point3(10, 0, 0));
 }
 
-/// Centres on the bar's lower side are left undecided by the order of sorts. What lies in one plane
-/// does so there too.
+/// Centres on the bar's lower side are left undecided by the order of sorts. Coplanar polygons are
+/// coplanar there too.
 TEST(TouchingFamilies, AreRightAtCentresOnSidesOfOthers) {
   constexpr int kSize = 64;
   Scene scene;
@@ -341,7 +340,7 @@ GraphicsSystem two_sheets(double distance) {
   return system;
 }
 
-// Each depth format tells sheets apart down to its own step, and not below it.
+// Each depth format distinguishes sheets down to its own step, and not below it.
 TEST(PlainZBuffer, DepthFormatsHaveTheirSteps) {
   const auto shows_the_near_one = [](DepthFormat format, double distance) {
     RasterRequest request;
@@ -361,7 +360,7 @@ TEST(PlainZBuffer, DepthFormatsHaveTheirSteps) {
   }
 }
 
-/// As a method of pictures, under its names, it shows what it shows by itself.
+/// As a method of pictures, under its names, it draws the same as by itself.
 TEST(PlainZBuffer, IsAMethodOfPicturesAtEachDepthFormat) {
   const std::pair<const char*, DepthFormat> names[] = {
       {"plain-z-buffer", DepthFormat::float_32},

@@ -68,7 +68,7 @@ std::vector<HardCase> chosen_families(const Options& options) {
   return chosen;
 }
 
-/// On a terminal, what is being measured.
+/// On a terminal, the current measurement.
 class Progress {
  public:
   void show(std::string_view name) const {
@@ -141,7 +141,7 @@ std::vector<TableRow> mesh_rows(const Options& options, const std::vector<Method
   return rows;
 }
 
-/// One row a gap, from 1e-1 to 1e-17, summed over the families that have one.
+/// One row a gap, from 1e-1 to 1e-17, summed over the families with gaps.
 std::vector<TableRow> sweep_rows(const Options& options, const std::vector<Method>& methods) {
   const Progress progress;
   std::vector<TableRow> rows;
@@ -238,7 +238,7 @@ int run(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   fmt::print("{:.1f} s\n", seconds.count());
   if (!options.csv.empty()) write_file(options.csv, csv_table(rows, methods, first));
-  if (options.touching_off) return 0;  // exact is then what rounding left
+  if (options.touching_off) return 0;  // exact is then the result of rounding
   return exact_methods_are_right(rows, methods) ? 0 : 1;
 }
 

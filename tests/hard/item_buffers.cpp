@@ -1,6 +1,5 @@
-// The item buffers that all methods give on every hard case and on random degenerate scenes: a line
-// each, with a hash of it. What another build prints, for another machine or for a page, must be
-// the same text.
+// The item buffers of all methods on every hard case and on random degenerate scenes: a line each,
+// with its hash. Another build, for another machine or for a page, must print the same text.
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 
 namespace displayfile {
 
-/// What is to be seen of a scene, exactly, with size x size pixels: by the truth that begins where
-/// `from` says. What touches is decided as the scene says.
+/// The exact picture of a scene with size x size pixels, by the truth that begins at `from`.
+/// Touching is decided by the scene's setting.
 Picture right_picture(const Scene& scene, JudgedFrom from, int size);
 
 }  // namespace displayfile

@@ -10,7 +10,7 @@
 
 namespace displayfile {
 
-/// What a row of a table counts.
+/// The counts of a table's row.
 struct Tally {
   long long scenes = 0, polygons = 0, pixels = 0;
   std::vector<long long> wrong;  ///< pixels, for each method

@@ -20,7 +20,7 @@
 #include "mesa_leaks.h"
 
 // Two tilted sheets 1e-15 apart that are in front in turn: an orange one and a blue one make a
-// chequerboard. What each method makes of it, in wrong pixels and as a picture.
+// chequerboard. Prints each method's wrong pixels, and its picture.
 
 namespace displayfile {
 namespace {

@@ -1,5 +1,5 @@
-// What clip/system promises, and files written by it, on Windows. Prints what is not so; exit
-// status 1 if anything is not. The last check ends the process: the exit status is 2 if all holds.
+// The guarantees of clip/system, and files written by it, on Windows. Prints those that fail; exit
+// status 1 if any does. The last check ends the process: the exit status is 2 if all holds.
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@ namespace displayfile {
 
 namespace {
 
-/// By what name a file may be opened that has none.
+/// A path by which a file without a name can be opened.
 std::string path_of(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
 }  // namespace
@@ -117,7 +117,8 @@ bool remove_path(const char* path) noexcept { return ::unlink(path) == 0 || ::rm
 void keep_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0) continue;
-    // The lowest that is free is opened: this one. In the direction in which nobody uses it.
+    // Opens the lowest free descriptor, which is this one, in the direction in which it is never
+    // used.
     if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
 }

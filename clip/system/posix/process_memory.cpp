@@ -20,7 +20,7 @@ namespace displayfile {
 
 namespace {
 
-/// A word of the file as a number of bytes; 0 if it is none.
+/// The number after that many words of the file; 0 if there is none.
 std::size_t number_in(const char* file, int words_before) {
   std::ifstream in(file);
   std::string word;
@@ -29,8 +29,8 @@ std::size_t number_in(const char* file, int words_before) {
   return in >> number ? number : 0;
 }
 
-/// The least that the groups of this process (cgroup) are limited to, from its own to the root.
-/// Those of version 2 have no list of controllers.
+/// The lowest limit of this process's control groups (cgroup), from its own to the root. Groups of
+/// version 2 have no list of controllers.
 std::uint64_t limit_of_groups() {
   std::uint64_t least = kNoMemoryLimit;
   std::ifstream groups("/proc/self/cgroup");
@@ -57,7 +57,7 @@ std::size_t page() { return static_cast<std::size_t>(std::max(1L, ::sysconf(_SC_
 
 }  // namespace
 
-/// Linux says it in kibibytes; other systems say nothing here.
+/// Linux reports it in kibibytes; other systems report nothing here.
 std::size_t memory_free_for_all() {
   std::ifstream file("/proc/meminfo");
   for (std::string name; file >> name;) {
@@ -68,7 +68,7 @@ std::size_t memory_free_for_all() {
   return std::numeric_limits<std::size_t>::max();
 }
 
-/// What it may write to, but for shared memory; the sixth of the kernel's numbers.
+/// The writable memory, except for shared memory: the sixth number in statm.
 std::size_t data_of_process() { return page() * number_in("/proc/self/statm", 5); }
 
 std::size_t memory_of_groups() {
@@ -92,9 +92,8 @@ std::uint64_t limit_of_process() {
   return std::min<std::uint64_t>(least, limit.rlim_cur);
 }
 
-/// RLIMIT_DATA counts what the process may write to and nobody shares, as it is mapped: unlike the
-/// address space, it has no room that is only kept free, and unlike what is resident, it cannot be
-/// passed.
+/// RLIMIT_DATA counts the private writable memory that is mapped: unlike the address space, it
+/// excludes memory that is only reserved, and unlike resident memory, it cannot be exceeded.
 void set_limit_of_data(std::uint64_t bytes) {
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
@@ -122,7 +121,7 @@ void ask_for_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::siz
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kLargest = 32 * 1024 * 1024;  // the most that it takes
+  constexpr int kLargest = 32 * 1024 * 1024;  // the largest threshold that mallopt accepts
   mallopt(M_MMAP_THRESHOLD, kLargest);
   mallopt(M_TRIM_THRESHOLD, 8 * kLargest);
   mallopt(M_TOP_PAD, kLargest / 2);
@@ -148,14 +147,14 @@ void hand_out_large_pages([[maybe_unused]] std::size_t bytes) {
 #ifdef __GLIBC__
   constexpr std::size_t kPage = std::size_t{2} << 20;
   if (bytes < kLeastInLargePages) return;
-  mallopt(M_MMAP_MAX, 0);         // large blocks, too, are taken from the one heap,
-  mallopt(M_TRIM_THRESHOLD, -1);  // which keeps all that it has got
+  mallopt(M_MMAP_MAX, 0);         // large blocks are also taken from the heap,
+  mallopt(M_TRIM_THRESHOLD, -1);  // which keeps all its memory
   void* const room = std::malloc(bytes + 2 * kPage);
   if (room == nullptr) return;
   const std::size_t to_page = kPage - reinterpret_cast<std::uintptr_t>(room) % kPage;
   ask_for_large_pages(static_cast<char*>(room) + to_page, bytes);
   std::free(room);
-  // What comes before the first large page stays unused.
+  // The memory before the first large page stays unused.
   constexpr std::size_t kOfAllocator = 64;
   static void* before = nullptr;
   if (before == nullptr && to_page > kOfAllocator) before = std::malloc(to_page - kOfAllocator);

@@ -15,11 +15,11 @@ namespace {
 
 void (*last_when_stopped)() noexcept = nullptr;
 void (*last_in_time)() noexcept = nullptr;
-/// The message if time is over; a signal handler reads it.
+/// The message at the time limit; a signal handler reads it.
 std::array<char, 256> time_is_over{};
 std::size_t time_is_over_length = 0;
 
-/// The signal's own action is in force again by then.
+/// SA_RESETHAND has restored the signal's default action by then.
 void on_stop(int signal) {
   last_when_stopped();
   std::raise(signal);
@@ -72,7 +72,7 @@ void call_when_stopped(void (*last)() noexcept) {
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(signal, &action, nullptr);
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // what cannot be written is said, as of a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // writes then fail with an error, like on a full disk
 }
 
 void end_process_after(double seconds, const std::string& message, void (*last)() noexcept) {
@@ -82,7 +82,7 @@ void end_process_after(double seconds, const std::string& message, void (*last)(
   struct sigaction action {};
   action.sa_handler = on_time_over;
   ::sigaction(SIGALRM, &action, nullptr);
-  sigset_t alarm;  // whoever started the process may have blocked it
+  sigset_t alarm;  // the parent process may have blocked it
   ::sigemptyset(&alarm);
   ::sigaddset(&alarm, SIGALRM);
   ::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);

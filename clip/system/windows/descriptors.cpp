@@ -15,7 +15,7 @@ namespace displayfile {
 
 namespace {
 
-/// Sets errno to what the system's error is in C's terms.
+/// Sets errno to C's equivalent of the system's error.
 int failed_by_system() {
   switch (::GetLastError()) {
     case ERROR_FILE_EXISTS:
@@ -31,7 +31,7 @@ int failed_by_system() {
 
 }  // namespace
 
-/// By the system's own function: a file may then be removed or renamed while it is open.
+/// Uses the system's own function, so that an open file can be removed or renamed.
 int create_file(const std::string& path) {
   const HANDLE file =
       ::CreateFileW(std::filesystem::path(path).c_str(), GENERIC_READ | GENERIC_WRITE,
@@ -77,8 +77,8 @@ bool may_write(const std::string& path) {
   return ::_waccess(std::filesystem::path(path).c_str(), kToWrite) == 0;
 }
 
-/// The C library cannot tell how a descriptor is open: writing nothing to it does. A descriptor is
-/// not the null handle of a program without a console.
+/// The C library cannot report how a descriptor is open, but writing 0 bytes shows it. The null
+/// handle of a program without a console is not a descriptor.
 bool can_write(int descriptor) {
   const auto file = reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor));
   DWORD written = 0;
@@ -89,7 +89,7 @@ bool can_write(int descriptor) {
   return true;
 }
 
-/// A file has those of its folder.
+/// Files inherit the permissions of their folder.
 void set_permissions(int /*descriptor*/, std::filesystem::perms /*permissions*/) {}
 
 bool write_all(int descriptor, const char* bytes, std::size_t count) {
@@ -98,7 +98,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t count) {
     const int written =
         ::_write(descriptor, bytes, static_cast<unsigned>(std::min(count, kMostAtOnce)));
     if (written < 0) return false;
-    if (written == 0) {  // what a full disk gives
+    if (written == 0) {  // the result on a full disk
       errno = ENOSPC;
       return false;
     }
@@ -117,7 +117,7 @@ void rewind_file(int descriptor) { ::_lseeki64(descriptor, 0, SEEK_SET); }
 
 bool put_on_disk(int descriptor) { return ::_commit(descriptor) == 0; }
 
-/// The file system's journal has them.
+/// The file system's journal keeps names.
 bool put_names_on_disk(const std::filesystem::path& /*folder*/) { return true; }
 
 int hold_folder(const std::filesystem::path& /*folder*/) { return kNotHeld; }
@@ -125,27 +125,27 @@ int hold_folder(const std::filesystem::path& /*folder*/) { return kNotHeld; }
 void release_folder(int /*held*/) {}
 
 void remove_empty_folder(int /*held*/, const std::filesystem::path& path) {
-  ::RemoveDirectoryW(path.c_str());  // not if anything is in it
+  ::RemoveDirectoryW(path.c_str());  // fails unless the folder is empty
 }
 
-/// The handler of a stopped program is an ordinary thread here.
+/// A stopped program's handler runs on an ordinary thread here.
 bool remove_path(const char* path) noexcept {
   try {
     std::error_code error;
     return std::filesystem::remove(path, error);
   } catch (...) {
-    return false;  // no memory for the path
+    return false;  // out of memory
   }
 }
 
-/// The C library gives the descriptors 0 to 2 to nothing else.
+/// The C library gives descriptors 0 to 2 to no other files.
 void keep_standard_descriptors() {
   for (const int descriptor : {0, 1, 2}) {
     if (::_get_osfhandle(descriptor) >= 0) ::_setmode(descriptor, _O_BINARY);
   }
 }
 
-/// Consoles there may be, but not every one of them obeys what a terminal does.
+/// There may be a console, but not every console supports writing over a line.
 bool errors_are_on_terminal() { return false; }
 
 }  // namespace displayfile

@@ -11,8 +11,7 @@ namespace {
 
 __extension__ using Digits = unsigned __int128;
 
-constexpr int kTop =
-    125;  // a sum of two numbers with this as their highest bit has no more than 128
+constexpr int kTop = 125;  // a sum of two numbers with this highest bit has at most 128 bits
 
 /// digits * 2^exponent. The lowest bit is also set if anything was shifted out below it.
 struct Magnitude {
@@ -38,7 +37,7 @@ Magnitude with_highest_bit(const Magnitude& m, int top) {
   return up >= 0 ? Magnitude{m.digits << up, m.exponent - up} : shifted_down(m, -up);
 }
 
-/// A finite number's, which is not 0: 53 digits or fewer.
+/// The magnitude of a finite number other than 0: 53 digits or fewer.
 Magnitude magnitude_of(double x) {
   constexpr int kDigits = 53;
   int exponent = 0;
@@ -46,8 +45,8 @@ Magnitude magnitude_of(double x) {
   return {static_cast<std::uint64_t>(std::ldexp(fraction, kDigits)), exponent - kDigits};
 }
 
-/// To nearest, or even. The conversion of an integer rounds by itself; a subnormal number has fewer
-/// digits, at which it is rounded before.
+/// Rounds to nearest, ties to even. Converting the integer rounds a normal number; a subnormal one
+/// has fewer digits, and is rounded to them first.
 double rounded(const Magnitude& m) {
   constexpr int kLeastExponent = -1074, kLeastNormal = -1022;
   const Magnitude short_one = with_highest_bit(m, 62);
@@ -65,12 +64,12 @@ double rounded(const Magnitude& m) {
 
 }  // namespace
 
-/// With integers. Both numbers are written with the same highest bit; at most one digit is lost to
-/// a difference whenever anything has been shifted out, and 70 are to spare.
+/// Integer arithmetic. Both numbers are scaled to the same highest bit; if anything was shifted
+/// out, a difference loses at most one digit, and 70 are to spare.
 double fused_product(double a, double b, double c) {
   if (!std::isfinite(a) || !std::isfinite(b) || a == 0.0 || b == 0.0) return a * b + c;
-  if (!std::isfinite(c)) return c;  // whatever the product's own rounding gives
-  if (c == 0.0) return a * b;       // not 0, even where it rounds to that
+  if (!std::isfinite(c)) return c;  // whatever the product rounds to
+  if (c == 0.0) return a * b;       // the product is not 0, even if it rounds to 0
   const Magnitude of_a = magnitude_of(a), of_b = magnitude_of(b);
   Magnitude large =
       with_highest_bit({of_a.digits * of_b.digits, of_a.exponent + of_b.exponent}, kTop);

@@ -10,7 +10,7 @@ namespace displayfile {
 
 namespace {
 
-/// Null: the program's own. Empty if the name is longer than any that Windows gives.
+/// A null module is the program itself. Empty if the name is longer than Windows allows.
 std::filesystem::path file_of(HMODULE module) {
   constexpr DWORD kLongest = 32768;
   static thread_local std::array<wchar_t, kLongest> name;
@@ -36,7 +36,7 @@ std::filesystem::path file_of_this_code() {
   return file_of(module);
 }
 
-/// Here a program can only be started beside this one.
+/// On Windows a program can only be started in addition to this one.
 void replace_program(const std::filesystem::path& /*program*/, char** /*arguments*/) {
   errno = ENOSYS;
 }

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "clip/system/windows/windows.h"
-// After it.
+// Must be included after windows.h.
 #include <psapi.h>
 
 namespace displayfile {
@@ -45,7 +45,7 @@ std::uint64_t limit_of_data() { return own_limit; }
 
 std::uint64_t limit_of_process() { return own_limit; }
 
-/// A job of this process alone: what it commits has the limit.
+/// Limits the committed memory of a job that contains only this process.
 void set_limit_of_data(std::uint64_t bytes) {
   static const HANDLE job = ::CreateJobObjectW(nullptr, nullptr);
   const std::uint64_t least = std::min(bytes, own_limit.load());
@@ -71,10 +71,10 @@ bool can_have_pages(std::size_t bytes) {
   return true;
 }
 
-/// They are for programs with a privilege that users do not have.
+/// Large pages require a privilege that users do not have.
 void ask_for_large_pages(void* /*begin*/, std::size_t /*bytes*/) {}
 
-// This C library has no such settings.
+// This C library has no equivalent settings.
 
 void keep_freed_memory() {}
 

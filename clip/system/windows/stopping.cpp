@@ -17,13 +17,13 @@ std::atomic<void (*)() noexcept> last_in_time{nullptr};
 std::string time_is_over;
 HANDLE timer = nullptr;
 
-/// Called on a thread of the system's. What usually happens then comes after it: the end.
+/// Called on a system thread. The default handling follows and ends the process.
 BOOL WINAPI on_stop(DWORD /*event*/) {
   last_when_stopped.load()();
   return FALSE;
 }
 
-/// On a thread of the system's, too.
+/// Also called on a system thread.
 void CALLBACK on_time_over(void* /*nothing*/, BOOLEAN /*fired*/) {
   constexpr int kStandardError = 2;
   last_in_time.load()();
@@ -48,7 +48,7 @@ void call_when_stopped(void (*last)() noexcept) {
   ::SetConsoleCtrlHandler(on_stop, TRUE);
 }
 
-/// The system's timers count milliseconds, of which 32 bits are 49 days.
+/// The system's timers count milliseconds; 32 bits of them are 49 days.
 void end_process_after(double seconds, const std::string& message, void (*last)() noexcept) {
   constexpr double kLongest = 4e9;
   end_process_no_more();
@@ -61,7 +61,7 @@ void end_process_after(double seconds, const std::string& message, void (*last)(
 
 void end_process_no_more() {
   if (timer == nullptr) return;
-  // Returns when the callback does not run; if it does, the process ends.
+  // Waits for a running callback, which ends the process.
   ::DeleteTimerQueueTimer(nullptr, timer, INVALID_HANDLE_VALUE);
   timer = nullptr;
 }
@@ -73,7 +73,7 @@ using Handler = void (*)(int);
 std::atomic<void (*)() noexcept> called_first{nullptr};
 std::atomic<Handler> of_process{nullptr};
 
-/// A handler is called once here, on a thread of the system's, and then no more.
+/// Called on a system thread. A call resets the handler, so it is installed again.
 void on_interrupt(int signal) {
   std::signal(SIGINT, on_interrupt);
   called_first.load()();

@@ -17,7 +17,7 @@ class CThreads : public testing::Test {
  protected:
   ~CThreads() override { df_destroy(system_); }
 
-  /// So many triangles that pass through each other.
+  /// Enters `triangles` triangles that pass through each other.
   void enter(int triangles) {
     std::string program = "set-view-depth -2 2\nopen-segment 1\n";
     std::uint32_t state = 1;

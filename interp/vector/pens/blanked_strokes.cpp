@@ -14,7 +14,7 @@ namespace {
 
 double cross_of(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Twice the area, positive if the points run counterclockwise where y runs up.
+/// Twice the signed area, positive if the points run counterclockwise with y up.
 double signed_area(std::span<const Point2> polygon) {
   double area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

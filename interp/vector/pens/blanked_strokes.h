@@ -8,10 +8,9 @@
 
 namespace displayfile {
 
-/// The parts of strokes that are not within a convex polygon, which hides what was drawn before it.
-/// Its points are in the unit of strokes, in either direction. Strokes along its boundary stay;
-/// where a stroke is cut its new end is rounded to whole units, and a part shorter than that is
-/// left out.
+/// The parts of strokes outside of a convex polygon, which hides earlier drawing. Its points are in
+/// the unit of strokes, in either direction. Strokes along its boundary are kept; where a stroke is
+/// cut, its new end is rounded to integer units, and a part shorter than that is omitted.
 std::vector<Stroke> strokes_outside(std::span<const Stroke> strokes,
                                     std::span<const Point2> polygon);
 

@@ -44,11 +44,11 @@ namespace {
 
 enum class Side { outside, on, inside };
 
-/// Twice a point, so that middles of sides are whole too.
+/// Twice a point, so that middles of sides are integers too.
 SheetPoint doubled(const SheetPoint& p) { return {2 * p.x, 2 * p.y}; }
 SheetPoint middle(const SheetPoint& p, const SheetPoint& q) { return {p.x + q.x, p.y + q.y}; }
 
-/// Where a doubled point lies, by the crossings of the contour to its right.
+/// The position of a doubled point relative to the contour, by the crossings to its right.
 Side side_of(const SheetPoint& p, const PenPath& contour) {
   bool inside = false;
   const auto& points = contour.points;
@@ -81,7 +81,7 @@ bool contains(const PenPath& contour, const PenPath& path) {
   return any_inside;
 }
 
-/// In floats that hold it.
+/// The bounding box, rounded outward to floats.
 FlatBox box_of(const PenPath& path) {
   Extent box = Extent::nothing();
   for (const SheetPoint& p : path.points) box.include(Point3(p.x, p.y, 0.0));

@@ -7,13 +7,13 @@
 
 namespace displayfile {
 
-/// Opens paths where they come back to a point: each loop is a closed path of its own, and the rest
-/// of an open path stays open. Each stroke stays drawn once.
+/// Splits paths where they return to a point: each loop becomes a closed path, and the rest of an
+/// open path stays open. Each stroke is still drawn once.
 std::vector<PenPath> simple_paths(const std::vector<PenPath>& paths);
 
-/// For each path the number of closed paths that contain it. A closed path contains another one if
-/// no corner and no middle of a side of that lies outside of it, by the even-odd rule, and one lies
-/// inside; corners and middles are exact. Paths that coincide contain each other not.
+/// For each path, the number of closed paths that contain it. A closed path contains another if no
+/// corner and no middle of a side of the other lies outside, by the even-odd rule, and at least one
+/// lies inside; corners and middles are exact. Coincident paths do not contain each other.
 std::vector<std::uint32_t> nesting_depths(const std::vector<PenPath>& paths);
 
 /// Splits paths into simple ones, and orders them for a cutter (interp/vector/pens/pen_order.md):

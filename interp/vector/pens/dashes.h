@@ -6,9 +6,9 @@
 
 namespace displayfile {
 
-/// Cuts paths into dashes, lengths in units drawn and left out in turn, each path from its start
-/// and around its corners: a pen knows no dashes. Where they would be shorter than kShortestDashes,
-/// drawn and left out together, the whole path is drawn; and so is a dot.
+/// Cuts paths into dashes, with lengths in units drawn and left out alternately, each path from its
+/// start and around its corners: pens have no dashes. Where a dash and its gap together would be
+/// shorter than kShortestDashes, the whole path is drawn; so is a dot.
 std::vector<Stroke> dashes(const std::vector<PenPath>& paths, double drawn, double left_out);
 inline constexpr double kShortestDashes = 10.0;
 

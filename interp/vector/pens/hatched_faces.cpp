@@ -11,7 +11,8 @@ namespace displayfile {
 namespace {
 
 constexpr double kLargestFacet = 8.0;  // in areas of the facet beside it
-// Of slopes; in depths per millimetre, of depths from 0 to 1, where they are small.
+// Tolerances of slopes: relative, and absolute where they are small, in depths (0 to 1) per
+// millimetre.
 constexpr double kSamePlane = 2e-3, kLevel = 1e-9;
 
 /// A side of a fill, its ends in order.
@@ -50,7 +51,7 @@ bool are_in_one_plane(const HatchedFill& a, const HatchedFill& b) {
   return glm::distance(a.slope, b.slope) <= kSamePlane * size + kLevel;
 }
 
-/// Faces that are as dark everywhere, and which of them are facets.
+/// Faces of even darkness, and the facets among them.
 class FacesOfTones {
  public:
   FacesOfTones(std::span<const HatchedFill> fills, std::span<const Point2> points,
@@ -88,8 +89,8 @@ class FacesOfTones {
   static constexpr auto kNone = static_cast<std::uint32_t>(-1);
   static constexpr std::size_t kMostOnASide = 8;
 
-  /// Pairs of fills with a common side, once for each such side. Where fills lie on each other many
-  /// may have one: each is paired with those that follow it closely.
+  /// Visits pairs of fills with a common side, once for each such side. Where fills overlap, many
+  /// may have the same side: each is paired with the few that follow it.
   template <class Visit>
   void for_pairs(const Visit& visit) const {
     for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
@@ -116,7 +117,7 @@ class FacesOfTones {
     const auto first = std::ranges::lower_bound(pairs_, std::pair(fill, std::uint32_t{0}));
     for (auto it = first; it != pairs_.end() && it->first == fill; ++it) visit(it->second);
   }
-  /// Compared with its first fill: tones and planes that change little by little are no one face.
+  /// Compares with the face's first fill: tones and planes that change gradually are not one face.
   void grow_face(std::uint32_t first) {
     const auto take = [&](std::uint32_t f) {
       face_of_[f] = first;
@@ -144,7 +145,8 @@ class FacesOfTones {
       try_facet(face_of_[even.fill], fills_[uneven.fill].area);
     });
   }
-  /// Beside a facet of that size, or beside one of a surface whose largest facet so far has it.
+  /// Tests a face beside a facet of area `beside`, or beside one of a surface whose largest facet
+  /// so far has that area.
   void try_facet(std::uint32_t face, double beside) {
     if (facet_of_[face] > 0.0 || !(areas_[face] <= kLargestFacet * beside)) return;
     facet_of_[face] = std::max(areas_[face], beside);

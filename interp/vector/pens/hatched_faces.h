@@ -17,15 +17,16 @@ struct HatchedFill {
   Point2 slope;  ///< of its plane: depth by millimetre to the right, and down
 };
 
-/// Darknesses that no drawing shows as different. Rounded normals of one flat face differ by less.
+/// Differences of darkness up to this are invisible in a drawing. Rounded normals of one flat face
+/// differ by less.
 inline constexpr double kSameTone = 1e-3;
 
-/// Flat faces: fills with sides in common that have the plane and the darkness of the first.
+/// Flat faces: connected fills with the plane and the darkness of the first one.
 struct HatchedFaces {
   std::vector<std::uint32_t> face_of;  ///< of each fill: the first fill of its face
-  /// For each fill 1 if its face is a facet of a round surface: it has a side that runs into a fill
-  /// that is not even, and is as dark along that side, or into such a facet of its own darkness. A
-  /// face more than eight times as large as the facet beside it is none itself
+  /// For each fill, 1 if its face is a facet of a round surface: it shares a side with a fill that
+  /// is not even and is equally dark along that side, or with such a facet of its own darkness. A
+  /// face more than eight times as large as the adjacent facet is not one
   /// (interp/vector/pens/hatching.md).
   std::vector<std::uint8_t> is_facet;
 };

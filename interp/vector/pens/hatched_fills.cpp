@@ -10,10 +10,11 @@ namespace displayfile {
 
 namespace {
 
-/// A tone is large from so many lines, each as long as they are apart times this.
+/// A tone is large if it has room for this many lines of this many spacings' length.
 constexpr double kLinesOfLargeTone = 10.0;
 
-/// Even spacings are whole parts of the closest: tones that differ by rounding are one.
+/// Even spacings are quantised to this fraction of the closest: tones that differ by rounding are
+/// one.
 constexpr double kPartsOfSpacing = 16.0;
 
 double area_of(std::span<const Point2> polygon) {
@@ -38,8 +39,8 @@ void HatchedFills::add(std::span<const Point2> polygon, std::span<const double> 
   overlap_ = overlap_ || !overlaps_nothing;
 }
 
-/// Facets of round surfaces have the lines of the common grid, which run on from one to the other.
-/// Tones that differ by rounding are one.
+/// Facets of round surfaces are excluded: they get the lines of the common grid, which continue
+/// from one to the next. Tones that differ by rounding are one.
 HatchedFills::LargeTones HatchedFills::large_tones() const {
   constexpr double kTones = 1024.0;  // from paper to pen
   const HatchedFaces faces = hatched_faces(fills_, points_, darkness_);
@@ -59,7 +60,7 @@ HatchedFills::LargeTones HatchedFills::large_tones() const {
   return large;
 }
 
-/// The lines of one direction, for `factor` times the darkness and `less`.
+/// Adds the lines of one direction, for a darkness multiplied by `factor`, less `less`.
 void HatchedFills::add_direction(double degrees, double factor, double less,
                                  const LargeTones& large, std::vector<Stroke>& strokes) const {
   constexpr double kBlank = -1.0;
@@ -100,7 +101,7 @@ std::vector<Stroke> HatchedFills::strokes() const {
   const LargeTones large = large_tones();
   if (!hatching_.cross) {
     add_direction(hatching_.angle, 1.0, 0.0, large, strokes);
-  } else {  // one direction up to the middle tone, and what is darker by the other
+  } else {  // one direction up to the middle tone, the other for darker fills
     add_direction(hatching_.angle, 2.0, 0.0, large, strokes);
     add_direction(hatching_.angle + 90.0, 2.0, 1.0, large, strokes);
   }

@@ -18,18 +18,18 @@ namespace displayfile {
 /// one grid, and of two the darker has all lines of the lighter.
 class HatchedFills {
  public:
-  /// Millimetres on the sheet, y down; only inside of the frame. Lines shorter than the pen is wide
-  /// are omitted, unless there are to be crumbs (hidden/lines/strokes_once.md).
+  /// In millimetres on the sheet, y down; clipped to the frame. Lines shorter than the pen is wide
+  /// are omitted, unless `crumbs` is set (hidden/lines/strokes_once.md).
   HatchedFills(const Hatching& hatching, const Rectangle& frame, bool crumbs = false)
       : hatching_(hatching), frame_(frame), shortest_(crumbs ? 0.0 : hatching.width) {}
 
-  /// A polygon by the even-odd rule, with its darkness (Darkness) at each vertex, linear between
-  /// them. It covers earlier ones, unless it is known to overlap none. `slope` is that of its
-  /// plane, as in HatchedFill.
+  /// Adds a polygon by the even-odd rule, with its darkness (Darkness) at each vertex, linear
+  /// between them. It covers earlier ones, unless it is known to overlap none. `slope` is that of
+  /// its plane, as in HatchedFill.
   void add(std::span<const Point2> polygon, std::span<const double> darkness, bool overlaps_nothing,
            const Point2& slope = Point2(0.0));
 
-  /// All lines, in one direction after the other.
+  /// All lines, one direction after the other.
   std::vector<Stroke> strokes() const;
 
  private:

@@ -16,12 +16,12 @@ namespace displayfile {
 
 namespace {
 
-/// Parts of a line closer than this many millimetres are one: no pen leaves such a gap.
+/// Parts of a line closer than this many millimetres are merged: no pen leaves such a gap.
 constexpr double kClosesGaps = 0.002;
 
 /// The darkness from which a line of the grid is drawn: the bits of its number in reverse order, as
-/// a fraction. So half of the darkness gets every other line, a quarter every fourth; in between
-/// the gaps are as even as they can be where no line goes that was there.
+/// a fraction. So at half of the darkness every other line is drawn, at a quarter every fourth; in
+/// between the gaps are as even as they can be while drawn lines stay.
 double threshold_of(std::int32_t line) {
   constexpr int kBits = 6;
   auto bits = static_cast<std::uint32_t>(line);
@@ -59,8 +59,8 @@ HatchLines::HatchLines(double spacing, double degrees, const Rectangle& frame)
   }
 }
 
-/// Each side from its lower end, so that two polygons cross a line at the same place, bit for bit,
-/// where they share it.
+/// Processes each side from its lower end, so that two polygons that share it cross a line at the
+/// same place, bit for bit.
 void HatchLines::add_crossings(const Point2& a, const Point2& b, double dark_a, double dark_b) {
   const auto along = [&](const Point2& p) { return p.x * cosine_ + p.y * sine_; };
   const auto across_of = [&](const Point2& p) { return p.y * cosine_ - p.x * sine_; };
@@ -99,7 +99,7 @@ void HatchLines::add(std::span<const Point2> polygon, std::span<const double> da
   }
 }
 
-/// The part of a part of a span in which it is dark enough.
+/// Adds the part of [from, to] in a span that is dark enough.
 void HatchLines::ink(const Span& span, double from, double to) {
   const double change = (span.dark_to - span.dark_from) / (span.to - span.from);
   const double dark_from = span.dark_from + change * (from - span.from);
@@ -115,7 +115,7 @@ void HatchLines::ink(const Span& span, double from, double to) {
   }
 }
 
-/// What was added last covers what it overlaps: from place to place along the line.
+/// The fill added last covers those that it overlaps: sweeps along the line.
 void HatchLines::find_nearest_of_overlapping(std::span<const Span> spans) {
   struct Event {
     double at;

@@ -11,12 +11,13 @@
 
 namespace displayfile {
 
-/// How much of the lines of a full hatching a fill gets: 0 as bright as the paper, 1 as dark as the
-/// pen. Colours count by their luma (ITU-R BT.709).
+/// The fraction of the lines of a full hatching that a fill gets: 0 as bright as the paper, 1 as
+/// dark as the pen. Colours are compared by luma (ITU-R BT.709).
 class Darkness {
  public:
   Darkness(const Colour& paper, const Colour& pen);
-  /// That of a fill; below 0 or above 1 where it is brighter than the paper or darker than the pen.
+  /// The darkness of a fill; below 0 if it is brighter than the paper, above 1 if darker than the
+  /// pen.
   double of(const Colour& fill) const { return (paper_ - luma(fill)) * scale_; }
   static double luma(const Colour& colour);
 
@@ -29,13 +30,13 @@ class Darkness {
 /// lighter (interp/vector/pens/hatching.md): so lines continue across pieces.
 class HatchLines {
  public:
-  /// Millimetres on the sheet, y down; only inside of the frame.
+  /// In millimetres on the sheet, y down; clipped to the frame.
   HatchLines(double spacing, double degrees, const Rectangle& frame);
 
-  /// A polygon by the even-odd rule, with its darkness at each vertex, linear between them. It
+  /// Adds a polygon by the even-odd rule, with its darkness at each vertex, linear between them. It
   /// covers earlier ones.
   void add(std::span<const Point2> polygon, std::span<const double> darkness);
-  /// The lines, each as long as it can be; none shorter than `shortest` millimetres.
+  /// The lines, each of maximal length; none shorter than `shortest` millimetres.
   std::vector<Stroke> strokes(double shortest);
 
  private:

@@ -32,7 +32,7 @@ class AnnotationStrokes {
   void stroke(const Point2& from, const Point2& to) {
     device_.line({in_device(from), in_device(to), style_});
   }
-  /// As a fill in the background's colour does, where there is one.
+  /// Hides earlier drawing as a fill in the background's colour does, if there is a background.
   void hide() {
     if (background_.kind == Background::Kind::none) return;
     std::vector<Point3> polygon;
@@ -43,8 +43,9 @@ class AnnotationStrokes {
     for (std::size_t i = 1; i < points.size(); ++i) stroke(points[i - 1], points[i]);
     if (closed) stroke(points.back(), points.front());
   }
-  /// Its outline, and lines from its first point to its sides, a pen's width apart there. The
-  /// outline is half a pen's width further inside, so that the area is no larger than elsewhere.
+  /// Draws an area as its outline, and lines from its first point to its sides, a pen's width apart
+  /// there. The outline is moved inward by half a pen's width, so that the area is no larger than
+  /// in other formats.
   void filled() {
     std::vector<Point2> points = mark_.points;
     Point2 middle(0.0);

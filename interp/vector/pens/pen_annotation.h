@@ -10,9 +10,9 @@
 namespace displayfile {
 
 /// Draws annotation by a pen as wide as its lines: areas by lines close together, texts in the
-/// lettering that is set, or in the usual Hershey font where that fills areas. Blank areas cut away
-/// what was drawn before them, unless there is no background. `picture` is its size in pixels.
-/// Throws Error if the font is not installed.
+/// lettering that is set, or in the usual Hershey font where that fills areas. Blank areas hide
+/// earlier drawing, unless there is no background. `picture` is its size in pixels. Throws Error if
+/// the font is not installed.
 void draw_annotation(std::span<const AnnotationMark> marks, const Point2& picture,
                      const Background& background, PenDevice& device);
 

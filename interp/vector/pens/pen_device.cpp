@@ -29,7 +29,7 @@ Colour pen_on(const Colour& paper, const std::optional<Hatching>& hatching) {
   return Darkness::luma(paper) < 0.5 ? Colour(1.0) : Colour(0.0);
 }
 
-/// The width of a pen's line, which is nothing without one.
+/// The width of a pen's line in units, at least 1.
 std::int32_t units_of_width(double millimetres) {
   const double units = std::clamp(millimetres, 0.0, kLargestSheet) * kUnitsOfMillimetre;
   return static_cast<std::int32_t>(std::lround(std::max(1.0, units)));
@@ -74,7 +74,7 @@ std::vector<Stroke>& PenDevice::strokes_of(const LineStyle& style) {
   return collected_[last_].strokes;
 }
 
-/// From a point of the sheet to another.
+/// Adds a stroke between two points of the sheet.
 void PenDevice::add(const Point2& a, const Point2& b, std::vector<Stroke>& strokes) const {
   if (!is_finite(a) || !is_finite(b)) return;
   const auto inside = part_in_rectangle(a, b, frame_);
@@ -119,8 +119,8 @@ void PenDevice::blank(std::span<const Point3> polygon) {
   for (const Point3& p : polygon) area.push_back(kUnitsOfMillimetre * on_sheet(p));
 }
 
-/// What is twice is removed first: ends that are cut twice are rounded twice, and could be too far
-/// from each other afterwards (unique_strokes).
+/// Removes duplicates first: ends that are cut twice are rounded twice, and could then be too far
+/// apart for unique_strokes.
 std::vector<Stroke> PenDevice::not_blanked(std::vector<Stroke> strokes,
                                            std::size_t first_blank) const {
   if (first_blank == blanks_.size()) return strokes;
@@ -142,7 +142,7 @@ void PenDevice::edges(const DrawnPolygon& polygon) {
   }
 }
 
-/// By Newell's method; nothing that is seen is edge-on.
+/// By Newell's method; no visible polygon is edge-on.
 Point2 PenDevice::slope_on_sheet(std::span<const Point3> vertices) const {
   Point3 normal(0.0), before = vertices.back() - vertices.front();
   for (const Point3& vertex : vertices) {

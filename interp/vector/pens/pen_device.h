@@ -24,7 +24,7 @@ struct PenStrokes {
 
 /// Converts the interpreter's output to strokes on a sheet: lines and edges in order, many of them
 /// twice, by pens in the order of first use; and fills as hatching, if requested, by a pen that
-/// comes last. Only inside of the picture.
+/// comes last. Clipped to the picture.
 class PenDevice : public OutputDevice {
  public:
   /// `picture`: its size in pixels, and its place on the sheet. `background` is the paper's colour.
@@ -43,12 +43,12 @@ class PenDevice : public OutputDevice {
   void fill(const DrawnPolygon& polygon) override;
   void edges(const DrawnPolygon& polygon) override;
   void line(const DrawnLine& line) override;
-  /// Converts the texts that are seen of the visible segments, if their letters are paths.
+  /// Converts the visible texts of the visible segments, if their letters are paths.
   void draw_texts(const DisplayFile& display_file);
   /// Converts a text of annotation: in the usual Hershey font if the lettering fills areas. Throws
   /// Error if that is not installed.
   void draw_annotation_text(const DeviceText& text);
-  /// Hides what was drawn before it within a convex polygon, in device coordinates.
+  /// Hides earlier drawing within a convex polygon, in device coordinates.
   void blank(std::span<const Point3> polygon);
 
   /// All strokes, with dashed lines cut into dashes. Must be called once.
@@ -78,7 +78,7 @@ class PenDevice : public OutputDevice {
   std::optional<HatchedFills> hatched_;
   bool fills_are_disjoint_ = false;
   std::vector<Collected> collected_;
-  /// In it, of pen, dash, gap and number of blanks.
+  /// Indices by pen, dash, gap and number of blanks.
   std::map<std::tuple<Pen, double, double, std::size_t>, std::size_t> places_;
   std::size_t last_ = 0;                     // requested last
   std::vector<std::vector<Point2>> blanks_;  // convex, in the unit of strokes

@@ -61,7 +61,7 @@ std::vector<std::string> layers_without_pen(const PenDrawing& drawing, const Pen
   return without;
 }
 
-/// Hatching is looked at last: it takes the longest.
+/// Hatching is examined last: it takes longest.
 bool has_pen_strokes(const DisplayFile& display_file, int width, int height, const Paper& paper,
                      const Pens& pens, const Background& background) {
   const auto has = [&](const Pens& by) {

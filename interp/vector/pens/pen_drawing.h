@@ -11,7 +11,7 @@
 
 namespace displayfile {
 
-/// What one pen draws, in order.
+/// The paths that one pen draws, in order.
 struct PenLayer {
   Pen pen;
   std::vector<PenPath> paths;
@@ -23,17 +23,17 @@ struct PenDrawing {
   std::vector<PenLayer> layers;  ///< at least one path each
 };
 
-/// The visible segments' strokes in the order of the display file, as they come. Throws Error for
-/// what require_pens or fit_on_paper refuses.
+/// The visible segments' strokes in the order of the display file, unprocessed. Throws Error as
+/// require_pens and fit_on_paper do.
 std::vector<PenStrokes> pen_strokes(const DisplayFile& display_file, int width, int height,
                                     const Paper& paper, const Pens& pens,
                                     const Background& background = {});
-/// The same as they are to be drawn.
+/// The same as paths in drawing order.
 PenDrawing pen_drawing(const DisplayFile& display_file, int width, int height, const Paper& paper,
                        const Pens& pens, const Background& background = {});
 /// The colours of Pens::layers that no layer of the drawing has, as #rrggbb.
 std::vector<std::string> layers_without_pen(const PenDrawing& drawing, const Pens& pens);
-/// True if a pen draws anything of it: then pen_drawing returns a layer. Errors as above.
+/// True if pens draw anything: then pen_drawing returns a layer. Errors as above.
 bool has_pen_strokes(const DisplayFile& display_file, int width, int height, const Paper& paper,
                      const Pens& pens, const Background& background = {});
 

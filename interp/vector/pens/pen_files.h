@@ -6,14 +6,13 @@
 
 namespace displayfile {
 
-/// Writes a drawing for pens as SVG in millimetres, a layer for each pen as Inkscape has them: a
-/// group with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each
-/// path is an element, in the order in which they are to be drawn. The file appears whole or not at
-/// all. Throws Error, naming the file, if it cannot be written.
-/// Only the options for SVG's names and declaration apply.
+/// Writes a drawing for pens as SVG in millimetres, with a layer of Inkscape for each pen: a group
+/// with inkscape:groupmode="layer" whose label begins with the pen's number, 1, 2, ... Each path is
+/// an element, in drawing order. The file appears whole or not at all. Throws Error, naming the
+/// file, if it cannot be written. Only the options for SVG's names and declaration apply.
 void write_pens_svg(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
-/// The same as PDF, whose page is the sheet, pen after pen. Throws Error too if there is no Cairo.
+/// The same as PDF, whose page is the sheet, pen after pen. Also throws Error without Cairo.
 void write_pens_pdf(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
 

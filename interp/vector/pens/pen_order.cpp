@@ -30,8 +30,8 @@ void begin_at(PenPath& path, std::size_t point) {
   }
 }
 
-/// Always to what is nearest, as long as anything is left: an end of an open path, any point of a
-/// closed one.
+/// Nearest neighbour: always continues with the nearest remaining end of an open path, or point of
+/// a closed one.
 void go_to_the_nearest(std::vector<PenPath>& paths, SheetPoint pen) {
   struct Entry {
     std::uint32_t path, point;
@@ -79,7 +79,7 @@ void exchange(std::vector<PenPath>& paths) {
   paths = std::move(ordered);
 }
 
-/// Each closed path from the point that is best between its neighbours.
+/// Starts each closed path at the best point between its neighbours.
 void enter_loops_where_best(std::vector<PenPath>& paths) {
   for (std::size_t k = 0; k < paths.size(); ++k) {
     PenPath& path = paths[k];

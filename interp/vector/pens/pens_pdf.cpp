@@ -41,7 +41,7 @@ void write_pens_pdf(const PenDrawing& drawing, const Destination& to, const Vect
                                             drawing.fit.width * kPointsOfMillimetre,
                                             drawing.fit.height * kPointsOfMillimetre));
   require(cairo().surface_status(surface.get()));
-  // Left to itself Cairo stores the time.
+  // By default Cairo stores the time.
   cairo().pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
   const std::unique_ptr<cairo_t, decltype(destroy)> context(cairo().create(surface.get()));

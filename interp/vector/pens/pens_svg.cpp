@@ -14,7 +14,7 @@ namespace displayfile {
 
 namespace {
 
-/// Units as millimetres, in the shortest form: exact.
+/// Writes units as millimetres, in the shortest form: exact.
 void append_millimetres(std::string& out, std::int64_t units) {
   if (units < 0) out.push_back('-');
   const std::int64_t size = units < 0 ? -units : units;
@@ -30,7 +30,7 @@ void append_pair(std::string& out, std::int64_t x, std::int64_t y) {
   append_millimetres(out, y);
 }
 
-/// From point to point by what lies between: the numbers are short, and their sums exact.
+/// Writes the differences between points: the numbers are short, and their sums exact.
 void append_path_data(std::string& out, const PenPath& path) {
   SheetPoint pen{0, 0};
   char command = 'M';
@@ -46,7 +46,7 @@ void append_path_data(std::string& out, const PenPath& path) {
   if (path.closed) out.push_back('z');
 }
 
-/// Its names end in kOwn.
+/// The document, whose names end in kOwn.
 std::string document_of(const PenDrawing& drawing, const VectorOptions& options) {
   std::string text = fmt::format(
       "{2}<svg xmlns=\"http://www.w3.org/2000/svg\"{3} version=\"1.1\" "

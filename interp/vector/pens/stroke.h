@@ -3,7 +3,7 @@
 #include <compare>
 #include <cstdint>
 
-/// What a pen draws, in the units of the output: whole thousandths of a millimetre.
+/// Pen strokes, in the units of the output: whole thousandths of a millimetre.
 namespace displayfile {
 
 inline constexpr double kUnitsOfMillimetre = 1000.0;
@@ -30,9 +30,9 @@ struct Pen {
   auto operator<=>(const Pen&) const = default;
 };
 
-/// How far from a stroke, in units, a point is that still lies on it. Strokes that lay on one line
-/// before their ends were rounded are no farther apart: each end moves by at most the half of a
-/// unit's diagonal, 0.708, and so does the line that it is held against.
+/// The largest distance, in units, of a point from a stroke on which it still lies. Strokes that
+/// were collinear before their ends were rounded are no farther apart: each end moves by at most
+/// half of a unit's diagonal, 0.708, and so does the line with which it is compared.
 inline constexpr double kOnStroke = 1.5;
 
 /// Differences and products of points, exact.

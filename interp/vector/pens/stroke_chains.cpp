@@ -27,8 +27,8 @@ namespace {
 using StrokeEnd = std::uint32_t;  // 2 * stroke where it starts, + 1 where it ends
 constexpr StrokeEnd kNoEnd = 0xffffffffu;
 
-/// Which ends follow each other on a path. Chains that go straight on where lines cross leave loops
-/// that touch other paths: these are opened where they touch, and drawn on the way.
+/// The ends that follow each other on a path. Chains that continue straight on at crossings leave
+/// loops that touch other paths: these are opened where they touch, and drawn on the way.
 class StrokeJoints {
  public:
   explicit StrokeJoints(std::span<const Stroke> strokes)
@@ -79,7 +79,7 @@ class StrokeJoints {
     }
   }
 
-  /// Makes one path of two that pass here, if one of them is closed.
+  /// Merges two paths that pass here, if one of them is closed.
   void splice(DisjointSets& paths, StrokeEnd a, StrokeEnd b) {
     const std::uint32_t of_a = paths.name(chain_of_[a / 2]), of_b = paths.name(chain_of_[b / 2]);
     if (of_a == of_b || (closed_[of_a] == 0 && closed_[of_b] == 0)) return;
@@ -102,7 +102,7 @@ class StrokeJoints {
   std::vector<std::uint8_t> closed_;  // of the path that a chain stands for
 };
 
-/// The directions from a point in which a stroke passes within kOnStroke of all points so far.
+/// The directions from the apex in which a stroke passes within kOnStroke of all points so far.
 class Wedge {
  public:
   explicit Wedge(const SheetPoint& apex) : apex_(apex) {}
@@ -116,7 +116,7 @@ class Wedge {
     return right_x_ * y - right_y_ * x >= 0.0 && x * left_y_ - y * left_x_ >= 0.0;
   }
 
-  /// To be called with points that it reaches.
+  /// Must be called with points for which reaches() is true.
   void add(const SheetPoint& p) {
     const double x = p.x - apex_.x, y = p.y - apex_.y;
     const double squared = x * x + y * y;
@@ -144,7 +144,7 @@ class Wedge {
   double farthest_ = 0.0;
 };
 
-/// Leaves out the points on straight ways. The first and the last stay.
+/// Removes the points on straight runs. The first and the last are kept.
 std::vector<SheetPoint> straightened(std::span<const SheetPoint> points) {
   std::vector<SheetPoint> kept{points.front()};
   Wedge wedge(points.front());
@@ -159,7 +159,7 @@ std::vector<SheetPoint> straightened(std::span<const SheetPoint> points) {
   return kept;
 }
 
-/// Where a loop has a corner: that stays in any case. The place of the sharpest turn.
+/// The index of a loop's sharpest turn, a corner that is always kept.
 std::size_t sharpest_corner(std::span<const SheetPoint> loop) {
   std::size_t sharpest = 0;
   double least = 2.0;

@@ -12,9 +12,9 @@ namespace displayfile {
 
 namespace {
 
-constexpr std::size_t kNear = 8;             // ends that are looked at from an end
+constexpr std::size_t kNear = 8;             // ends that are examined from an end
 constexpr std::size_t kMostMoved = 3;        // paths, by an Or-opt exchange
-constexpr std::size_t kMostTurned = 25'000;  // paths: what keeps the time in bounds
+constexpr std::size_t kMostTurned = 25'000;  // paths: limits the time
 constexpr double kGain = 1e-6;               // less is rounding: exchanges must come to an end
 
 }  // namespace
@@ -68,8 +68,8 @@ void Tour::find_near_ends() {
   }
 }
 
-/// Turns the part of the way round that is between two places, or else what is outside of it: which
-/// is the same, seen from the other side.
+/// Reverses the part of the cyclic tour between two places, or else the rest of it, which is
+/// equivalent.
 void Tour::reverse(Place first, Place last) {
   std::size_t paths = steps_between(first, last, true) + 1;
   if (2 * paths > places_) {
@@ -88,7 +88,7 @@ void Tour::reverse(Place first, Place last) {
   if (paths % 2 == 1) put(first, entered_at_[first] ^ 1u);
 }
 
-/// 2-opt: the way leaves a for b and c for d; now it leaves a for c and b for d.
+/// 2-opt: the tour goes from a to b and from c to d; afterwards from a to c and from b to d.
 bool Tour::turn_round(End a, End b, End c, Place at_c, bool forward, double gain) {
   const Place at_a = place_of_[a / 2];
   const End d = enter(after(at_c, forward), forward);
@@ -102,13 +102,13 @@ bool Tour::turn_round(End a, End b, End c, Place at_c, bool forward, double gain
   return true;
 }
 
-/// Or-opt: up to three paths, of which c is the first or the last end, are taken out where they are
-/// and put between a and b, c next to a.
+/// Or-opt: moves up to three paths, of which c is the first or the last end, between a and b, with
+/// c next to a.
 bool Tour::move_here(End a, End b, End c, Place at_c, bool forward, double gain) {
   const Place at_a = place_of_[a / 2], at_b = after(at_a, forward);
-  // From c the moved paths go on this way: forward if the way enters at c.
+  // From c the moved paths continue in this direction: forward if the tour enters at c.
   const bool onward = enter(at_c, forward) == c ? forward : !forward;
-  const End before = leave(after(at_c, !onward), onward);  // what the way to c comes from
+  const End before = leave(after(at_c, !onward), onward);  // the end before c
   Place at_last = at_c;
   for (std::size_t moved = 1; moved <= kMostMoved; ++moved, at_last = after(at_last, onward)) {
     if (at_last == at_a || at_last == at_b) return false;
@@ -116,7 +116,7 @@ bool Tour::move_here(End a, End b, End c, Place at_c, bool forward, double gain)
     const double all = gain + distance(before, c) + distance(last, next) - distance(last, b) -
                        distance(before, next);
     if (all <= kGain) continue;
-    // Seen along `forward`, the moved paths stand ahead of b, or behind a.
+    // In the direction `forward`, the moved paths are ahead of b, or behind a.
     const Place low = onward == forward ? at_c : at_last, high = onward == forward ? at_last : at_c;
     const std::size_t ahead = steps_between(at_b, low, forward);
     const std::size_t behind = steps_between(high, at_a, forward);
@@ -124,7 +124,7 @@ bool Tour::move_here(End a, End b, End c, Place at_c, bool forward, double gain)
     std::array<End, kMostMoved> taken{};
     for (std::size_t k = 0; k < moved; ++k) taken[k] = enter(after(at_c, onward, k), onward);
     Place at = 0;
-    if (ahead <= behind) {  // what is between moves on
+    if (ahead <= behind) {  // the paths between are shifted
       for (std::size_t k = 0; k < ahead; ++k) {
         put(after(high, !forward, k), entered_at_[after(low, !forward, k + 1)]);
       }
@@ -176,7 +176,7 @@ void Tour::improve() {
     queued_[end] = 0;
     while (improve_at(end)) {
     }
-    if (next == points_.size()) {  // what was looked at is not needed any more
+    if (next == points_.size()) {  // drops the processed part of the queue
       to_look_at_.erase(to_look_at_.begin(),
                         to_look_at_.begin() + static_cast<std::ptrdiff_t>(next) + 1);
       next = static_cast<std::size_t>(-1);

@@ -9,26 +9,26 @@
 
 namespace displayfile {
 
-/// A way through paths that have two ends each, to be made shorter by local exchanges. Ends are
-/// numbered: path k has 2k, where it is entered as it is given, and 2k + 1, where it is left.
+/// A tour through paths with two ends each, to be shortened by local exchanges. Ends are numbered:
+/// path k has 2k, its entry in the given direction, and 2k + 1, its exit.
 class Tour {
  public:
   using End = std::uint32_t;
 
-  /// The points of all ends; the way at first is from path to path as they are given.
+  /// Takes the points of all ends; the initial tour visits the paths in the given order.
   explicit Tour(std::vector<SheetPoint> ends);
 
-  /// Exchanges until none makes the way shorter. Looked at are, for each end, those that are near
-  /// it: 2-opt, a part of the way the other way round, and Or-opt, up to three paths moved to
-  /// another place, either way round.
+  /// Exchanges until none shortens the tour. Examined are, for each end, those near it: 2-opt,
+  /// reversal of a part of the tour, and Or-opt, a move of up to three paths to another place, in
+  /// either direction.
   void improve();
 
   /// The ends where paths are entered, in order.
   std::vector<End> entered() const;
 
  private:
-  // Places on the way are cyclic: after the last path stands one that is nowhere, at distance 0
-  // from every end, so that the way may begin and end where it likes.
+  // Places on the tour are cyclic: after the last path stands a dummy at distance 0 from every end,
+  // so that the tour may begin and end anywhere.
   using Place = std::uint32_t;
   using Path = std::uint32_t;
 
@@ -47,7 +47,7 @@ class Tour {
   void find_near_ends();
 
   std::vector<SheetPoint> points_;
-  std::size_t places_;           // the paths, and nowhere
+  std::size_t places_;           // the paths, and the dummy
   std::vector<End> entered_at_;  // by place
   std::vector<Place> place_of_;  // of each path
   std::vector<End> near_;        // kNear for each end

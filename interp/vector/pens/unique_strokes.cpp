@@ -17,8 +17,8 @@ double length_of(const Stroke& s) {
   return std::sqrt(static_cast<double>(squared_distance(s.from, s.to)));
 }
 
-/// Square cells over the strokes, with the numbers of those that pass through each, or close by.
-/// They are large enough that all strokes together pass through few more than there are strokes.
+/// Square cells over the strokes, with the numbers of the strokes that pass through or close to
+/// each. They are so large that the number of entries is little more than that of strokes.
 class StrokeCells {
  public:
   explicit StrokeCells(std::span<const Stroke> strokes) {
@@ -47,12 +47,12 @@ class StrokeCells {
     }
   }
 
-  /// The strokes of a cell in their order.
+  /// The strokes of a cell, in order.
   std::span<const std::uint32_t> in(std::size_t cell) const {
     return std::span(strokes_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
   }
 
-  /// The cells that a stroke passes through, or passes within reach of what lies on it.
+  /// Visits the cells that a stroke passes through, or passes within reach of points on it.
   template <class Visit>
   void for_each_cell(const Stroke& s, const Visit& visit) const {
     constexpr double kAround = 2.0 * kOnStroke;
@@ -129,7 +129,7 @@ class Uniqueness {
     }
   }
 
-  /// Adds what is left of a part beside what is drawn already.
+  /// Adds the remainder of a part after removing the stroke already drawn.
   void subtract(const Stroke& part, const Stroke& drawn) {
     if (part.is_dot()) {
       if (!lies_on(part.from, drawn)) rest_.push_back(part);
@@ -146,7 +146,7 @@ class Uniqueness {
       std::swap(low_end, high_end);
     }
     const double from = std::max(low, 0.0), to = std::min(high, length);
-    // Less than that together, and they meet end to end.
+    // If the overlap is shorter than that, they meet end to end.
     if (to - from < std::min(2.0 * kOnStroke, length)) return rest_.push_back(part);
     const auto away = [&](double along) {  // of the part's point there from the other's line
       const auto of_start = static_cast<double>(cross(drawn.from, drawn.to, drawn.from, part.from));

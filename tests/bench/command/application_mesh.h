@@ -12,26 +12,26 @@
 
 namespace displayfile::bench {
 
-/// A scene as an application has it before any library knows of it, and views of it: what both
-/// sides of a comparison get. Polygons are cut into triangles (hidden/triangles/triangulation.h),
-/// as OpenGL knows nothing else, and vertices that are equal to the last bit are one.
+/// A scene as an application holds it before it calls a library, and views of it: the input of both
+/// sides of a comparison. Polygons are cut into triangles (hidden/triangles/triangulation.h), as
+/// OpenGL requires, and vertices that are equal to the last bit are one.
 struct ApplicationMesh {
   std::vector<Point3> vertices;        ///< world coordinates
   std::vector<std::uint32_t> corners;  ///< of the vertices, three a triangle
   /// Each triangle's colour, in the scene's light if it has one; one if all have the same.
   std::vector<FillStyle> fills;
   bool back_faces_removed = false;
-  std::vector<View> views;  ///< evenly around the scene's middle, the first that of the scene
+  std::vector<View> views;  ///< evenly around the scene's middle; the first is the scene's own
 
   static constexpr int kViews = 8;
   std::size_t triangles() const { return corners.size() / 3; }
 };
 
-/// Throws CannotDraw, with the reason, for a scene that is not polygons of one colour each in one
+/// Throws CannotDraw, with the reason, for scenes other than polygons of one colour each in one
 /// view: lines, texts, image transformations, back faces some of which are removed.
 ApplicationMesh application_mesh(const BenchScene& scene);
 
-/// Enters it as segment 1, in the place of one that is there.
+/// Enters it as segment 1, replacing an existing one.
 void enter(const ApplicationMesh& mesh, GraphicsSystem& system);
 
 /// As OpenGL gets it, in world coordinates.

@@ -50,7 +50,7 @@ std::vector<double> roundoffs(const BenchCommand& command) {
   return values;
 }
 
-/// Those that have the names that the command asks for, or all of them.
+/// The elements whose names the command selects, or all of them.
 template <class C, class NameOf>
 std::vector<C> chosen(std::vector<C> all, const BenchCommand& command, const NameOf& name_of) {
   if (command.methods.empty()) return all;
@@ -72,7 +72,7 @@ std::vector<LineContender> chosen_line_contenders(const BenchCommand& command) {
                 [](const LineContender& contender) { return contender.method_name(); });
 }
 
-/// Why a name is none of those that are measured.
+/// The reason why a name is not measured.
 std::string_view why_not_measured(const std::string& name) {
   constexpr std::array<std::string_view, 3> kPeers{"osmesa", "embree", "gl2ps"};
   if (std::ranges::find(kPeers, name) != kPeers.end()) return "not in this build";
@@ -110,8 +110,8 @@ bool is_largest(const BenchScene& scene, const std::vector<BenchScene>& scenes) 
   });
 }
 
-/// True of the exact methods, and of one precision of each other method: of these is seen how their
-/// times grow.
+/// True of the exact methods, and of one precision of each other method, whose times are to be
+/// compared as they grow.
 bool is_in_series(const Contender& contender) {
   constexpr std::array<std::string_view, 7> kOthers{
       "", "float", "double", "24 bits", "single", "bsp, best root", "bsp, best root, culled"};
@@ -138,13 +138,13 @@ Effort effort_of(const BenchCommand& command, const BenchScene& scene) {
   return effort;
 }
 
-/// What distinguishes the scene from others, the content of a file included.
+/// Identifies the scene, including the content of a file.
 std::string scene_key(const BenchScene& scene) {
   return scene.kind == BenchScene::Kind::input ? scene.id() + ' ' + file_hash(scene.name)
                                                : scene.id();
 }
 
-/// What figures can be taken over from an interrupted run.
+/// Identifies the runs whose figures can be taken over after an interruption.
 std::string identity_of(const BenchCommand& command) {
   return fmt::format("{}, full {}, rounds {}, seconds {}, pieces {}", build_identity(),
                      command.scenes.full, command.rounds, command.most_seconds, pieces_allowed());
@@ -255,7 +255,7 @@ class Run {
     return figures;
   }
 
-  /// Scenes that differ in the picture's size alone are one to methods of lines.
+  /// Scenes that differ only in the picture's size are the same to methods of lines.
   void measure_lines(Json& report) {
     std::set<std::string> done;
     report["line_reference"] = kLineReference;
@@ -273,7 +273,7 @@ class Run {
     const bool most_polygons = std::ranges::none_of(scenes_, [&](const BenchScene& other) {
       return other.name == scene.name && other.n > scene.n;
     });
-    bool taken = false;  // the truth of a scene is found where something is left to measure
+    bool taken = false;  // a scene's truth is found only if a measurement of it is missing
     const auto take = [&] {
       if (std::exchange(taken, true)) return;
       line_measurer_.take(scene, effort_of(command_, scene), *std::ranges::max_element(threads_));
@@ -365,8 +365,8 @@ class Run {
     return std::ranges::find(contenders_, method, &Contender::method) != contenders_.end();
   }
 
-  /// With what of the peers was chosen, on the largest picture of each scene; sorts on the most
-  /// polygons; and exact methods with themselves.
+  /// With the chosen peers, on the largest picture of each scene; sorts on the most polygons; and
+  /// exact methods with themselves.
   void compare(const Scenes& named, Json& report) {
     const auto large = **std::ranges::max_element(
         named, {}, [](const BenchScene* scene) { return std::pair(scene->size, scene->n); });
@@ -455,7 +455,7 @@ std::string page_of(const Json& report) {
   return page;
 }
 
-/// Rows of figures that are not hard cases', a line each: what is nested stands after a slash.
+/// Rows of figures except hard cases', a line each: nested values are separated by slashes.
 void print(const char* title, const Json& rows, const std::set<std::string>& hard_cases) {
   std::vector<std::string> heads;
   std::vector<Json> all;

@@ -19,10 +19,11 @@ struct BenchCommand {
   double most_seconds = 0.0;           ///< of a cell's ratio; 0: the usual
   std::string page = "report.html";
   std::string json;  ///< not written if empty
-  /// Whether the costs of features are measured; not set: with the default scenes.
+  /// True if the costs of features are measured; not set: with the default scenes.
   std::optional<bool> features;
   bool moving_camera = false;  ///< only new views of retained scenes, no method by itself
-  bool features_under_callgrind = false;  ///< only draws what callgrind counts, for `features`
+  bool features_under_callgrind =
+      false;  ///< only makes the drawings that callgrind counts, for `features`
 
   std::string beside;  ///< only makes the comparisons of this task (tests/bench/command/beside.h)
 

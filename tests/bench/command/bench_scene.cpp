@@ -49,7 +49,7 @@ std::vector<int> picture_sizes(std::string_view name, const SceneChoice& choice)
                      : std::vector<int>{96, 192, 384, 1024};
 }
 
-/// What the series by polygons and the series by pixels have in common.
+/// The common part of the series by polygons and the series by pixels.
 struct SharedScene {
   std::size_t polygons;
   int size;
@@ -80,7 +80,7 @@ void add_walk(const SceneChoice& choice, std::vector<BenchScene>& scenes) {
                     shared.size, choice.seed});
 }
 
-/// Gaps of 1e-1 to 1e-17 where there is one, and otherwise the severities of the table.
+/// Gaps of 1e-1 to 1e-17 for families with a gap, otherwise the severities of the table.
 void add_hard_case(const HardCase& family, const SceneChoice& choice,
                    std::vector<BenchScene>& scenes) {
   std::vector<double> severities = family.severities;
@@ -174,7 +174,7 @@ std::string BenchScene::id_but_size() const {
 
 namespace {
 
-/// With what touches found, as it is unless a program sets otherwise.
+/// With touching polygons found, the default unless a program sets otherwise.
 void enter_as_users(Scene scene, GraphicsSystem& system) {
   scene.touching = kUnlessSet;
   enter(scene, system);

@@ -13,16 +13,16 @@
 
 namespace displayfile::bench {
 
-/// A scene to measure on, at one number of polygons and one size of picture.
+/// A scene to measure, at one number of polygons and one size of picture.
 struct BenchScene {
   enum class Kind { generated, surface, walk, hard_case, input };
   Kind kind;
-  std::string name;       ///< of the generator; of an input, its path
-  std::size_t n = 0;      ///< polygons asked of a generator, or of the city that is walked through
-  double severity = 0.0;  ///< of a hard case
-  bool gap = false;       ///< the severity s is a gap of 10^-s
-  int size = 0;           ///< pixels a side
-  std::uint64_t seed = kUsualSeed;  ///< of what is generated and of a hard case
+  std::string name;   ///< of the generator; of an input, its path
+  std::size_t n = 0;  ///< requested number of polygons of a generator, or of the city of the walk
+  double severity = 0.0;            ///< of a hard case
+  bool gap = false;                 ///< the severity s is a gap of 10^-s
+  int size = 0;                     ///< pixels a side
+  std::uint64_t seed = kUsualSeed;  ///< of generated scenes and hard cases
 
   static constexpr std::uint64_t kUsualSeed = 1;
 
@@ -33,7 +33,7 @@ struct BenchScene {
   /// Enters it into a new system, of a walk its first view. Throws Error for an input that cannot
   /// be read.
   void enter(GraphicsSystem& system) const;
-  /// Hidden surfaces are not sorted, whatever a drawing program says. Throws Error as enter.
+  /// Hidden surfaces are not sorted, whatever a drawing program sets. Throws Error as enter.
   DisplayFile make() const;
 };
 
@@ -50,8 +50,8 @@ struct SceneChoice {
 /// True if those are among them that are measured when none is named.
 bool has_default(const SceneChoice& choice);
 
-/// The scenes, those of one name after each other, the smallest of them first. Throws Error for a
-/// name that is neither a scene's nor a file's.
+/// The scenes, grouped by name, in each group the smallest first. Throws Error for a name that is
+/// neither a scene's nor a file's.
 std::vector<BenchScene> chosen_scenes(const SceneChoice& choice);
 
 std::vector<std::string> scene_names();  ///< that chosen_scenes knows

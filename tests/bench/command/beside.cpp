@@ -167,7 +167,7 @@ class OurMethods {
     return std::ranges::find(comparison_.task().methods, name_of(method)) !=
            comparison_.task().methods.end();
   }
-  /// Calls compare(), unless the method is left out: then the row says why.
+  /// Calls compare(), unless the method is left out: then the row has the reason.
   void compare(HiddenMethod method, const std::string& other, const std::string& what,
                const auto& compared) {
     const std::string name(name_of(method));
@@ -175,7 +175,7 @@ class OurMethods {
       try {
         return compared();
       } catch (const LimitReached& reached) {
-        ask_budget();  // what holds for all work stops it
+        ask_budget();  // a limit on all work stops it
         left_out_.emplace(name, reached.what());
       }
     }
@@ -255,8 +255,8 @@ void compare_with_gl2ps(Comparison& comparison) {
 
 // ---- Without exact stages --------------------------------------------------------------
 
-/// What each of a method's forms does for a picture from a viewed scene: it makes ready, and finds
-/// what is seen at every pixel.
+/// The work of each form of a method for a picture from a viewed scene: it prepares, and finds the
+/// visible polygon at every pixel.
 void compare_image_space(Comparison& comparison, const ViewedScene& scene, HiddenMethod method) {
   const BesideTask& task = comparison.task();
   const PictureSize size = size_of(task.scene);
@@ -280,7 +280,7 @@ void compare_image_space(Comparison& comparison, const ViewedScene& scene, Hidde
   comparison.found.back()["count"] = wrong;
 }
 
-/// Without any ROUNDOFF a sort cuts what crosses by rounding alone.
+/// With no ROUNDOFF a sort cuts polygons that cross only by rounding.
 void compare_sort(Comparison& comparison, const DisplayFile& file, HiddenMethod method) {
   const BesideTask& task = comparison.task();
   const std::string name(name_of(method));

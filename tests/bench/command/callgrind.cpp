@@ -18,8 +18,8 @@ namespace displayfile::bench {
 
 namespace {
 
-/// The functions that the library's lookups run through the first time would be counted with the
-/// work that happens to come first. What else is in the environment moves the stack: it is left
+/// The functions that the dynamic linker runs at first lookups would be counted with the work that
+/// happens to come first. Other variables of the environment would move the stack: they are left
 /// out.
 constexpr const char* kPath = "PATH";
 std::vector<std::string> environment_of_work() {
@@ -61,7 +61,7 @@ std::uint64_t number_after_space(std::string_view line) {
 }
 
 /// Callgrind's format, names written out: a function, its costs at lines of source, and its calls,
-/// each followed by a line with the cost of what was called.
+/// each followed by a line with the cost of the called function.
 WorkCount read(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::map<std::pair<std::string, std::string>, FunctionCount> functions;

@@ -48,8 +48,8 @@ class SoftwareDrawing : public Drawing {
   std::optional<SoftwareRenderer> renderer_;
 };
 
-/// All segments together, sorted and painted back to front, or divided into what is seen and that
-/// painted. The pieces are what is kept.
+/// All segments together, sorted and painted back to front, or divided into the visible pieces,
+/// which are painted. The pieces are kept.
 class SortedDrawing : public Drawing {
  public:
   SortedDrawing(const DisplayFile& file, const RasterRequest& request, HiddenMethod method,

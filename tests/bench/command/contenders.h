@@ -16,7 +16,7 @@
 
 namespace displayfile::bench {
 
-/// Thrown by draw_anew: the method cannot draw this display file; says why.
+/// Thrown by draw_anew: the method cannot draw this display file, with the reason.
 struct CannotDraw {
   std::string why;
 };
@@ -25,8 +25,8 @@ struct CannotDraw {
 class Drawing {
  public:
   virtual ~Drawing() = default;
-  /// A picture from the display file, with nothing kept from earlier ones. A peer is warm, and has
-  /// what it gets in its own form: it hands that over, and draws.
+  /// A picture from the display file, with nothing kept from earlier ones. A peer is warm, and its
+  /// input is already in its own form: it passes that on, and draws.
   virtual void draw_anew() = 0;
   /// Draws the picture again, with all that the last drawing left; after draw_anew.
   virtual void draw_again() { draw_anew(); }
@@ -39,7 +39,7 @@ class Drawing {
   virtual std::optional<Pieces> pieces() const { return std::nullopt; }
 };
 
-/// A picture's size in pixels, and on how many threads it is drawn.
+/// A picture's size in pixels, and the number of threads that draw it.
 struct Frame {
   int width, height, threads = 1;
 };
@@ -57,8 +57,8 @@ struct Contender {
   std::string name() const { return precision.empty() ? method : method + ", " + precision; }
 };
 
-/// What finds polygons in object space, before there is any pixel: the sorts give pieces of all
-/// polygons in an order, the map those that are seen, none of which overlaps another.
+/// The methods that find polygons in object space, without pixels: the sorts return pieces of all
+/// polygons in an order, the map the visible ones, none of which overlaps another.
 inline constexpr std::array kObjectSpaceMethods{HiddenMethod::bsp, HiddenMethod::depth_sort,
                                                 HiddenMethod::map};
 bool is_in_object_space(std::string_view method);
@@ -66,12 +66,12 @@ bool is_in_object_space(std::string_view method);
 /// "exact", or "roundoff=1e-6".
 std::string name_of_precision(const Precision& precision);
 
-/// All that this build has: the heedless painter; what `auto` picks for a picture; the image-space
-/// methods and the sorts, exact and with each ROUNDOFF; the map; the plain z-buffer and OSMesa at
-/// each of their depth formats; Embree and gl2ps.
+/// All that this build has: the heedless painter; the choice of `auto` for a picture; the
+/// image-space methods and the sorts, exact and with each ROUNDOFF; the map; the plain z-buffer and
+/// OSMesa at each of their depth formats; Embree and gl2ps.
 std::vector<Contender> contenders(std::span<const double> roundoffs);
 
-/// What all times are given in: the exact z-buffer on one thread.
+/// The unit of all times: the exact z-buffer on one thread.
 Contender reference_contender();
 inline constexpr const char* kReference = "z-buffer, exact, 1 thread";
 

@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <utility>
 
-// The program's own operator new and delete, so that what they hold can be counted. While nothing
-// is counted they cost one load more than the library's. All forms, though the library's others
-// call these: under AddressSanitizer they do not.
+// The program's own operator new and delete, so that the memory they hold can be counted. While
+// nothing is counted they cost one load more than the library's. All forms, though the library's
+// others call these: under AddressSanitizer they do not.
 
 namespace {
 
@@ -33,8 +33,8 @@ struct Uncounted {
   bool operator==(const Uncounted&) const { return true; }
 };
 
-/// The blocks that the counted work holds, with the sizes that were asked for: those of malloc hang
-/// on what was there before.
+/// The blocks that the counted work holds, with the requested sizes: malloc's own sizes depend on
+/// earlier allocations.
 class Blocks {
  public:
   void add(void* block, std::size_t size) {

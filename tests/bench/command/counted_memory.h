@@ -5,9 +5,9 @@
 
 namespace displayfile::bench {
 
-/// What operator new gave to some work, over all threads.
+/// The memory that operator new gave to some work, over all threads.
 struct CountedMemory {
-  std::int64_t most_bytes = 0;   ///< held at a time, beyond what was held before
+  std::int64_t most_bytes = 0;   ///< held at a time, beyond the bytes held before
   std::int64_t allocations = 0;  ///< calls of it
 };
 
@@ -20,8 +20,7 @@ inline std::int64_t most_bytes_held(const std::function<void()>& work) {
   return counted_memory(work).most_bytes;
 }
 
-/// Within the work that counted_memory counts: the bytes that are held now, beyond what was held
-/// before.
+/// Within the work that counted_memory counts: the bytes held now, beyond those held before.
 std::int64_t bytes_held_now();
 
 }  // namespace displayfile::bench

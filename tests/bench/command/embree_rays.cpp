@@ -124,8 +124,8 @@ EmbreeRays::EmbreeRays(const Input& input, int threads, Quality quality)
 
 EmbreeRays::~EmbreeRays() = default;
 
-/// A few columns of some rows a packet, the packets one after the other along a row. What is the
-/// same for all packets is filled in once.
+/// A few columns of some rows a packet, the packets one after the other along a row. The fields
+/// that are the same for all packets are filled in once.
 template <int kRays>
 void EmbreeRays::Scene::cast(int row_begin, int row_end, Hits& hits) const {
   using Kind = Packet<kRays>;

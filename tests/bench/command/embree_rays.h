@@ -15,16 +15,16 @@ namespace displayfile::bench {
 /// triangles are in single precision, and lie in pixels.
 class EmbreeRays {
  public:
-  /// How well the tree is built: "moderate" and "high" are Embree's own (RTC_BUILD_QUALITY_MEDIUM,
-  /// RTC_BUILD_QUALITY_HIGH). A better one takes longer to build, and less for each ray.
+  /// The quality of the tree: "moderate" and "high" are Embree's own (RTC_BUILD_QUALITY_MEDIUM,
+  /// RTC_BUILD_QUALITY_HIGH). A better one takes longer to build, and less time for each ray.
   enum class Quality { moderate, high };
 
   /// Embree's version; nothing if this build has no Embree.
   static std::optional<std::string> version();
-  /// How many rays of a packet the processor casts at a time: 4, 8 or 16.
+  /// The number of rays of a packet that the processor casts at a time: 4, 8 or 16.
   static int packet_width();
 
-  /// What Embree is given, in its own form.
+  /// Embree's input, in its own form.
   struct Input {
     Input(const Triangles& triangles, const PictureSize& of_picture);
     PictureSize size;
@@ -34,17 +34,17 @@ class EmbreeRays {
     float origin = 0.0F;       ///< z of the rays', before all triangles
   };
 
-  /// Commits a scene of an input that lives on, on so many threads, by a device that is made before
-  /// (and for others of as many threads).
+  /// Commits a scene of an input, which must outlive this, on `threads` threads, by a device made
+  /// before, which is shared by scenes of as many threads.
   EmbreeRays(const Input& input, int threads, Quality quality = Quality::moderate);
   ~EmbreeRays();
   EmbreeRays(const EmbreeRays&) = delete;
   EmbreeRays& operator=(const EmbreeRays&) = delete;
 
-  /// What the rays meet, the bottom row first.
+  /// The hits of the rays, the bottom row first.
   struct Hits {
     std::vector<ViewedScene::Fill> fills;  ///< ViewedScene::kBackground where there is none
-    std::vector<double> depths;            ///< minus infinity where there is none; empty: not asked
+    std::vector<double> depths;  ///< minus infinity where there is none; empty: not requested
     Hits(const PictureSize& size, bool with_depths)
         : fills(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)),
           depths(with_depths ? fills.size() : 0) {}

@@ -44,7 +44,7 @@ std::pair<std::string, std::string> library(std::string name, std::string_view c
   return {std::move(name), fmt::format("{} when configured, {} now", configured, now())};
 }
 
-// What libraries say of themselves, asked without their headers, which need not be there.
+// The versions that libraries report, called without their headers, which may be missing.
 using Version = const char*();
 using VersionOfPng = const char*(const void*);
 const SharedLibrary& linked() {

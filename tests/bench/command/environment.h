@@ -7,7 +7,7 @@
 
 namespace displayfile::bench {
 
-/// What the figures were measured with, as names and values: the day (UTC), version, compiler,
+/// The environment of the measurements, as names and values: the day (UTC), version, compiler,
 /// flags, processor, system, and the packages as they were when this was configured and as they are
 /// now.
 std::vector<std::pair<std::string, std::string>> environment();

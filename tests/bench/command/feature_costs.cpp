@@ -13,7 +13,7 @@
 
 namespace displayfile::bench {
 
-/// What callgrind looks for: it stays a function, of a plain name.
+/// The function that callgrind counts: not inlined, with a plain name.
 extern "C" [[gnu::noinline]] void displayfile_feature_counted(const FeatureUse* use,
                                                               const Scene* scene) {
   draw_with(*use, *scene);
@@ -24,10 +24,10 @@ namespace {
 constexpr std::string_view kNone;
 constexpr const char* kCounted = "displayfile_feature_counted";
 
-/// The last time what is made once for all is there.
+/// At the last drawing, data that are made once for all are there.
 constexpr std::size_t kTimesDrawn = 2;
 
-/// What is drawn, by the name of the feature that is on, and with none on.
+/// The drawings: with each feature on, by its name, and with none.
 std::vector<std::pair<std::string_view, FeatureUse>> drawings() {
   std::vector<std::pair<std::string_view, FeatureUse>> all{{kNone, FeatureUse{}}};
   for (const Feature& feature : features()) {
@@ -36,7 +36,7 @@ std::vector<std::pair<std::string_view, FeatureUse>> drawings() {
   return all;
 }
 
-/// What the vertices and the sides of polygons need, whatever is on, as viewed.
+/// The bytes needed by the vertices and the sides of polygons as viewed, with any features.
 struct NeededBytes {
   std::size_t bytes = 0;
   void fill(const FillStyle&) {}
@@ -49,7 +49,7 @@ struct NeededBytes {
   }
 };
 
-/// Beyond that and what is kept as entered, in the order of entry.
+/// The bytes beyond those and beyond the data kept as entered, in the order of entry.
 double spare_bytes(const DisplayFile& file) {
   NeededBytes needed;
   for (const Segment& segment : file.segments()) {
@@ -64,7 +64,7 @@ struct Memory {
   CountedMemory counted;
 };
 
-/// The memory of a second drawing: what is made once for all is there.
+/// The memory of a second drawing: data made once for all are there.
 Memory memory_of(const FeatureUse& use, const Scene& scene) {
   Memory memory;
   draw_with(use, scene,
@@ -77,7 +77,8 @@ double per_polygon(double count, std::size_t polygons) {
   return figure(count / static_cast<double>(std::max<std::size_t>(1, polygons)));
 }
 
-/// What every polygon more adds to the display file beyond its vertices and sides, with all off.
+/// The bytes that every additional polygon adds to the display file beyond its vertices and sides,
+/// with all features off.
 double spare_bytes_a_polygon() {
   constexpr std::size_t kFew = kFeaturePolygons / 2;
   const auto spare = [](std::size_t polygons) {
@@ -89,7 +90,7 @@ double spare_bytes_a_polygon() {
   return per_polygon(spare(kFeaturePolygons) - spare(kFew), kFeaturePolygons - kFew);
 }
 
-/// The counts of each drawing; `not_counted` says why there are none.
+/// The counts of each drawing; `not_counted` is the reason if there are none.
 std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
   std::map<std::string_view, WorkCount> counts;
   const auto drawn = drawings();
@@ -105,7 +106,7 @@ std::map<std::string_view, WorkCount> instructions(std::string& not_counted) {
   return counts;
 }
 
-using Counts = std::map<std::string_view, WorkCount>;  // by what is on
+using Counts = std::map<std::string_view, WorkCount>;  // by the feature that is on
 
 /// Counts the functions that are the feature's own.
 void add_own(const WorkCount& work, const Feature& feature, Json& state) {

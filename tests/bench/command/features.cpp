@@ -40,8 +40,8 @@ std::vector<Feature> table() {
   const Names sort{"hidden_surface_check", "SortTables",  "ComparePolys",
                    "SideBuffer",           "VertexTable", "separated_by_side_of",
                    "overlapping_pairs",    "Extent",      "FlatBoxes"};
-  // Not all that is compiled for Exact: where it is the same code as that for Roundoff, compilers
-  // keep one function, under either name.
+  // Not all code compiled for Exact: where it equals that for Roundoff, compilers keep one
+  // function, under either name.
   const Names exact_sort{"ExactNumber",   "ExactPoint",
                          "DefinedPoint",  "VertexTable<displayfile::Exact>",
                          "SortedPainter", "libgmp"};

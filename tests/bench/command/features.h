@@ -14,7 +14,7 @@
 
 namespace displayfile::bench {
 
-/// What a drawing of the feature scene uses. As it stands: nothing that can be left out.
+/// The features that a drawing of the feature scene uses; by default none of the optional ones.
 struct FeatureUse {
   bool clipped_by_window = false, clipped_by_depth = false, perspective = false;
   bool cutting_planes = false;  ///< two, through the middle
@@ -31,29 +31,30 @@ struct FeatureUse {
   bool recorded = false, retained = false, selects_lines = false, world_tree = false;
 };
 
-/// What can be turned on and off.
+/// A feature that can be turned on and off.
 struct Feature {
   std::string_view name;
   std::string_view turned_on_by;
   std::string_view over;  ///< the feature that is on when it is off; empty: none is
   void (*turn_on)(FeatureUse&);
-  /// What only it needs: parts of the names of functions, with their classes, or of libraries.
+  /// The code that only it needs: parts of the names of functions, with their classes, or of
+  /// libraries.
   std::vector<std::string_view> functions;
-  std::string_view not_counted{};  ///< why what it costs is not counted
+  std::string_view not_counted{};  ///< why its cost is not counted
 };
 
-/// One entry a feature; each comes after the one that it is over.
+/// One entry a feature; each comes after the one that it builds on.
 const std::vector<Feature>& features();
 
-/// What is used when the feature is on, and all that it is over.
+/// The features used when this one is on: it and all that it builds on.
 FeatureUse use_of(const Feature& feature);
 
 inline constexpr std::size_t kFeaturePolygons = 1000;
 inline constexpr int kFeaturePictureSize = 64;
 Scene feature_scene(std::size_t polygons = kFeaturePolygons);
 
-/// From the first routine of a new system to the picture, of which nothing is kept. `look` sees
-/// what was drawn.
+/// From the first routine of a new system to the picture, of which nothing is kept. `look` receives
+/// the display file.
 using LookAt = std::function<void(const DisplayFile& drawn)>;
 void draw_with(const FeatureUse& use, const Scene& scene, const LookAt& look = nullptr);
 

@@ -10,7 +10,7 @@
 
 namespace displayfile::bench {
 
-/// Calls draw(begin, end) for rows in tasks, on so many threads.
+/// Calls draw(begin, end) for rows in tasks, on `threads` threads.
 void for_rows(int rows, int threads, const auto& draw) {
   constexpr int kRowsOfTask = 16;
   const int tasks = (rows + kRowsOfTask - 1) / kRowsOfTask;
@@ -26,7 +26,7 @@ inline std::vector<ViewedScene::Fill> room_for(const PictureSize& size) {
                                         static_cast<std::size_t>(size.height));
 }
 
-/// What is seen by a method that has taken up a scene, the bottom row first.
+/// Finds the visible fills by a method that has prepared a scene, the bottom row first.
 inline void find_seen(const ImageSpaceMethod& method, const PictureSize& size, int threads,
                       std::vector<ViewedScene::Fill>& seen) {
   const auto width = static_cast<std::size_t>(size.width);

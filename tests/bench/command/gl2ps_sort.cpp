@@ -109,8 +109,8 @@ std::array<double, kNumbers> numbers_after(const char* at) {
   return numbers;
 }
 
-/// A piece as it is written in PostScript, whose numbers have six digits: of which triangle it is,
-/// and the sum of its corners, in pixels.
+/// A piece as written in PostScript, whose numbers have six digits: its triangle, and the sum of
+/// its corners, in pixels.
 struct Written {
   std::uint32_t triangle;
   Point2 sum;
@@ -199,9 +199,10 @@ std::vector<Gl2psSort::Piece> Gl2psSort::pieces() const {
   return pieces;
 }
 
-/// PGF has what is hidden in any case. PostScript has the rest, in the same order.
+/// PGF includes hidden triangles in any case. PostScript has only the others, in the same order.
 void Gl2psSort::leave_out_hidden(std::vector<Piece>& pieces) const {
-  constexpr double kRounding = 1e-5;  // more than that of six digits, and of six after the point
+  constexpr double kRounding =
+      1e-5;  // more than the rounding to six digits, and to six after the point
   const std::vector<Written> written = written_in_postscript(*this);
   auto next = written.begin();
   std::erase_if(pieces, [&](const Piece& piece) {

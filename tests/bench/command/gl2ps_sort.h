@@ -24,7 +24,7 @@ struct Gl2psSort {
   struct Options {
     std::string_view name;        ///< after that of the sort
     bool best_root = true;        ///< GL2PS_BEST_ROOT: of some candidates the root that cuts least
-    bool occlusion_cull = false;  ///< GL2PS_OCCLUSION_CULL: what is hidden wholly is left out
+    bool occlusion_cull = false;  ///< GL2PS_OCCLUSION_CULL: wholly hidden triangles are left out
   };
   static constexpr std::array<Options, 3> kOptions{
       {{"", false, false}, {", best root", true, false}, {", best root, culled", true, true}}};
@@ -47,10 +47,10 @@ struct Gl2psSort {
     std::uint32_t triangle;       ///< counted from 0
     std::vector<Point2> corners;  ///< in normalised device coordinates
   };
-  /// What it writes, back to front, read back from PGF. Of its formats that has the most digits:
-  /// six after the point, of pixels. It ignores GL2PS_OCCLUSION_CULL: which pieces that leaves out
-  /// is read from PostScript. Throws Error for more than 2^24 triangles, whose numbers stand
-  /// in the colours.
+  /// The pieces that it writes, back to front, read back from PGF, its format with the most digits:
+  /// six after the point, of pixels. PGF ignores GL2PS_OCCLUSION_CULL: the pieces that it leaves
+  /// out are read from PostScript. Throws Error for more than 2^24 triangles, whose numbers are
+  /// encoded as colours.
   std::vector<Piece> pieces() const;
 
  private:

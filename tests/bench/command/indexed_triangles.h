@@ -28,9 +28,9 @@ struct IndexedTriangles {
 IndexedTriangles indexed_triangles(std::span<const Point3> corners,
                                    std::span<const std::uint32_t> colours);
 
-/// The fills of a viewed scene in OpenGL's clip coordinates but for that y runs downward, as
-/// OpenGlMesh takes them (tests/bench/command/opengl_mesh.h) with no other matrix; depths over all
-/// that there are.
+/// The fills of a viewed scene in OpenGL's clip coordinates except that y runs downward, as
+/// OpenGlMesh takes them (tests/bench/command/opengl_mesh.h) with no other matrix; depths are
+/// scaled to their range.
 IndexedTriangles indexed_triangles(const ViewedScene& scene);
 
 }  // namespace displayfile::bench

@@ -109,7 +109,7 @@ Json LineMeasurer::measure(const LineContender& contender, int threads) {
   try {
     measure(contender, name, cell);
   } catch (const LimitReached& reached) {
-    ask_budget();  // what holds for all work stops it
+    ask_budget();  // a limit on all work stops it
     cell["skipped"] = reached.what();
   }
   return cell;

@@ -25,21 +25,21 @@ struct LineContender {
 
 /// Every such method of this build, exact and with each ROUNDOFF.
 std::vector<LineContender> line_contenders(std::span<const double> roundoffs);
-/// False if the method draws surfaces alone, and the scene is none.
+/// False if the method draws only surfaces, and the scene is not one.
 bool draws(const LineContender& contender, const BenchScene& scene);
 
-/// What all times of lines are given in: Franklin's method, exact, on one thread.
+/// The unit of all times of lines: Franklin's method, exact, on one thread.
 inline constexpr const char* kLineReference = "franklin, exact, 1 thread";
 
-/// Measures what methods of lines find on one scene after another: what is seen of all sides of
+/// Measures methods of lines on one scene after another: the visible parts of all sides of
 /// polygons, whatever their style, and of all lines; against the truth (interp/truth/true_lines.h).
 class LineMeasurer {
  public:
   LineMeasurer();
   ~LineMeasurer();
 
-  /// The scene that is measured from now on, with its truth, which is found on so many threads.
-  /// Scenes of a name grow from the first.
+  /// Sets the scene to be measured, with its truth, which is found on `threads` threads. Scenes of
+  /// a name grow from the first.
   void take(const BenchScene& scene, const Effort& effort, int threads);
   /// The reference's time here over its time on the first scene of the same name.
   Json growth();

@@ -27,9 +27,10 @@ struct Measurer::Scene {
 
   explicit Scene(const BenchScene& s);
   std::unique_ptr<Drawing> drawing(const Contender& contender, int threads) const;
-  /// True if this polygon is exactly as near at the pixel as the one that is right there.
+  /// True if this polygon is exactly as near at the pixel as the correct one.
   bool is_tied(std::size_t pixel, std::int32_t pick) const;
-  /// The time of work on so many threads over that of the reference; `once` is about what it takes.
+  /// The time of work on `threads` threads over that of the reference; `once` is its approximate
+  /// time.
   Json over_reference(const Effort& effort, int threads, double once, const auto& work) const;
   double polygons() const { return static_cast<double>(file.polygons()); }
   double pixels() const { return static_cast<double>(scene.pixels()); }
@@ -116,8 +117,8 @@ Json Measurer::growth() {
       first_->reference_seconds, [&] { first_->reference->draw_anew(); }));
 }
 
-/// What took longer on a smaller scene of the name than on the least: that part may take twice as
-/// long on twice the pixels, and four times as long on twice the polygons.
+/// The time by which a smaller scene of the name exceeded the least one may grow to twice as much
+/// on twice the pixels, and to four times as much on twice the polygons.
 bool Measurer::too_long(const Json& cell) const {
   constexpr double kTimesTheMost = 5.0;
   const auto longest = longest_.find(key_of(cell));
@@ -151,7 +152,7 @@ void Measurer::compare(const Picture& picture, Json& cell) const {
   cell["mean_depth_error"] = both == 0 ? 0.0 : figure(sum / static_cast<double>(both));
 }
 
-/// A second picture, since what a method keeps for all pictures is made by the first.
+/// A second picture, since the first one makes the data that a method keeps for all pictures.
 void count_memory_and_exact_calls(const std::function<void()>& work, Json& cell) {
   reset_predicate_counts();
   cell["bytes"] = most_bytes_held(work);
@@ -170,7 +171,7 @@ Json Measurer::measure(const Contender& contender, int threads) {
   } catch (const CannotDraw& reason) {
     cell["skipped"] = reason.why;
   } catch (const LimitReached& reached) {
-    ask_budget();  // what holds for all work stops it
+    ask_budget();  // a limit on all work stops it
     cell["skipped"] = reached.what();
   }
   return cell;

@@ -13,7 +13,7 @@
 
 namespace displayfile::bench {
 
-/// Does the work once more, and counts what it takes of memory and of the predicates' exact stage.
+/// Does the work once more, and counts its memory and its calls of the predicates' exact stage.
 void count_memory_and_exact_calls(const std::function<void()>& work, Json& cell);
 
 /// Measures one scene after another.

@@ -26,12 +26,12 @@ void draw_all(const ApplicationMesh& mesh, NewViews& ours) {
   for (const View& view : mesh.views) ours.draw_new_view(view);
 }
 
-/// Bytes a triangle, of the scene as it is retained, of what viewing it keeps after a turn of all
-/// views, and of what drawing it keeps besides, the picture not in it. On one thread: what is held
-/// hangs on how several share the work.
+/// Bytes a triangle, of the retained scene, of the data that viewing keeps after a turn of all
+/// views, and of those that drawing keeps besides, without the picture. On one thread: with
+/// several, memory depends on how they share the work.
 void count_memory(const ApplicationMesh& mesh, Comparison& comparison) {
   const PictureSize size{comparison.task().scene.size, comparison.task().scene.size};
-  std::array<std::int64_t, 3> held{};  // beyond what was held before it
+  std::array<std::int64_t, 3> held{};  // beyond the memory held before it
   counted_memory([&] {
     NewViews ours(mesh, size, 1);
     held[0] = bytes_held_now();

@@ -11,8 +11,8 @@
 namespace displayfile::bench {
 
 /// Ours with a moving camera: a retained scene drawn by the exact z-buffer in one new view after
-/// another, without a sort; nothing is kept but the retained scene. How the library does that
-/// stands behind this class alone.
+/// another, without a sort; nothing is kept but the retained scene. Only this class depends on how
+/// the library does that.
 class NewViews {
  public:
   NewViews(const ApplicationMesh& mesh, const PictureSize& size, int threads);
@@ -20,13 +20,13 @@ class NewViews {
   NewViews(const NewViews&) = delete;
   NewViews& operator=(const NewViews&) = delete;
 
-  /// What is in the view; it stays until the next call. The first makes ready for views.
+  /// The scene in the view; it stays until the next call. The first call prepares for views.
   const ViewedScene& new_view(const View& view);
   /// The picture stays until the next call.
   const Picture& draw_new_view(const View& view);
   /// With the item buffer.
   const Picture& draw_items_of_new_view(const View& view);
-  /// What the display file of that view would be.
+  /// The display file that this view would have.
   DisplayFile display_file(const View& view);
 
  private:

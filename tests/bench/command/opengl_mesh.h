@@ -27,7 +27,7 @@ class OpenGlMesh {
   OpenGlMesh(const OpenGlMesh&) = delete;
   OpenGlMesh& operator=(const OpenGlMesh&) = delete;
 
-  /// From the vertices' coordinates to OpenGL's clip coordinates but for that y runs downward, so
+  /// From the vertices' coordinates to OpenGL's clip coordinates except that y runs downward, so
   /// that the picture's top row comes first; z larger where it is nearer.
   void set_matrix(const glm::dmat4& matrix);
 
@@ -38,7 +38,7 @@ class OpenGlMesh {
   void make_resident();
   /// "buffers" or "display list".
   std::string_view resident_in() const;
-  /// Clears, draws what is resident and waits until all is drawn.
+  /// Clears, draws the resident triangles and waits until they are drawn.
   void draw();
   /// The colours drawn last.
   Picture picture();

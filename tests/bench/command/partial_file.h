@@ -8,16 +8,16 @@
 
 namespace displayfile::bench {
 
-/// The finished figures of a run, a line each, in a file beside its output, so that a run that was
-/// interrupted is taken up again. The first line holds what the figures hold for: another build,
-/// another processor or another effort starts anew.
+/// The finished figures of a run, a line each, in a file beside its output, so that an interrupted
+/// run can be resumed. The first line identifies the conditions: another build, another processor
+/// or another effort starts anew.
 class PartialFile {
  public:
-  /// Reads what an earlier run left; lines that are not whole are left out. Throws Error if the
-  /// file cannot be written, as add does.
+  /// Reads the figures of an earlier run; incomplete lines are left out. Throws Error if the file
+  /// cannot be written, as add does.
   PartialFile(std::string path, const std::string& identity);
 
-  /// What was finished before of that key; null if it was not.
+  /// The figures finished before under that key; null if there are none.
   const Json* find(const std::string& key) const;
   void add(const std::string& key, const Json& figures);
   /// The run has come to its end: the file is not needed any more.

@@ -40,9 +40,9 @@ void turn_over(const std::vector<From>& rows, int width, std::vector<To>& pictur
   }
 }
 
-/// The display file's triangles as OpenGL has them: anew, the vertices are handed over and drawn in
-/// a context that is there; again, they are resident. What is judged is what our own OSMesa device
-/// draws; that also draws what has lines, from its buffers.
+/// The display file's triangles by OpenGL: anew, the vertices are passed and drawn in an existing
+/// context; again, they are resident. The judged picture is our own OSMesa device's, which also
+/// draws scenes with lines, from its buffers.
 class OsmesaDrawing : public Drawing {
  public:
   OsmesaDrawing(const DisplayFile& file, const Frame& frame, int depth_bits)
@@ -92,7 +92,7 @@ class OsmesaDrawing : public Drawing {
 };
 
 /// A ray for each pixel, on one thread: anew, the tree is built and the rays are cast; again, they
-/// are cast. The triangles are there in Embree's form.
+/// are cast. The triangles are already in Embree's form.
 class EmbreeDrawing : public Drawing {
  public:
   EmbreeDrawing(const DisplayFile& file, const Frame& frame)
@@ -132,8 +132,8 @@ class EmbreeDrawing : public Drawing {
   Picture picture_;
 };
 
-/// The sort alone, handing over the triangles included; it makes no pixels. What is judged is the
-/// pieces that it writes, painted in its order.
+/// The sort alone, passing the triangles included; it makes no pixels. The judged picture is its
+/// pieces, painted in its order.
 class Gl2psDrawing : public Drawing {
  public:
   Gl2psDrawing(const DisplayFile& file, const Frame& frame, const Gl2psSort::Options& options)

@@ -6,8 +6,9 @@
 
 namespace displayfile::bench {
 
-/// Those of other makers that this build and system have: OSMesa at each of its depth formats,
-/// Embree and gl2ps. They get fills, cut into triangles; neither lines nor shades but for OSMesa.
+/// The contenders of other projects that this build and system have: OSMesa at each of its depth
+/// formats, Embree and gl2ps. They get fills, cut into triangles; only OSMesa also gets lines and
+/// shades.
 std::vector<Contender> peers();
 
 }  // namespace displayfile::bench

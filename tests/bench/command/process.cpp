@@ -27,7 +27,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
-/// Ours too, unless the process has variables of these names or wants none but its own.
+/// Includes our own variables, except those that the process sets, unless it wants only its own.
 std::vector<std::string> environment_of(const Process& process) {
   std::vector<std::string> all = process.variables;
   if (process.variables_alone) return all;

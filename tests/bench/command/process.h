@@ -25,23 +25,23 @@ struct Cost {
   double peak_memory;      // bytes
 };
 
-/// What it gave.
+/// The result of a process.
 struct Finished {
   bool started;
   bool succeeded;      ///< it ended with status 0
-  std::string output;  ///< what was kept of it
+  std::string output;  ///< the part of its output that was kept
   Cost cost;
 };
 
 /// Runs it and waits for it. Throws Error if there can be no pipe.
 Finished run(Process process);
 
-/// The same of a program whose messages go nowhere.
+/// The same for a program whose messages are discarded.
 inline Finished run(const std::vector<std::string>& command) {
   return run(Process{.command = command, .messages = Process::Messages::nowhere});
 }
 
-/// What that costs, its output ours. Throws Error unless it ends with status 0.
+/// The cost of a command, with our output as its own. Throws Error unless it ends with status 0.
 Cost cost_of(const std::vector<std::string>& command);
 
 }  // namespace displayfile::bench

@@ -21,7 +21,7 @@ inline Spread spread(std::vector<double> values) {
   return {values.front(), values[values.size() / 2], values.back()};
 }
 
-/// Takes the seconds of a and of b, in turn, after one round that is not counted: b's over a's.
+/// Measures the seconds of a and of b, in turn, after one round that is not counted: b's over a's.
 inline Spread ratio_of_seconds(int rounds, const auto& seconds_a, const auto& seconds_b) {
   std::vector<double> ratios;
   for (int i = 0; i <= rounds; ++i) {

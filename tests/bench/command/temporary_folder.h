@@ -13,7 +13,7 @@ namespace displayfile::bench {
 /// A new folder, removed with all that is in it.
 class TemporaryFolder {
  public:
-  /// Throws Error if there can be none.
+  /// Throws Error if none can be made.
   TemporaryFolder() {
     const std::string letters(6, 'X');  // which mkdtemp replaces
     std::string name =

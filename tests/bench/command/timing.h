@@ -11,15 +11,15 @@
 
 namespace displayfile::bench {
 
-/// How much is done for a ratio.
+/// The repetitions and the time of a ratio.
 struct Effort {
-  int rounds = 5;                ///< the one and the other in turn
+  int rounds = 5;                ///< of both, in turn
   double least_seconds = 0.002;  ///< of a round's side: shorter work is repeated
-  double most_seconds = 1.0;     ///< for all rounds of a ratio; there is one at least
+  double most_seconds = 1.0;     ///< for all rounds of a ratio, of which there is at least one
 };
 
-/// What else the machine does is not in a processor's time; that of several threads together is not
-/// what a user waits for.
+/// Processor time excludes other work of the machine; but for several threads it is their sum,
+/// which is not what a user waits for.
 enum class Clock { processor, wall };
 inline Clock clock_of(int threads) { return threads == 1 ? Clock::processor : Clock::wall; }
 
@@ -35,15 +35,15 @@ inline double seconds_each(Clock clock, int times, const auto& work) {
   return (now(clock) - start) / times;
 }
 
-/// The least of so many, as other work only adds to it.
+/// The least time of `rounds`, as other work only adds to it.
 inline double least_seconds_each(Clock clock, int rounds, const auto& work) {
   double least = seconds_each(clock, 1, work);
   for (int i = 1; i < rounds; ++i) least = std::min(least, seconds_each(clock, 1, work));
   return least;
 }
 
-/// The least of a few where the work is short: a single one may have waited for something, and by
-/// what it takes is decided how often it is repeated.
+/// The least of a few times for short work: a single one may include a wait, and the time
+/// determines how often the work is repeated.
 inline double seconds_once(const auto& work) {
   constexpr double kLong = 0.001;
   constexpr int kMostRounds = 5;
@@ -59,7 +59,8 @@ inline int repetitions(double once, double least_seconds) {
   return static_cast<int>(std::clamp(std::ceil(least_seconds / std::max(once, 1e-9)), 1.0, 1e5));
 }
 
-/// The work's time over the reference's, in turn; `once` is about what each takes.
+/// The work's time over the reference's, in turn; `once` and `reference_once` are their approximate
+/// times.
 inline Spread ratio(const Effort& effort, Clock clock, double once, const auto& work,
                     double reference_once, const auto& reference) {
   const int times = repetitions(once, effort.least_seconds);
@@ -74,8 +75,8 @@ inline Spread ratio(const Effort& effort, Clock clock, double once, const auto& 
   return spread(std::move(ratios));
 }
 
-/// The same of work of which it is not known what it takes; both are done before they are timed,
-/// so that both are warm.
+/// The same for work of unknown duration; both are done before they are timed, so that both are
+/// warm.
 inline Spread warm_ratio(const Effort& effort, int threads, const auto& work,
                          const auto& reference) {
   work();

@@ -33,7 +33,7 @@ View turned_view() {
   return view;
 }
 
-/// The truth of what touches is the one that starts from what was entered.
+/// The truth of touching polygons is the one that starts from the scene as entered.
 Picture truth_before_viewing(const BenchScene& scene, const RetainedScene& retained,
                              const DisplayFile& file) {
   const bool touches = scene.kind == BenchScene::Kind::hard_case &&

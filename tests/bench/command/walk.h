@@ -15,12 +15,12 @@ namespace displayfile::bench {
 std::vector<Scene> walk(std::size_t n, std::uint64_t seed);
 inline constexpr int kViewsOfWalk = 8;
 
-/// Draws all views, each entered in a display file of its own, which is part of the time. What is
-/// judged is the pictures below each other.
+/// Draws all views, each entered in a display file of its own, which is part of the time. The
+/// judged picture has those of the views below each other.
 std::unique_ptr<Drawing> draw_walk(const std::vector<Scene>& views, const Contender& contender,
                                    const Frame& frame);
 
-/// What was drawn of a view, below what was drawn before.
+/// Appends the picture of a view below the earlier ones.
 void append(const Picture& picture, Picture& all);
 
 /// One BSP tree in world coordinates (displayfile/views/retained_views.h), for all views; it is

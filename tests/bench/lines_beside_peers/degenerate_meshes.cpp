@@ -30,7 +30,7 @@ class Parts {
     return *this;
   }
 
-  /// From one corner to the opposite one, its faces turned out.
+  /// A box from one corner to the opposite one, its faces turned out.
   Parts& box(const Point3& low, const Point3& high) {
     std::vector<Point3> corners;
     corners.reserve(8);
@@ -82,8 +82,8 @@ class Parts {
 };
 
 /// Along the z axis, after a shear along it, so much to the right and up a unit of z: an aside look
-/// in which no coordinate is rounded. The view's window and depth are powers of two, so that what
-/// coincides in the world does so in the display file.
+/// in which no coordinate is rounded. The view's window and depth are powers of two, so that points
+/// that coincide in the world do so in the display file.
 PeerScene seen(const Parts& parts, const Point2& shear) {
   PeerScene scene;
   scene.mesh = parts.mesh();
@@ -118,7 +118,7 @@ PeerScene touching_boxes() {
               kAside);
 }
 
-/// Part of one face of each lies in one of another.
+/// Part of a face of each body lies in a face of another.
 PeerScene coplanar_faces() {
   return seen(
       Parts().box({0, 0, 0}, {3, 2, 1}).box({1, 1, -1}, {4, 3, 1}).box({2, -1, -2}, {3, 2.5, 1}),
@@ -202,7 +202,8 @@ Point3 grid_point(Random& random, std::size_t end) {
   return Point3(x, y, z);
 }
 
-/// Sheets little behind one another: a millionth of their size, and two that cross as flatly.
+/// Sheets close behind one another: by a millionth of their size, and two that cross at as small an
+/// angle.
 PeerScene thin_sheets() {
   Parts parts;
   constexpr double kGap = 0x1p-18;
@@ -246,7 +247,7 @@ PeerScene triangles_on_a_grid() {
   return seen(parts, kFront);
 }
 
-/// Touching boxes and a cyclic overlap's bars, so many times as large.
+/// Touching boxes and a cyclic overlap's bars, scaled.
 PeerScene scaled(double scale) {
   Parts parts;
   for (const auto& [low, high] :

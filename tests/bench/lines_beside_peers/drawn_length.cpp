@@ -79,8 +79,8 @@ bool clip(double at_0, double rise, double low, double high, PartOfLine& part) {
   return part.from <= part.to;
 }
 
-/// The part of a segment within the tolerance of another: what is near to one is convex, so it is
-/// all between the parts near to its ends and the part beside it.
+/// The part of a segment within the tolerance of another: the region near one is convex, so the
+/// part spans the parts near its ends and the part beside it.
 std::optional<PartOfLine> part_near(const DrawnSegment& s, const DrawnSegment& other,
                                     double tolerance) {
   const Point2 along = s.q - s.p;
@@ -114,7 +114,7 @@ std::optional<PartOfLine> part_near(const DrawnSegment& s, const DrawnSegment& o
 }
 
 /// Calls visit(segment, part) for the parts of the drawing that are farther than the tolerance from
-/// all of the other's segments for which `counts` says so.
+/// all of the other's segments for which `counts` is true.
 template <class Counts, class Visit>
 void for_each_part_beside(const LineDrawing& drawing, const LineDrawing& other, double tolerance,
                           const Counts& counts, const Visit& visit) {

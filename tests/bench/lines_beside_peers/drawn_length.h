@@ -15,11 +15,11 @@ using LineDrawing = std::vector<DrawnSegment>;
 /// The sum of the segments' lengths, those that lie on others again.
 double total_length(const LineDrawing& drawing);
 
-/// The drawing without what lies within the tolerance of a segment before it: so that each length
-/// counts once, however many edges lie on one another in the picture.
+/// The drawing without the parts that lie within the tolerance of an earlier segment: so that each
+/// length counts once, however many edges lie on one another in the picture.
 LineDrawing drawn_once(const LineDrawing& drawing, double tolerance);
 
-/// How much of the drawing is farther than the tolerance from all segments of the other.
+/// The length of the drawing that is farther than the tolerance from all segments of the other.
 double length_beside(const LineDrawing& drawing, const LineDrawing& other, double tolerance);
 
 }  // namespace displayfile::bench

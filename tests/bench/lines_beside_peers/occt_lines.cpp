@@ -1,5 +1,5 @@
-// Times OpenCASCADE's hidden-line removal on a mesh in a view, and writes what it sees: a peer of
-// lines-beside-peers (README.md here has the protocol).
+// Times OpenCASCADE's hidden-line removal on a mesh in a view, and writes the visible lines: a peer
+// of lines-beside-peers (README.md here has the protocol).
 //   occt_lines MESH.obj VIEW polygonal|exact
 // Each face of the mesh is a planar face of the shape, and faces share the edges that they share
 // there; each connected part is a shell. So all edges of the mesh are edges of the shape.
@@ -78,8 +78,8 @@ View read_view(const std::string& path) {
   return view;
 }
 
-/// The axes of a view plane through the world's origin: the polygonal algorithm does not move what
-/// it sees to another. Parallel views alone: nor does it project what it sees in a perspective.
+/// The axes of a view plane through the world's origin: the polygonal algorithm does not move its
+/// results to another plane. Parallel views alone: nor does it project them in a perspective.
 gp_Ax2 axes_of(const View& view) {
   if (view.at("perspective")[0] != 0.0) throw std::runtime_error("a perspective view");
   const auto direction = [&](const char* name) {
@@ -193,10 +193,10 @@ class ShapeMaker {
   std::size_t left_out_ = 0;
 };
 
-/// What a round gives: shapes of visible edges, some of them null.
+/// The result of a round: shapes of visible edges, some of them null.
 using Seen = std::vector<TopoDS_Shape>;
 
-/// With what is hidden, if that is asked for, after what is visible.
+/// Visible edges, followed by hidden ones if requested.
 Seen seen_polygonally(const std::vector<TopoDS_Shape>& shapes, const HLRAlgo_Projector& projector,
                       bool with_hidden) {
   const Handle(HLRBRep_PolyAlgo) algorithm = new HLRBRep_PolyAlgo;

@@ -1,6 +1,6 @@
-// Our hidden lines, as one of the peers: lines-beside-peers asks it (README.md).
-//   our_lines                            what degenerate meshes there are, a line of JSON each
-//   our_lines MESH VIEW KINDS FOLDER     answers questions of a mesh, or a degenerate one by its
+// Our hidden lines, as one of the peers that lines-beside-peers runs (README.md).
+//   our_lines                            lists the degenerate meshes, a line of JSON each
+//   our_lines MESH VIEW KINDS FOLDER     answers requests about a mesh, or a degenerate one by its
 //   name
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ class OurLines {
     return fmt::format("seconds {} {} {}", from_mesh, new_view, hiding);
   }
 
-  /// What should be seen, each place once, and how wrong ours is.
+  /// The true visible lines, each place once, and the error of ours.
   nlohmann::ordered_json truth(int threads) {
     const LineItems items(entered_.file);
     std::vector<LineId> ids;

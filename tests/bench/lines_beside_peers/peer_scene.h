@@ -18,7 +18,7 @@
 
 namespace displayfile::bench {
 
-/// Which lines of a mesh are asked for.
+/// The kinds of lines of a mesh that are requested.
 struct LineKinds {
   std::string words;  ///< as the peers get them
   bool all = false, outline = false, crease = false, intersection = false;
@@ -39,26 +39,26 @@ struct PeerScene {
 PeerScene peer_scene(std::string name, std::string seen_from, const Mesh& mesh,
                      const Camera& camera);
 
-/// Writes what peers read (README.md): the mesh as OBJ, the view as words.
+/// Writes the peers' input (README.md): the mesh as OBJ, the view as words.
 void write_mesh(const PeerScene& scene, const std::string& path);
 void write_view(const PeerScene& scene, const std::string& path);
 
-/// From the mesh in memory to what methods of hidden lines begin with.
+/// A mesh entered for methods of hidden lines.
 struct EnteredMesh {
   DisplayFile file;
   std::unique_ptr<ViewedScene> scene;
-  std::vector<LineName> lines;  ///< of the kinds asked for, each shared one once
-  bool intersections;           ///< are asked for, too
+  std::vector<LineName> lines;  ///< of the requested kinds, each shared one once
+  bool intersections;           ///< are requested, too
 };
 EnteredMesh enter(const PeerScene& scene, const LineKinds& kinds);
 
-/// The mesh retained, with the kinds of lines that are asked for: from there each view is drawn.
+/// The mesh retained, with the requested kinds of lines: each view is drawn from there.
 class RetainedMesh {
  public:
   RetainedMesh(const PeerScene& scene, const LineKinds& kinds);
   /// The line drawing of the scene's view, in chains: as a view renderer finds it.
   SortedPieces draw(int threads);
-  /// In another view, so that nothing of the one before is left.
+  /// Draws another view, so that nothing is left of the previous one.
   void look_elsewhere();
 
  private:
@@ -69,7 +69,7 @@ class RetainedMesh {
   std::optional<SceneViewer> viewer_;
 };
 
-/// What a peer wrote: segments' ends, in world coordinates or in those of the view plane, in the
+/// Reads a peer's output: segments' ends in world or view-plane coordinates, transformed to the
 /// picture. Throws Error if the file cannot be read.
 LineDrawing read_world_segments(const std::string& path, const View& view);
 LineDrawing read_view_plane_segments(const std::string& path, const View& view);

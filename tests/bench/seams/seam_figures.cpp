@@ -53,8 +53,8 @@ void hand_over_disjoint(const std::vector<Tile>& tiles, VectorDevice& device) {
   device.end_disjoint_fills();
 }
 
-/// All in the first colour, over it all but those of the first in the second, and so on: inside,
-/// what a viewer makes of one colour that meets another.
+/// All in the first colour, over it all but those of the first in the second, and so on: inside, as
+/// a viewer draws one colour that meets another.
 void lay_over_each_other(std::vector<Tile> rest, VectorDevice& device) {
   while (!rest.empty()) {
     const Colour colour = rest.front().colour;

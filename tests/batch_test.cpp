@@ -339,7 +339,7 @@ TEST_F(Batch, EveryMessageNamesItsFile) {
   EXPECT_NE(out_.find("\nred.draw:\n"), std::string::npos) << out_;
 }
 
-/// The costs of one input are not counted in those of the next. Times vary.
+/// The costs of one input are not counted for the next. Times vary.
 TEST_F(Batch, StatisticsAreThoseOfEachInput) {
   const auto without_times = [](const std::string& text) {
     return std::regex_replace(text, std::regex("times .*\n"), "");

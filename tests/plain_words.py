@@ -1,4 +1,4 @@
-"""Idioms that documents, comments of installed headers and messages must not have.
+"""Idioms that documents, comments and messages must not have.
 
 One rule: callers call, functions return, options are set.
 """

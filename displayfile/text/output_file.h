@@ -18,7 +18,7 @@ namespace displayfile {
 /// have no name, only if it was killed while naming it.
 ///
 ///   OutputFile out("picture.svg");
-///   out.stream() << ...;          // or hand out.temporary_path() to a library that writes
+///   out.stream() << ...;          // or pass out.temporary_path() to a library that writes
 ///   out.commit();
 ///
 /// The path "-" is standard output, and so are /dev/stdout and its other names: data goes to a

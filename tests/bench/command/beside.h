@@ -16,29 +16,31 @@ namespace displayfile::bench {
 /// Comparisons by one rule: the other side gets its best documented options, is warm, has the same
 /// primitives, the same number of threads, and is used as its applications use it.
 ///
-/// | other | what | ours | the other's | |---|---|---|---| | OSMesa | start-up | a new system, one
-/// triangle, its picture | a new context, one triangle | | | new vertices | the mesh entered anew,
-/// and drawn | its vertices handed over, and drawn | | | moving camera | a retained scene in eight
-/// views | a resident mesh, as many matrices | | | same picture again | the same display file again
-/// | the resident mesh again | | fewest polygons | moving camera | as above | ours, of its name the
-/// scene of fewest polygons | | Embree (, high quality) | rays | rays cast at a tree that is there
-/// | the same | | | building the tree | making that tree | the same | | gl2ps (, best root) | a
-/// sort's name | that sort of the triangles | its BSP sort of them | | | map | their map, and its
-/// pieces | likewise | | without exact stages | a method's name | the method | the same code
-/// without its exact stages |
+/// | other | what | ours | the other's |
+/// |---|---|---|---|
+/// | OSMesa | start-up | a new system, one triangle, its picture | a new context, one triangle |
+/// | | new vertices | the mesh entered anew, and drawn | its vertices passed, and drawn |
+/// | | moving camera | a retained scene in eight views | a resident mesh, as many matrices |
+/// | | same picture again | the same display file again | the resident mesh again |
+/// | fewest polygons | moving camera | as above | ours, of its name the scene of fewest polygons |
+/// | Embree (, high quality) | rays | rays cast at a tree that is there | the same |
+/// | | building the tree | making that tree | the same |
+/// | gl2ps (, best root) | a sort's name | that sort of the triangles | its BSP sort of them |
+/// | | map | their map, and its pieces | likewise |
+/// | without exact stages | a method's name | the method | the same code without its exact stages |
 ///
 /// Without them the z-buffer decides in single precision, sorts with a ROUNDOFF of 1e-12, and the
 /// others with one of 0; the map has none. Eight views are those of ApplicationMesh.
 ///
-/// and counts: triangles that OSMesa and gl2ps got; of a moving camera the views that were compared
-/// with the truth, and in all of them wrong pixels; bytes a triangle, of the retained scene, of the
-/// data that viewing keeps (view) and of those that drawing keeps besides (drawing); pieces a
+/// and counts: triangles that OSMesa and gl2ps got; of a moving camera the views that were
+/// compared with the truth, and in all of them wrong pixels; bytes a triangle, of the retained
+/// scene, of what viewing it keeps (view) and of what drawing it keeps besides (drawing); pieces a
 /// triangle, of gl2ps, our sorts and the map; of OSMesa pixels that differ, in a hundred, the most
-/// of all views; of Embree the rays of a packet, the share of rays that hit and of those that hit
-/// another triangle, in a hundred; of each method without exact stages, with its time, wrong
+/// of all views; of Embree how many rays a packet has, which part of all rays hits and where it
+/// sees another triangle, in a hundred; of each method without exact stages, with its time, wrong
 /// pixels.
 ///
-/// A task has the comparisons of one process: llvmpipe reads its number of threads once, when the
+/// A task is what is compared in one process: llvmpipe reads its number of threads once, when the
 /// process makes its first context.
 struct BesideTask {
   BenchScene scene;

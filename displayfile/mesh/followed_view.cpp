@@ -22,11 +22,6 @@ namespace displayfile {
 
 namespace {
 
-bool is_view_set(const GraphicsSystem& system) {
-  const ExplicitSettings& set = system.explicit_settings();
-  return set.contains(Setting::camera) || set.contains(Setting::window);
-}
-
 void append_points(const RetainedScene& scene, const RetainedScene::Segment& segment,
                    std::vector<Point3>& points) {
   const auto of_segment = scene.points(segment);
@@ -148,6 +143,11 @@ void FollowedView::begin(GraphicsSystem& system, const Camera& camera) {
   camera_ = camera;
   has_followed_ = true;
   viewed_.reset();
+}
+
+bool FollowedView::is_view_set(const GraphicsSystem& system) {
+  const ExplicitSettings& set = system.explicit_settings();
+  return set.contains(Setting::camera) || set.contains(Setting::window);
 }
 
 void FollowedView::look(GraphicsSystem& system, const Camera& camera) {

@@ -35,6 +35,9 @@ class FollowedView {
   /// begins to follow, with z up.
   void begin_by_default(GraphicsSystem& system);
 
+  /// True if the application has set a camera or a window.
+  static bool is_view_set(const GraphicsSystem& system);
+
   bool follows() const { return camera_.has_value(); }
   /// Must be called when something else changed on which the view depends, such as the aspect
   /// ratio.

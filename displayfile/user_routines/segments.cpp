@@ -28,7 +28,7 @@ constexpr Limit kOfImageParts{1e90, "1e90"}, kOfImageCentres{1e9, "1e9"};
 
 void require_no_segments(const DisplayFile& display_file) {
   if (display_file.segments().empty()) return;
-  throw Error("there are segments already: expected retain() before the first one");
+  throw Error("there are segments already: expected retain, or a camera, before the first one");
 }
 
 }  // namespace

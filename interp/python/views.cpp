@@ -149,6 +149,9 @@ void add_views(py::module_& module, SystemClass& system) {
   system.def("_follows", [](System& of) {
     return of.call([&](GraphicsSystem&) { return of.followed().follows(); });
   });
+  system.def("_is_view_set", [](System& of) {
+    return of.call([](GraphicsSystem& entered) { return FollowedView::is_view_set(entered); });
+  });
   system.def("_views", [](System& of, py::handle size, const py::kwargs& keywords) {
     return std::make_unique<Views>(of, draw_options_in(size, keywords));
   });

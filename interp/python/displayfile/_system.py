@@ -50,6 +50,7 @@ class System(Drawing):
         """
         super().__init__()
         self._scale: _colours.Scale | None = None
+        self._has_warned = False
         if retain:
             self._retain()
         if aspect is not None:
@@ -136,7 +137,7 @@ class System(Drawing):
 
         They enter the open segment; if none is open, or segment is given, a new segment, which is
         closed again. Styles in force are unchanged. If no view was set, it is fitted to them and to
-        what follows, as by look().
+        what follows, as by look(); a UserWarning, if other segments were entered before.
 
         A colour is a name of CSS or matplotlib, "#rrggbb", a grey such as "0.5", or red, green and
         blue from 0 to 1, also with an alpha of 1. Faces in colours of values are not lit unless
@@ -178,7 +179,9 @@ class System(Drawing):
                 fill = _colours.colour(fill, "fill")
             if fills is not None:
                 fills = _colours.colours(fills, "fills")
-            return self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
+            name = self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
+            self._warn_if_not_fitted()
+            return name
         _require_none("colours of values", False, fill=fill, fills=fills, normals=normals)
         scalars = _colours.numbers(values, "values")
         points = _colours.numbers(vertices, "vertices")
@@ -196,7 +199,19 @@ class System(Drawing):
                 pieces, _scalars.picks_of(picks, count), segment, (vertices, faces, sides)
             )
         self._scale = scale
+        self._warn_if_not_fitted()
         return name
+
+    def _warn_if_not_fitted(self) -> None:
+        """Warns once where the camera cannot show what was entered before."""
+        if self._has_warned or self._follows() or self._is_view_set():
+            return
+        self._has_warned = True
+        warnings.warn(
+            "no view is set, and no camera fits it to segments that were entered before: expected "
+            "look() before the first of them, or a view; x and y from -1 to 1 are shown",
+            stacklevel=3,
+        )
 
     def _enter_pieces(
         self,
@@ -265,7 +280,9 @@ class System(Drawing):
         planes = _scalars.planes_of(crop)
         coloured = any(option is not None for option in (values, cmap, limits, levels))
         if not coloured and contours is None:
-            return self._surface(x, y, z, segment, planes)
+            name = self._surface(x, y, z, segment, planes)
+            self._warn_if_not_fitted()
+            return name
         heights, points = _scalars.points_of_grid(x, y, z)
         scalars = heights if values is None else _colours.numbers(values, "values")
         if scalars.shape != heights.shape:
@@ -276,11 +293,14 @@ class System(Drawing):
         corners, at_corners = points[triangles], scalars.ravel()[triangles]
         lines = _scalars.contours_of(corners, at_corners, contours, limits)
         if not coloured:
-            return self._surface(x, y, z, segment, planes, lines)
+            name = self._surface(x, y, z, segment, planes, lines)
+            self._warn_if_not_fitted()
+            return name
         scale = _colours.scale_of(scalars, cmap, limits, levels)
         pieces = _scalars.pieces_of(corners, cell, at_corners, scale)
         name = self._surface(x, y, z, segment, planes, lines, tuple(pieces))
         self._scale = scale
+        self._warn_if_not_fitted()
         return name
 
     def replay(self, text: str, name: str = "program") -> None:

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 import typing
+import warnings
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -272,6 +273,32 @@ def test_pyvista():
         entered("from_pyvista", mesh)
     with pytest.raises(Error):
         entered("from_pyvista", SimpleNamespace(points=CUBE, faces=padded[:-1]))
+
+
+def test_a_mesh_that_no_camera_shows_is_warned_of():
+    def with_a_line(begin: str = "") -> System:
+        system = System()
+        if begin:
+            system.replay(begin)
+        system.replay("open-segment 9\nline-abs-3 1 0 0\nclose-segment")
+        return system
+
+    late = with_a_line()
+    with pytest.warns(UserWarning, match="no view is set"):
+        late.mesh(CUBE, SIDES)
+    with pytest.warns(UserWarning, match="no view is set"):
+        with_a_line().surface([0, 1], [0, 1], np.eye(2), contours=2)
+    with pytest.raises(Error, match="segments already"):
+        late.look()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        late.mesh(CUBE, SIDES)  # once
+        with_a_line("set-window -1 1 -1 1").mesh(CUBE, SIDES)
+        seen = System()
+        seen.look()
+        seen.replay("open-segment 9\nline-abs-3 1 0 0\nclose-segment")
+        seen.mesh(CUBE, SIDES)
+        System().mesh(CUBE, SIDES)
 
 
 @pytest.mark.parametrize("method", ["from_trimesh", "from_meshio", "from_pyvista"])

@@ -401,7 +401,7 @@ void PlanesInReach::find_cells() {
   constexpr float kPart = 0x1p-6F;  // of the median tolerance
   constexpr double kOfMost = 0.9, kOfNearlyAll = 0.99;
   constexpr double kOfReach = 0x1p-6;
-  const std::size_t step = planes_.size() / (4 * kSome) + 1;
+  const std::size_t step = planes_.size() / (std::size_t{4} * kSome) + 1;
   std::vector<float> sizes;
   std::vector<double> errors;
   for (std::size_t k = 0; k < planes_.size(); k += step) {

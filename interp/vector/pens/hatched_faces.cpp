@@ -71,8 +71,9 @@ class FacesOfTones {
       if (face_of_[f] == kNone) grow_face(f);
     }
     find_first_facets();
-    for (std::size_t next = 0; next < facets_.size(); ++next) {
-      const std::uint32_t facet = facets_[next];
+    std::size_t next = 0;
+    while (next < facets_.size()) {  // more are found on the way
+      const std::uint32_t facet = facets_[next++];
       for (std::size_t k = members_from_[facet]; k < members_to_[facet]; ++k) {
         for_neighbours_of(members_[k],
                           [&](std::uint32_t n) { try_facet(face_of_[n], facet_of_[facet]); });

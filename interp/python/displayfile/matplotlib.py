@@ -113,6 +113,8 @@ def _switch(value: Any, what: str) -> bool:
 class Exact:
     """Draws axes with exact visibility. Returned by exact()."""
 
+    ax: Axes3D
+    """The axes."""
     method: str
     """As in exact; it may be set."""
     lift: float

@@ -18,6 +18,7 @@ from matplotlib.path import Path  # noqa: E402
 from mpl_toolkits.mplot3d import art3d, proj3d  # noqa: E402
 
 from displayfile import _matplotlib_private as private  # noqa: E402
+from displayfile._matplotlib_artists import _rings  # noqa: E402
 from displayfile.matplotlib import exact  # noqa: E402
 
 SQUARE = np.meshgrid([-1.0, 1.0], [-1.0, 1.0])
@@ -94,6 +95,16 @@ def rug_on_floor(shift: float) -> Any:
     ax.plot(*ends.T, color="lime", linewidth=4)
     ax.set(xlim=(shift - 1, shift + 1), ylim=(shift - 1, shift + 1), zlim=(-1, 1))
     return ax
+
+
+def test_rings_of_a_path_are_closed_where_it_closes_them() -> None:
+    points = np.arange(33.0).reshape(11, 3)
+    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
+    codes += [Path.MOVETO, *[Path.LINETO] * 3, Path.MOVETO, Path.CURVE3, Path.CURVE3]
+    (first, closes), (second, closes_too), (curve, _) = _rings(points, codes)
+    assert (first == points[:3]).all() and closes
+    assert (second == points[4:8]).all() and not closes_too
+    assert len(curve) > 4 and (curve[[0, -1]] == points[[8, 10]]).all()
 
 
 def test_options_that_are_set_later_are_checked() -> None:

@@ -365,7 +365,9 @@ TEST(Triangulation, SteepPolygonsAreTiledAsSeenAlongZWhereTheyDoNotCrossThemselv
   // One that stands on edge, or crosses itself from there, is cut as it is by default.
   const Polygon upright = {{0, 0, 0}, {1, 1, 0}, {2, 2, 3}, {1, 1, 2}};
   const Polygon bow_tie = {{0, 0, 0}, {1, 1, 0}, {1, 0, 5}, {0, 1, 9}};
-  for (const Polygon& polygon : {upright, bow_tie}) {
+  // As seen along y, the nearest axis, this one does not cross itself.
+  const Polygon twisted = {{1, 0, 1}, {0, 0.1, 1}, {0, 0, 0}, {1, 0.2, 0}};
+  for (const Polygon& polygon : {upright, bow_tie, twisted}) {
     Triangulation one, other;
     const auto by_default = one.triangulate(polygon);
     const auto along_z = other.triangulate(polygon, Triangulation::SeenAlong::z_axis);

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/mat4x3.hpp>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "hidden/touching/planes_in_reach.h"
+#include "hidden/touching/planes_in_row.h"
 #include "hidden/touching/touching_planes.h"
 
 namespace displayfile {
@@ -57,6 +60,7 @@ class ScenePlanes {
 };
 
 constexpr double kTouching = 0x1p-49, kNearby = 0x1p-24;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(ClosePlanes, ThatTouchAreFoundInAllDirections) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -311,15 +315,27 @@ TEST(PlanesInReach, NormalsThatAreTurnedOverFindEachOther) {
 TEST(PlanesInReach, PolygonsAnyhowAndAnyReach) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     ScenePlanes scene(seed);
-    for (int n = 0; n < 60; ++n) {
+    for (int n = 0; n < (seed % 2 == 0 ? 60 : 12); ++n) {
       const Point3 at = scene.point(), u = 0.3 * scene.point(), v = 0.3 * scene.point();
       scene.enter(ScenePlanes::square(at, u, v));
       if (n % 4 == 0) scene.enter(ScenePlanes::square(at + 0.4 * u - 0.7 * v, 0.1 * u, -0.2 * v));
       if (n % 5 == 0) scene.enter({at, at, at + u});  // no plane
     }
-    for (const double reach : {0x1p-49, 1e-9, 1e-4, 1e-2, 0.1}) {
+    for (const double reach : {0x1p-49, 1e-9, 1e-4, 1e-2, 0.1, 3.0, 1e30, 1e39, 1e200, kInfinity}) {
       expect_same_planes(scene, reach, "seed " + std::to_string(seed));
     }
+  }
+}
+
+/// Planes are compared several at a time, also past the last one.
+TEST(PlanesInRow, NoneAreFoundThatWereNotPut) {
+  for (const float near :
+       {1.0F, 1e38F, std::numeric_limits<float>::max(), static_cast<float>(kInfinity)}) {
+    PlanesInRow planes(3, near);
+    for (std::uint32_t k = 0; k < 3; ++k) planes.put(k, {{0.0F, 0.0F, 1.0F}, 0.5F}, k);
+    const std::array<PlanesInRow::Run, 1> all{{{0, 3}}};
+    const auto found = planes.near({0.3F, 0.2F, 0.1F}, all);
+    EXPECT_TRUE(std::ranges::equal(found, std::array<std::uint32_t, 3>{0, 1, 2})) << near;
   }
 }
 

@@ -65,7 +65,7 @@ namespace displayfile {
 static_assert(sizeof(PlanesInRow::Plane) == 4 * sizeof(float));
 
 PlanesInRow::PlanesInRow(std::size_t planes, float near)
-    : planes_(planes + kAtOnce, Plane{{0.0F, 0.0F, 0.0F}, std::numeric_limits<float>::max()}),
+    : planes_(planes + kAtOnce, Plane{{0.0F, 0.0F, 0.0F}, std::numeric_limits<float>::quiet_NaN()}),
       numbers_(planes),
       near_(near),
       find_(widest_form()) {}

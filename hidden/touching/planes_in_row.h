@@ -48,7 +48,7 @@ class PlanesInRow {
                            std::uint32_t*);
   static Form* widest_form();
 
-  std::vector<Plane> planes_;  // and kAtOnce that no point is near
+  std::vector<Plane> planes_;  // and kAtOnce at a distance of NaN: no point is near
   std::vector<std::uint32_t> numbers_, found_;
   float near_;
   Form* find_;

@@ -117,16 +117,12 @@ class Sheets {
   bool has_contour_near(std::uint32_t polygon, ContourEdges::Of of) const {
     if (!contours_.has_contour(polygon, of)) return false;
     const std::uint32_t sides = scene_.sides(polygon);
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      if (!contours_.is_contour(polygon, k, of)) continue;
+    return contours_.any_contour(polygon, sides, of, [&](std::uint32_t k) {
       const Point2 p(scene_.corner(polygon, previous_corner(k, sides)));
       const Point2 q(scene_.corner(polygon, k));
-      if (std::max(p.x, q.x) >= low_.x && std::min(p.x, q.x) <= high_.x &&
-          std::max(p.y, q.y) >= low_.y && std::min(p.y, q.y) <= high_.y) {
-        return true;
-      }
-    }
-    return false;
+      return std::max(p.x, q.x) >= low_.x && std::min(p.x, q.x) <= high_.x &&
+             std::max(p.y, q.y) >= low_.y && std::min(p.y, q.y) <= high_.y;
+    });
   }
 
   const LineTable& scene_;

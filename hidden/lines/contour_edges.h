@@ -50,14 +50,26 @@ class ContourEdges {
   /// polygons and their depth there; or the number only, with depths within step().
   enum class Of : std::uint8_t { depth, cover };
   /// False only if, at each side of a polygon that hides, there are equally many polygons on the
-  /// left and on the right; the other overload is for one side, by the corner at which it ends.
+  /// left and on the right.
   bool has_contour(std::uint32_t item, Of of) const {
     return has_contour_[item] > (of == Of::depth ? 0 : kOfDepth);
   }
-  bool is_contour(std::uint32_t item, std::uint32_t corner, Of of) const {
-    if (way_[item] == 0 || is_uneven(item, of)) return true;
-    const auto& sides = of == Of::cover && !uneven_.empty() ? cover_sides_ : contour_sides_;
-    return std::ranges::binary_search(sides, LineName{item, corner});
+  /// Calls visit with the corner at which each such side ends, until it returns true: then returns
+  /// true. All sides of a polygon that is not counted are contours.
+  template <class Visit>
+  bool any_contour(std::uint32_t item, std::uint32_t sides, Of of, const Visit& visit) const {
+    if (way_[item] == 0 || is_uneven(item, of)) {
+      for (std::uint32_t k = 0; k < sides; ++k) {
+        if (visit(k)) return true;
+      }
+      return false;
+    }
+    const auto& names = of == Of::cover && !uneven_.empty() ? cover_sides_ : contour_sides_;
+    auto at = std::ranges::lower_bound(names, LineName{item, 0});
+    for (; at != names.end() && at->item == item; ++at) {
+      if (visit(at->corner)) return true;
+    }
+    return false;
   }
   /// The maximum difference of depths of uneven polygons at a side that is not a contour of the
   /// cover; 0 if all polygons are even.

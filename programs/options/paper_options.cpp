@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "interp/draw/size_on_paper.h"
 #include "programs/options/colour_word.h"
 #include "programs/options/number_in.h"
 #include "programs/options/option_groups.h"
@@ -149,96 +150,6 @@ void PaperWords::add_to(CLI::App& command) {
       ->group(kPaperOptions);
 }
 
-namespace {
-
-/// In mm; a point for a picture of unknown density.
-double usual_pixel(const DrawOptions& options) {
-  return options.dpi ? kMillimetresOfInch / *options.dpi : 1.0 / kPointsOfMillimetre;
-}
-
-/// A picture's sides in pixels.
-struct Sides {
-  int width, height;
-};
-
-/// In mm: the pixel size with which the picture covers the whole room.
-double covering_pixel(const Sides& sides, const Point2& room) {
-  return std::max(room.x / sides.width, room.y / sides.height);
-}
-
-int whole_side(double side) { return std::max(1, static_cast<int>(std::lround(side))); }
-
-Sides usual_sides(const Point2& room, double pixel) {
-  return {whole_side(room.x / pixel), whole_side(room.y / pixel)};
-}
-
-/// The first picture with about that pixel size and nearly the room's shape; millimetres.
-Sides sides_of_shape(const Point2& room, double pixel) {
-  constexpr double kAbout = 0.02;
-  const Sides usual_ones = usual_sides(room, pixel);
-  const int usual = usual_ones.width;
-  const auto sides = [&](int width) { return Sides{width, whole_side(width * room.y / room.x)}; };
-  const auto over = [&](const Sides& of) {
-    const double covering = covering_pixel(of, room);
-    return std::max(covering * of.width - room.x, covering * of.height - room.y);
-  };
-  const int most = static_cast<int>(kAbout * usual);
-  for (int k = 0; k <= most; ++k) {
-    for (const int width : {usual - k, usual + k}) {
-      if (over(sides(width)) <= kOverMargins) return sides(width);
-    }
-  }
-  return usual_ones;
-}
-
-/// The shape of the paper between its margins. At a scale a picture without a density may be over
-/// the margins by an invisible amount, so that contents that fit on the paper fit in the picture.
-void take_shape(DrawOptions& options, bool at_scale) {
-  if (!options.vectors.paper) options.vectors.paper.emplace();
-  Paper& paper = *options.vectors.paper;
-  const PaperFit fit = fit_on_paper(paper, options.width, options.height);
-  paper.turned = fit.width > fit.height ? Paper::Turned::landscape : Paper::Turned::portrait;
-  const Point2 room = Point2(fit.width, fit.height) - 2.0 * paper.margin;
-  const double pixel = usual_pixel(options);
-  if (options.dpi) {
-    const auto pixels = [&](double side) {
-      return std::max(1, static_cast<int>(std::floor(side / pixel + 1e-6)));
-    };
-    options.width = pixels(room.x);
-    options.height = pixels(room.y);
-    return;
-  }
-  const Sides sides = at_scale ? sides_of_shape(room, pixel) : usual_sides(room, pixel);
-  options.width = sides.width;
-  options.height = sides.height;
-  const double covering = covering_pixel(sides, room);
-  const Point2 over = covering * Point2(sides.width, sides.height) - room;
-  if (at_scale && std::max(over.x, over.y) <= kOverMargins) paper.pixel = covering;
-}
-
-/// On the paper that is set, or else on a sheet of that size.
-void take_size(const MillimetreSize& size, DrawOptions& options) {
-  const double pixel = usual_pixel(options);
-  const Point2 room(size.width, size.height);
-  const bool on_sheet = options.vectors.paper && !options.dpi;
-  const Sides sides = on_sheet ? sides_of_shape(room, pixel) : usual_sides(room, pixel);
-  options.width = sides.width;
-  options.height = sides.height;
-  if (options.dpi) return;
-  if (on_sheet) {
-    options.vectors.paper->pixel = covering_pixel(sides, room);
-    return;
-  }
-  const bool is_wide = size.width > size.height;
-  options.vectors.paper =
-      Paper{.width = size.width,
-            .height = size.height,
-            .margin = 0.0,
-            .turned = is_wide ? Paper::Turned::landscape : Paper::Turned::portrait};
-}
-
-}  // namespace
-
 bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size, bool at_scale) const {
   if (dpi && !(*dpi >= 1.0 && *dpi <= kHighestDensity)) {
     throw Error(fmt::format("--dpi {}: expected 1 to {}", *dpi, kHighestDensity));
@@ -268,12 +179,12 @@ bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size, bool at
   if (margin) options.vectors.paper->margin = *margin;
   const auto millimetres = size.millimetres();
   if (millimetres) {
-    take_size(*millimetres, options);
+    take_size_on_paper(*millimetres, options);
     return false;
   }
   size.read(options.width, options.height);
   const bool takes_papers = !size.is_set() && (options.vectors.paper || options.pens);
-  if (takes_papers) take_shape(options, at_scale);
+  if (takes_papers) take_shape_of_paper(options, at_scale);
   return takes_papers;
 }
 

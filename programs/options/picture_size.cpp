@@ -8,6 +8,7 @@
 
 #include "clip/base/error.h"
 #include "interp/device/picture.h"
+#include "interp/draw/size_on_paper.h"
 #include "programs/options/option_groups.h"
 
 namespace displayfile {
@@ -25,25 +26,7 @@ void PictureSizeWord::add_to(CLI::App& command, bool on_paper) {
 }
 
 std::optional<MillimetreSize> PictureSizeWord::millimetres() const {
-  constexpr std::string_view kMillimetresWord = "mm";
-  if (!size.ends_with(kMillimetresWord)) return std::nullopt;
-  MillimetreSize sides{};
-  const char* const end = size.data() + size.size() - kMillimetresWord.size();
-  auto [p, failure] = std::from_chars(size.data(), end, sides.width);
-  const bool has_width = failure == std::errc{};
-  const std::string_view rest(p, static_cast<std::size_t>(end - p));
-  if (rest.starts_with(kMillimetresWord)) p += kMillimetresWord.size();
-  const bool has_cross = has_width && p != end && (*p == 'x' || *p == 'X');
-  const auto height = has_cross ? std::from_chars(p + 1, end, sides.height)
-                                : std::from_chars_result{p, std::errc::invalid_argument};
-  if (height.ec != std::errc{} || height.ptr != end) {
-    throw Error(fmt::format("--size {}: expected WIDTHxHEIGHTmm, such as 80x60mm", size));
-  }
-  for (const double side : {sides.width, sides.height}) {
-    if (side >= 1.0 && side <= kLargestSheet) continue;
-    throw Error(fmt::format("--size {}: expected sides of 1 to {} mm", size, kLargestSheet));
-  }
-  return sides;
+  return millimetre_size(size, "--size");
 }
 
 void PictureSizeWord::read(int& width, int& height) const {

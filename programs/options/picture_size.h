@@ -5,12 +5,9 @@
 #include <optional>
 #include <string>
 
-namespace displayfile {
+#include "interp/draw/size_on_paper.h"
 
-/// A size on paper.
-struct MillimetreSize {
-  double width, height;
-};
+namespace displayfile {
 
 /// The option --size, as a word.
 struct PictureSizeWord {

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "clip/base/error.h"
@@ -113,6 +116,73 @@ TEST_F(FollowedViews, SegmentsKeepTheirNumbersWhenOthersAreDeleted) {
   EXPECT_TRUE(followed_.is_beside(system_.retained()->segments()[0]));
   EXPECT_FALSE(followed_.is_beside(system_.retained()->segments()[1]));
   EXPECT_EQ(system_.retained()->segments()[1].view, *followed_.view());
+}
+
+TEST_F(FollowedViews, TextsHaveRoomForTheirLetters) {
+  constexpr double kAdvance = 0.6, kSize = 0.05;
+  const std::string letters(6, 'x');
+  for (const std::optional<double> angle : {std::optional<double>(), std::optional(30.0)}) {
+    for (const double aspect : {1.0, 1.7}) {
+      GraphicsSystem system;
+      FollowedView followed;
+      followed.look(system, {.eye = EyeDirection{70.0, 25.0}, .angle_of_view = angle});
+      system.open_segment(1);
+      box_3(system, {0, 0, 0}, {1, 1, 1});
+      for (const auto alignment : {TextStyle::Alignment::left, TextStyle::Alignment::right}) {
+        system.set_text_style({.size = kSize, .alignment = alignment});
+        system.move_abs_3(1.0, 1.0, 0.0);
+        system.text(letters);
+      }
+      system.close_segment();
+      followed.bring_up_to_date(system, aspect);
+      const Point3 at = *system.to_device({1.0, 1.0, 0.0});
+      const double reach = kAdvance * kSize * static_cast<double>(letters.size());
+      EXPECT_GE(at.x * aspect - reach, 0.0);
+      EXPECT_LE(at.x * aspect + reach, aspect);
+      EXPECT_GT(system.to_device({0.0, 1.0, 0.0})->y, 0.0);
+    }
+  }
+}
+
+TEST_F(FollowedViews, TextsForWhichThereIsNoRoomLeaveTheSceneAsItIs) {
+  for (const std::optional<double> angle : {std::optional<double>(), std::optional(30.0)}) {
+    std::vector<View> views;
+    for (const std::string& text : {std::string("x"), std::string(200, 'x')}) {
+      GraphicsSystem system;
+      FollowedView followed;
+      followed.look(system, {.eye = EyeDirection{70.0, 25.0}, .angle_of_view = angle});
+      system.open_segment(1);
+      box_3(system, {0, 0, 0}, {1, 1, 1});
+      system.set_text_style({.alignment = TextStyle::Alignment::centre});
+      system.move_abs_3(0.5, 0.5, 0.5);
+      system.text(text);
+      system.close_segment();
+      followed.bring_up_to_date(system);
+      views.push_back(*followed.view());
+    }
+    EXPECT_EQ(views[0], views[1]);
+  }
+}
+
+TEST_F(FollowedViews, ColumnsAreWideEnoughInNarrowPictures) {
+  followed_.look(system_, {});
+  enter_box(system_, 1, {0, 0, 0});
+  for (int k = 2; k <= 3; ++k) {
+    followed_.enter_beside(system_, 0.2, [&] { enter_box(system_, k, {0, 0, 0}, 0.1); });
+  }
+  for (const double aspect : {2.0, 1.0, 0.8, 0.3}) {
+    followed_.bring_up_to_date(system_, aspect);
+    const auto& segments = system_.retained()->segments();
+    const Rectangle scene = segments[0].view.viewport;
+    const Rectangle first = segments[1].view.viewport, second = segments[2].view.viewport;
+    EXPECT_EQ(first.x_max, 1.0);
+    EXPECT_EQ(second.x_max, first.x_min);
+    EXPECT_EQ(scene.x_max, second.x_min);
+    EXPECT_GE(scene.x_max, 0.3 - 1e-9);
+    if (aspect < 0.5) continue;  // there the scene has what it needs
+    EXPECT_NEAR((first.x_max - first.x_min) * std::min(aspect, 1.0), 0.2, 1e-9);
+    EXPECT_NEAR((second.x_max - second.x_min) * std::min(aspect, 1.0), 0.2, 1e-9);
+  }
 }
 
 TEST_F(FollowedViews, RecordedProgramsMakeTheSame) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <iterator>
 #include <optional>
 
 #include "clip/base/error.h"
@@ -30,6 +31,7 @@ constexpr double kDepthMargin = 0.01;     // in radii, before and behind the sce
 constexpr double kNearestFront = 1e-3;    // of the front plane to the eye, in the eye's distance
 constexpr double kParallelToUp = 1e-9;    // the sine of an angle
 constexpr double kFreeAtEachSide = 0.05;  // of a picture with an angle of view
+constexpr double kMostForLetters = 2.5;   // how much smaller letters may make the scene
 
 /// Position of the eye relative to its target.
 struct Sight {
@@ -98,10 +100,13 @@ std::vector<Point3> turned(std::span<const Point3> world, const Point3& middle,
 /// The data of the points needed to fit a view to them, in the view plane's coordinates.
 class FittedCamera {
  public:
-  /// Fits by the camera. Without an aspect ratio no window is fitted.
-  FittedCamera(std::span<const Point3> world, std::optional<double> aspect, const Camera& camera);
+  /// Fits by the camera. Without an aspect ratio no window is fitted. Letters of texts are in
+  /// heights of the viewport.
+  FittedCamera(std::span<const Point3> world, std::optional<double> aspect, const Camera& camera,
+               std::span<const PlacedText> texts = {});
   /// Fits only the window and the depth of a view whose camera was set.
-  FittedCamera(std::span<const Point3> world, double aspect, const View& set_before);
+  FittedCamera(std::span<const Point3> world, double aspect, const View& set_before,
+               std::span<const PlacedText> texts = {});
   const View& view() const { return view_; }
   /// Sets the window at that scale around the visible scene, if a window is fitted.
   void set_scale(const ExactScale& scale, const Rectangle& viewport);
@@ -109,7 +114,15 @@ class FittedCamera {
  private:
   void take(std::span<const Point3> world);
   void place_eye(double distance);
+  void place_in_view_plane(std::span<const Point3> world, std::span<const PlacedText> texts);
   void stand_back(double slope);
+  double distance_for_letters(double slope, const Point2& middle, double bare) const;
+  Point2 in_window(const Point3& p) const;
+  Bounds about_target(Bounds seen) const;
+  Bounds with_letters(Bounds seen, std::span<const PlacedText> texts, double height) const;
+  Bounds with_letters(const Bounds& seen) const;
+  double height_around(const Bounds& seen) const;
+  double height_for(const Bounds& seen, std::span<const PlacedText> texts, double most) const;
   void fit_window();
   void enclose_depth();
 
@@ -124,12 +137,13 @@ class FittedCamera {
   Point3 toward_eye_{0.0};
   glm::dmat4 view_plane_{1.0};
   std::vector<Point3> points_;
-  std::optional<Rectangle> shown_;  // by a fitted window, on the view plane
+  std::vector<PlacedText> texts_;
+  std::optional<Rectangle> shown_;  // by a fitted window, on the view plane, without letters
   View view_;
 };
 
 FittedCamera::FittedCamera(std::span<const Point3> world, std::optional<double> aspect,
-                           const Camera& camera)
+                           const Camera& camera, std::span<const PlacedText> texts)
     : camera_(camera), aspect_(aspect.value_or(1.0)) {
   if (const auto* axis = std::get_if<Upright>(&camera.upright)) upright_ = *axis;
   take(world);
@@ -156,9 +170,9 @@ FittedCamera::FittedCamera(std::span<const Point3> world, std::optional<double> 
   if (stands_back && camera.turning) {
     places = turned(world, scene_.middle(), upright_);
     world = places;
+    texts = {};
   }
-  points_.reserve(world.size());
-  for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
+  place_in_view_plane(world, texts);
   if (camera.angle_of_view) {
     const double slope = slope_of(*camera.angle_of_view);
     if (stands_back) stand_back(slope);
@@ -172,15 +186,15 @@ FittedCamera::FittedCamera(std::span<const Point3> world, std::optional<double> 
   enclose_depth();
 }
 
-FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const View& set_before)
+FittedCamera::FittedCamera(std::span<const Point3> world, double aspect, const View& set_before,
+                           std::span<const PlacedText> texts)
     : aspect_(aspect), view_(set_before) {
   take(world);
   camera_.parallel = set_before.projection == View::Projection::parallel;
   View along_normal = set_before;  // any direction will do for the axes of the view plane
   along_normal.set_parallel(set_before.plane_normal);
   view_plane_ = ViewVolume(along_normal).view_plane();
-  points_.reserve(world.size());
-  for (const Point3& p : world) points_.emplace_back(view_plane_ * HomogeneousPoint(p, 1.0));
+  place_in_view_plane(world, texts);
   if (camera_.parallel) {
     const Point3 along(view_plane_ * HomogeneousPoint(set_before.direction_of_projection, 0.0));
     slant_ = Point2(along) / along.z;
@@ -198,6 +212,16 @@ void FittedCamera::take(std::span<const Point3> world) {
   if (scene_.empty()) throw Error("no points to fit the view to");
   const double diagonal = glm::length(scene_.high - scene_.low);
   if (diagonal > 0.0) radius_ = 0.5 * diagonal;
+}
+
+void FittedCamera::place_in_view_plane(std::span<const Point3> world,
+                                       std::span<const PlacedText> texts) {
+  const auto placed = [&](const Point3& p) {
+    return Point3(view_plane_ * HomogeneousPoint(p, 1.0));
+  };
+  points_.reserve(world.size());
+  for (const Point3& p : world) points_.push_back(placed(p));
+  for (const auto& [anchor, letters] : texts) texts_.push_back({placed(anchor), letters});
 }
 
 void FittedCamera::place_eye(double distance) {
@@ -230,30 +254,101 @@ void FittedCamera::stand_back(double slope) {
     const double half = std::max(low[axis] + middle[axis], high[axis] - middle[axis]);
     distance = std::max(distance, half / slopes[axis]);
   }
+  distance = distance_for_letters(slope, middle, distance);
   const glm::dmat4 axes = glm::transpose(view_plane_);  // rows: the viewer's right, up and back
   view_.set_reference_point(view_.reference_point + middle.x * Point3(axes[0]) +
                             middle.y * Point3(axes[1]));
   place_eye(distance);
 }
 
-void FittedCamera::fit_window() {
-  Bounds seen;
-  for (const Point3& p : points_) {
-    const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
-    if (!(w > kNearestFront)) {
-      throw Error(
-          "part of the scene is not in front of the eye: expected an eye farther away, an angle of "
-          "view, no fitting, or a window that is set");
+/// The distance from which no letters cross the free part of a picture with an angle of view, or
+/// `bare`, from which no point does. The letters, whose size does not depend on it, take their part
+/// of the slope. Those that would need too much distance do not count.
+double FittedCamera::distance_for_letters(double slope, const Point2& middle, double bare) const {
+  constexpr double kHalves = 2.0;  // of the picture's height, in which slopes are measured
+  const double free = 1.0 - 2.0 * kFreeAtEachSide;
+  const Point2 whole(aspect_ * free, free);
+  double distance = bare;
+  for (const auto& [at, letters] : texts_) {
+    double own = bare;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double above = std::max(0.0, whole[axis] - kHalves * letters.high[axis]);
+      const double below = std::max(0.0, whole[axis] + kHalves * letters.low[axis]);
+      const double off = at[axis] - middle[axis];
+      own = std::max({own, at.z + off / (slope * above), at.z - off / (slope * below)});
     }
-    const Point2 at = eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
-    seen.include({at.x, at.y, p.z});
+    if (own <= kMostForLetters * bare) distance = std::max(distance, own);
   }
-  if (camera_.look_at) {
-    const Point3 reach = glm::max(glm::abs(seen.low), glm::abs(seen.high));
-    seen.include({-reach.x, -reach.y, seen.low.z});
-    seen.include({reach.x, reach.y, seen.low.z});
+  return distance;
+}
+
+/// The point's projection on the view plane.
+Point2 FittedCamera::in_window(const Point3& p) const {
+  const double w = camera_.parallel ? 1.0 : 1.0 - p.z / distance_;
+  if (!(w > kNearestFront)) {
+    throw Error(
+        "part of the scene is not in front of the eye: expected an eye farther away, an angle of "
+        "view, no fitting, or a window that is set");
   }
-  view_.set_window(fitted_window(seen, aspect_, kDepthMargin * radius_));
+  return eye_ + (Point2(p) - slant_ * p.z - eye_) / w;
+}
+
+/// With a target that is set in their middle.
+Bounds FittedCamera::about_target(Bounds seen) const {
+  if (!camera_.look_at) return seen;
+  const Point3 reach = glm::max(glm::abs(seen.low), glm::abs(seen.high));
+  seen.include({-reach.x, -reach.y, seen.low.z});
+  seen.include({reach.x, reach.y, seen.low.z});
+  return seen;
+}
+
+/// Includes the letters of the texts, as large as they are in a window of that height.
+Bounds FittedCamera::with_letters(Bounds seen, std::span<const PlacedText> texts,
+                                  double height) const {
+  const double z = seen.low.z;
+  for (const auto& [at, letters] : texts) {
+    const Point2 anchor = in_window(at);
+    seen.include({anchor + height * letters.low, z});
+    seen.include({anchor + height * letters.high, z});
+  }
+  return about_target(seen);
+}
+
+double FittedCamera::height_around(const Bounds& seen) const {
+  const Rectangle window = fitted_window(seen, aspect_, kDepthMargin * radius_);
+  return window.y_max - window.y_min;
+}
+
+/// The height of the window around what is seen and the letters of these texts: a larger window
+/// makes them larger on the view plane, so it grows until they are in it, up to `most`.
+double FittedCamera::height_for(const Bounds& seen, std::span<const PlacedText> texts,
+                                double most) const {
+  constexpr int kMostSteps = 200;  // each leaves a part of the rest, at most about nine tenths
+  constexpr double kNearEnough = 1e-6;
+  double height = height_around(seen);
+  for (int k = 0; k < kMostSteps && height < most; ++k) {
+    const double next = height_around(with_letters(seen, texts, height));
+    if (next <= (1.0 + kNearEnough) * height) break;
+    height = next;
+  }
+  return std::min(height, most);
+}
+
+/// The bounds with the letters of texts, except those that need too large a window by themselves.
+Bounds FittedCamera::with_letters(const Bounds& seen) const {
+  const double most = kMostForLetters * height_around(seen);
+  std::vector<PlacedText> kept;
+  std::ranges::copy_if(texts_, std::back_inserter(kept), [&](const PlacedText& text) {
+    return height_for(seen, std::span(&text, 1), most) < most;
+  });
+  return kept.empty() ? seen : with_letters(seen, kept, height_for(seen, kept, most));
+}
+
+void FittedCamera::fit_window() {
+  Bounds points;
+  for (const Point3& p : points_) points.include({in_window(p), p.z});
+  const Bounds seen = about_target(points);
+  view_.set_window(fitted_window(with_letters(seen), aspect_, kDepthMargin * radius_));
   shown_ = {seen.low.x, seen.high.x, seen.low.y, seen.high.y};
 }
 
@@ -317,8 +412,25 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
   }
 }
 
+namespace {
+
+/// The texts with their letters in heights of the viewport.
+std::vector<PlacedText> in_heights_of(const Rectangle& viewport,
+                                      std::span<const PlacedText> texts) {
+  const double height = viewport.y_max - viewport.y_min;
+  std::vector<PlacedText> all(texts.begin(), texts.end());
+  for (PlacedText& text : all) {
+    text.letters.low /= height;
+    text.letters.high /= height;
+  }
+  return all;
+}
+
+}  // namespace
+
 std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSystem& system,
-                                const Camera& camera, const CameraAsSet& set_before) {
+                                const Camera& camera, const CameraAsSet& set_before,
+                                std::span<const PlacedText> texts) {
   const RoundToNearest nearest;
   const bool has_camera = set_before.settings.contains(Setting::camera);
   if (set_before.settings.contains(Setting::window)) {
@@ -331,8 +443,9 @@ std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSys
   if (has_camera && !camera.fit) return std::nullopt;
   const Rectangle& viewport = set_before.view.viewport;
   const double aspect = shape_in_picture(viewport, system.aspect_ratio());
-  FittedCamera fitted = has_camera ? FittedCamera(world, aspect, set_before.view)
-                                   : FittedCamera(world, aspect, camera);
+  const std::vector<PlacedText> in_viewport = in_heights_of(viewport, texts);
+  FittedCamera fitted = has_camera ? FittedCamera(world, aspect, set_before.view, in_viewport)
+                                   : FittedCamera(world, aspect, camera, in_viewport);
   if (const auto& scale = SystemInside::scale(system)) fitted.set_scale(*scale, viewport);
   return fitted.view();
 }

@@ -6,6 +6,7 @@
 
 #include "clip/view/transformation.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/letters.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/mesh/up_axis.h"
 
@@ -40,9 +41,13 @@ struct CameraAsSet {
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera = {});
 void fit_view(std::span<const Point3> world, GraphicsSystem& system, const Camera& camera,
               const CameraAsSet& set);
-/// The view that fit_view sets, or none if nothing changes; Errors as there.
+/// The view that fit_view sets, or none if nothing changes; Errors as there. It makes room for the
+/// letters of the texts, whose anchors are among the points, except those for which the scene would
+/// be smaller by more than a factor of 2.5. An exact scale and views all around make room for the
+/// anchors only.
 std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSystem& system,
-                                const Camera& camera, const CameraAsSet& set);
+                                const Camera& camera, const CameraAsSet& set,
+                                std::span<const PlacedText> texts = {});
 /// Sets the view, except for the parts that the application has set.
 void set_fitted_view(const View& view, GraphicsSystem& system, const CameraAsSet& set);
 /// The same for meshes, with the modelling transformation in force and the meshes' up axis where

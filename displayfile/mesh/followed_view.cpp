@@ -13,6 +13,7 @@
 #include "clip/geometry/unit.h"
 #include "clip/pipeline/cutting_planes.h"
 #include "clip/view/transformation.h"
+#include "displayfile/looks/letters.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/text/program_in_view.h"
@@ -32,6 +33,13 @@ void append_points(const RetainedScene& scene, const RetainedScene::Segment& seg
   }
 }
 
+void append_texts(const RetainedScene& scene, const RetainedScene::Segment& segment,
+                  std::vector<PlacedText>& texts) {
+  for (const RetainedScene::Text& text : scene.texts(segment)) {
+    texts.push_back({text.anchor, letters_at_anchor(scene.attributes(text).text, text.characters)});
+  }
+}
+
 std::array<Point3, 8> corners_of(const Bounds& box) {
   std::array<Point3, 8> corners;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -47,6 +55,16 @@ Bounds unit_ball_at(const Point3& middle) {
   box.include(middle - Point3(1.0));
   box.include(middle + Point3(1.0));
   return box;
+}
+
+constexpr double kLeastForScene = 0.3;  // of the picture's width, beside columns
+
+/// The part of the picture's width for a column of that width in parts of its height, or of its
+/// width if that is smaller.
+double width_of_column(double width, double aspect) {
+  constexpr double kLeast = 0.12, kMost = 0.4, kMostOfNarrow = 0.67;
+  const double of_height = std::clamp(width, kLeast, kMost);
+  return aspect < 1.0 ? std::min(of_height / aspect, kMostOfNarrow) : of_height;
 }
 
 /// True if the segment is empty and as open_segment leaves it.
@@ -94,11 +112,14 @@ std::optional<View> FollowedView::view_of(const GraphicsSystem& system,
   if (system.retained() == nullptr) return std::nullopt;
   const RetainedScene& scene = *system.retained();
   std::vector<Point3> points;
+  std::vector<PlacedText> texts;
   for (const RetainedScene::Segment& segment : scene.segments()) {
-    if (is_followed(segment)) append_points(scene, segment, points);
+    if (!is_followed(segment)) continue;
+    append_points(scene, segment, points);
+    append_texts(scene, segment, texts);
   }
   if (points.empty()) return std::nullopt;
-  return fitted_view(points, system, camera, as_set(system));
+  return fitted_view(points, system, camera, as_set(system), texts);
 }
 
 /// The view of a ball of radius 1 if nothing is entered yet; otherwise fitted to the bounding box.
@@ -128,6 +149,28 @@ void FollowedView::set_view(GraphicsSystem& system, const View& view) {
   const Point3 light = mesh_light(system);
   SystemInside::turn_light(system, unit(light));
   if (lights_.empty() || lights_.back() != light) lights_.push_back(light);
+}
+
+/// Places the columns for pictures with that aspect ratio, narrower ones where the scene would have
+/// no room.
+void FollowedView::arrange_columns(double aspect) {
+  double right = columns_right_, all = 0.0;
+  for (const Beside& column : beside_) {
+    if (column.opened < first_) {
+      right = column.view.viewport.x_min;  // which it keeps
+    } else {
+      all += width_of_column(column.width, aspect);
+    }
+  }
+  const double room = right - kLeastForScene;
+  const double scale = all > room ? room / all : 1.0;
+  for (Beside& column : beside_) {
+    if (column.opened < first_) continue;
+    const double left = right - scale * width_of_column(column.width, aspect);
+    column.view.set_viewport({left, right, 0.0, 1.0});
+    right = left;
+  }
+  right_ = right;
 }
 
 void FollowedView::stop() {
@@ -244,6 +287,7 @@ void FollowedView::bring_up_to_date(GraphicsSystem& system, std::optional<double
   }
   const RetainedScene& scene = *system.retained();
   if (viewed_ && *viewed_ == scene.edition()) return;
+  arrange_columns(system.aspect_ratio());
   const std::optional<View> fitted = view_of(system, *camera_);
   const View view = fitted ? *fitted : view_before_fit(system);
   if (!is_open) set_view(system, view);
@@ -294,7 +338,6 @@ void without_light(GraphicsSystem& system, const std::function<void()>& enter) {
 
 void FollowedView::enter_beside(GraphicsSystem& system, double width,
                                 const std::function<void()>& enter) {
-  constexpr double kLeast = 0.12, kMost = 0.4, kLeft = 0.3;
   const RoundToNearest nearest;
   if (!system.modelling_transformation().is_identity() ||
       SystemInside::cutting_planes(system).any()) {
@@ -302,17 +345,20 @@ void FollowedView::enter_beside(GraphicsSystem& system, double width,
         "a modelling transformation or a cutting plane is in force: expected none for what stands "
         "beside the scene");
   }
-  const double left = right_ - std::clamp(width, kLeast, kMost);
-  if (left < kLeft) throw Error("no room is left beside the scene");
+  const double left = right_ - width_of_column(width, system.aspect_ratio());
+  if (left < kLeastForScene) throw Error("no room is left beside the scene");
   View view;
   view.set_window({0.0, width, 0.0, 1.0});
   view.set_viewport({left, right_, 0.0, 1.0});
   SystemInside::in_other_view(system, view, [&] { without_light(system, enter); });
   right_ = left;
   const RetainedScene* const scene = system.retained();
-  if (!camera_ || scene == nullptr) return;
+  if (!camera_ || scene == nullptr) {
+    columns_right_ = left;
+    return;
+  }
   const RetainedScene::Segment& entered = scene->segments().back();
-  beside_.push_back({entered.opened, entered.name, view, view});
+  beside_.push_back({entered.opened, entered.name, width, view, view});
   viewed_.reset();
 }
 

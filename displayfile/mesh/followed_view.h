@@ -61,10 +61,10 @@ class FollowedView {
 
   /// Calls enter(), which opens and closes one segment, in a view of its own, whatever the camera:
   /// along z, of x from 0 to `width` and y from 0 to 1, in the middle of a column at the right of
-  /// the picture, of at least that width in the picture's. If the camera follows, the followed
-  /// scene is to the left of the column from then on. The light in force leaves colours as they
-  /// are. Errors: no room beside other columns; a modelling transformation or cutting planes in
-  /// force.
+  /// the picture, of at least that part of the picture's width or height, whichever is smaller. If
+  /// the camera follows, the followed scene is to the left of the column from then on, in pictures
+  /// of any shape. The light in force leaves colours as they are. Errors: no room beside other
+  /// columns; a modelling transformation or cutting planes in force.
   void enter_beside(GraphicsSystem& system, double width, const std::function<void()>& enter);
   /// True for a segment entered by it.
   bool is_beside(const RetainedScene::Segment& segment) const;
@@ -80,7 +80,8 @@ class FollowedView {
   /// A segment with a view of its own.
   struct Beside {
     std::uint32_t opened;
-    int name;  ///< when it was opened
+    int name;      ///< when it was opened
+    double width;  ///< of its window, whose height is 1
     View view, in_picture;
   };
   bool is_followed(const RetainedScene::Segment& segment) const;
@@ -90,6 +91,7 @@ class FollowedView {
   View view_before_fit(const GraphicsSystem& system) const;
   void begin(GraphicsSystem& system, const Camera& camera);
   void set_view(GraphicsSystem& system, const View& view);
+  void arrange_columns(double aspect);
   void stop();
   void count_bounds(const RetainedScene& scene);
 
@@ -102,6 +104,7 @@ class FollowedView {
   bool has_followed_ = false;
   std::vector<Beside> beside_;
   std::vector<Point3> lights_;  // default ones, each in place of those before
+  double columns_right_ = 1.0;  // of the columns in beside_
   double right_ = 1.0;          // of the viewport for what it follows
 };
 

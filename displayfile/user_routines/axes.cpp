@@ -17,6 +17,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "clip/geometry/rectangle.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/letters.h"
 #include "displayfile/looks/style.h"
 #include "displayfile/user_routines/ranges.h"
 
@@ -25,7 +26,7 @@ namespace displayfile {
 namespace {
 
 /// Lengths relative to the size of the texts, as seen.
-constexpr double kTick = 0.4, kGap = 0.45, kCapital = 0.7, kLetterWidth = 0.6;
+constexpr double kTick = 0.4, kGap = 0.45, kCapital = kCapitalHeight;
 constexpr double kBeside = 2.8, kAbove = 1.4;  // from a number to the next in a row, in a column
 constexpr double kNearest = kTick + 2.0 * kGap, kFarthest = 30.0, kFarther = 0.25;  // of names
 constexpr double kFarthestNumbers = 5.0;
@@ -79,11 +80,6 @@ struct Axes {
   std::vector<Label> labels;
   std::vector<PaperBox> boxes;  ///< of the labels
 };
-
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 class AxesOfBox {
  public:
@@ -232,14 +228,11 @@ class AxesOfBox {
     axes.labels.push_back(std::move(label));
   }
 
-  /// Approximate, since fonts differ.
   PaperBox box_of(const Label& label) const {
-    const double width = kLetterWidth * size_ * static_cast<double>(letters(label.text));
-    const double before = label.alignment == TextStyle::Alignment::left    ? 0.0
-                          : label.alignment == TextStyle::Alignment::right ? width
-                                                                           : 0.5 * width;
-    const Point2 low = seen(label.at) - Point2(before, 0.0);
-    return {low, low + Point2(width, kCapital * size_)};
+    const PaperBox letters =
+        letters_at_anchor({.size = size_, .alignment = label.alignment}, label.text);
+    const Point2 at = seen(label.at);
+    return {at + letters.low, at + letters.high};
   }
 
   /// The position of a point in the picture, whose height is 1.

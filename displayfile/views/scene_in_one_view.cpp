@@ -8,7 +8,7 @@ namespace displayfile {
 
 SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& attributes,
                                  const View& otherwise) {
-  SceneInOneView result{otherwise, {}, {}};
+  SceneInOneView result{otherwise, {}, {}, {}};
   const RetainedScene::Segment* first = nullptr;
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!attributes.segment(segment.name).visible) continue;
@@ -28,6 +28,8 @@ SceneInOneView scene_in_one_view(const RetainedScene& scene, const DisplayFile& 
     for (const RetainedScene::Text& text : texts) {
       result.bounds.include(text.anchor);
       result.points.push_back(text.anchor);
+      result.texts.push_back(
+          {text.anchor, letters_at_anchor(scene.attributes(text).text, text.characters)});
     }
     for (const KeptAnnotation& annotation : segment.annotations) {
       for (const Point3& p : annotation.points) {

@@ -5,6 +5,7 @@
 #include "clip/geometry/bounds.h"
 #include "clip/view.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/letters.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/retained_scene.h"
 
@@ -15,6 +16,7 @@ struct SceneInOneView {
   View view;
   std::vector<Point3> points;  ///< all points and text anchors, in world coordinates
   Bounds bounds;               ///< theirs; empty if there are none
+  std::vector<PlacedText> texts = {};
 };
 
 /// `attributes` is the display file of the system that retained the scene, with the visibility of

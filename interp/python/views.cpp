@@ -11,6 +11,7 @@
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/view/view_volume.h"
+#include "displayfile/looks/letters.h"
 #include "displayfile/mesh/fitted_view.h"
 #include "displayfile/mesh/followed_view.h"
 #include "displayfile/views/scene_in_one_view.h"
@@ -63,6 +64,7 @@ class Views {
       SceneInOneView in_one = scene_in_one_view(scene_, display_file_, of.view());
       as_drawn_ = in_one.view;
       points_ = std::move(in_one.points);
+      texts_ = std::move(in_one.texts);
       camera_ = system.followed().camera().value_or(Camera{});
       lights_follow_ = !of.explicit_settings().contains(Setting::light);
       shape_.set_aspect_ratio(of.aspect_ratio());
@@ -98,7 +100,8 @@ class Views {
     const RoundToNearest nearest;
     View view = as_drawn_;
     if (!points_.empty()) {
-      view = *fitted_view(points_, shape_, camera, {shape_.view(), shape_.explicit_settings()});
+      view = *fitted_view(points_, shape_, camera, {shape_.view(), shape_.explicit_settings()},
+                          texts_);
       view.viewport = as_drawn_.viewport;
       view.front_clipping = as_drawn_.front_clipping;
       view.back_clipping = as_drawn_.back_clipping;
@@ -111,6 +114,7 @@ class Views {
   RetainedScene scene_;
   View as_drawn_;
   std::vector<Point3> points_;
+  std::vector<PlacedText> texts_;
   Camera camera_;
   bool lights_follow_ = false, leaves_out_ = false;
   GraphicsSystem shape_;  // of the pictures

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "clip/base/work_budget.h"
 #include "clip/geometry/back_face.h"
 #include "displayfile/entered/instructions.h"
+#include "displayfile/looks/gouraud.h"
+#include "displayfile/user_routines/surface_normals.h"
 #include "displayfile/user_routines/system_state.h"
 
 namespace displayfile {
@@ -128,13 +132,18 @@ void GraphicsSystem::State::enter_cells(const SurfaceGrid& grid, std::span<const
 void GraphicsSystem::State::enter_cells_in_order(const SurfaceGrid& grid,
                                                  std::span<const Point3> world, Segment& segment) {
   const int columns = grid.x_points - 1, rows = grid.y_points - 1;
+  std::optional<SurfaceNormals> normals;
+  if (looks_.attributes.light && looks_.attributes.shading != Shading::flat) {
+    normals.emplace(grid, looks_.crease_degrees);
+  }
+  const SurfaceNormals* const smooth = normals ? &*normals : nullptr;
   std::vector<std::int64_t> next_of_row;
   for (int j = 0; j < rows; ++j) {
     if (modelling_.mirrors()) next_of_row.push_back(ordinal_);
     for (int i = 0; i < columns; ++i) {
       if (!grid.has_cell(i, j)) continue;
       const std::int64_t ordinal = ordinal_++;
-      if (!modelling_.mirrors()) enter_cell(grid, world, {i, j, ordinal}, segment);
+      if (!modelling_.mirrors()) enter_cell(grid, world, {i, j, ordinal, smooth}, segment);
     }
   }
   if (!modelling_.mirrors()) return;
@@ -142,7 +151,7 @@ void GraphicsSystem::State::enter_cells_in_order(const SurfaceGrid& grid,
     for (int j = 0; j < rows; ++j) {
       if (!grid.has_cell(i, j)) continue;
       const std::int64_t ordinal = next_of_row[static_cast<std::size_t>(j)]++;
-      enter_cell(grid, world, {i, j, ordinal}, segment);
+      enter_cell(grid, world, {i, j, ordinal, smooth}, segment);
     }
   }
 }
@@ -164,7 +173,7 @@ void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const 
     return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(grid.x_points) +
            static_cast<std::uint32_t>(x);
   };
-  const auto& [i, j, ordinal] = cell;
+  const auto& [i, j, ordinal, normals] = cell;
   std::uint32_t b = index(i + 1, j), d = index(i, j + 1);
   const std::uint32_t a = index(i, j), c = index(i + 1, j + 1);
   std::uint8_t along_ab = looks_.surfaces.curves != SurfaceCurves::y;
@@ -174,9 +183,11 @@ void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const 
     std::swap(along_ab, along_ad);
   }
   const int pick = pick_ >= 0 ? pick_ : pick_of_ordinal(ordinal);
-  const bool plain = retaining() == nullptr && !is_viewed_later() && !cutting_planes_.any();
+  const bool plain =
+      retaining() == nullptr && !is_viewed_later() && !cutting_planes_.any() && normals == nullptr;
   const auto enter_triangle = [&](const std::array<std::uint32_t, 3>& of_triangle,
-                                  const std::array<std::uint8_t, 3>& edge_visible) {
+                                  const std::array<std::uint8_t, 3>& edge_visible,
+                                  std::span<Point3> vertex_normals) {
     if (plain && view_stage_->enter_triangle(world, {of_triangle, edge_visible, pick},
                                              looks_.attributes, segment)) {
       return;
@@ -185,15 +196,34 @@ void GraphicsSystem::State::enter_cell(const SurfaceGrid& grid, std::span<const 
         looks_.attributes.light ? newell_normal(PointRow(world, of_triangle)) : Point3(0.0);
     const std::array entered{point_of(grid, of_triangle[0]), point_of(grid, of_triangle[1]),
                              point_of(grid, of_triangle[2])};
-    const WorldPolygon triangle{
-        PointRow(world, of_triangle), edge_visible, normal, {}, pick, entered, modelling_matrix()};
+    for (Point3& n : vertex_normals) n = modelling_.apply_to_normal(n);
+    if (!vertex_normals.empty()) orient(vertex_normals, normal);
+    const WorldPolygon triangle{PointRow(world, of_triangle),
+                                edge_visible,
+                                normal,
+                                vertex_normals,
+                                pick,
+                                entered,
+                                modelling_matrix()};
     if (cutting_planes_.any()) return enter_cut(triangle);
     if (RetainedScene* scene = retaining()) scene->enter_polygon(triangle, looks_.attributes);
     if (!is_viewed_later())
       view_stage_->enter_shared(of_triangle, triangle, looks_.attributes, segment);
   };
-  enter_triangle({a, b, c}, {0, along_ab, along_ad});
-  enter_triangle({a, c, d}, {along_ad, 0, along_ab});
+  if (normals == nullptr) {
+    enter_triangle({a, b, c}, {0, along_ab, along_ad}, {});
+    enter_triangle({a, c, d}, {along_ad, 0, along_ab}, {});
+    return;
+  }
+  auto of_abc = normals->of(i, j, SurfaceNormals::Half::abc);
+  auto of_acd = normals->of(i, j, SurfaceNormals::Half::acd);
+  if (modelling_.mirrors()) {  // b and d have changed places
+    std::swap(of_abc, of_acd);
+    std::swap(of_abc[1], of_abc[2]);
+    std::swap(of_acd[1], of_acd[2]);
+  }
+  enter_triangle({a, b, c}, {0, along_ab, along_ad}, of_abc);
+  enter_triangle({a, c, d}, {along_ad, 0, along_ab}, of_acd);
 }
 
 }  // namespace displayfile

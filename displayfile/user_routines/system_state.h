@@ -24,6 +24,8 @@
 
 namespace displayfile {
 
+class SurfaceNormals;
+
 /// The state of a GraphicsSystem, and the steps that its routines share.
 struct GraphicsSystem::State {
   struct Pen {
@@ -119,6 +121,7 @@ struct GraphicsSystem::State {
   struct SurfaceCell {
     int i, j;
     std::int64_t ordinal;
+    const SurfaceNormals* normals;  ///< null: shaded flat
   };
   void enter_cell(const SurfaceGrid& grid, std::span<const Point3> world, const SurfaceCell& cell,
                   Segment& segment);

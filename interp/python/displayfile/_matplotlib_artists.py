@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from matplotlib.collections import Collection
+from matplotlib.collections import Collection, PathCollection
 from matplotlib.colors import to_rgba
 from matplotlib.path import Path
 
@@ -58,18 +59,15 @@ class Style(NamedTuple):
         c.set_path_effects(self.effects)
         c.set_snap(self.snap)
         c.set_gid(self.gid)
-        c.set_url(self.url)
+        if self.url is not None:
+            # One alone is not written of a single path, nor one that set_url sets.
+            c.set_urls([self.url, self.url])
         c.set_rasterized(self.rasterized)
         c.set_agg_filter(self.agg_filter)
 
 
 def style_of(artist: Any, cap: Any, join: Any) -> Style:
     hatch = artist.get_hatch() if hasattr(artist, "get_hatch") else None
-    if isinstance(artist, Collection):
-        urls = artist.get_urls()
-        url = urls[0] if len(urls) else None
-    else:
-        url = artist.get_url()
     return Style(
         artist.get_clip_on(),
         artist.get_clip_box(),
@@ -82,10 +80,25 @@ def style_of(artist: Any, cap: Any, join: Any) -> Style:
         tuple(artist.get_path_effects() or ()),
         artist.get_snap(),
         artist.get_gid(),
-        url,
+        _url_of(artist),
         artist.get_rasterized(),
         artist.get_agg_filter(),
     )
+
+
+def _url_of(artist: Any) -> Any:
+    """Of all its parts: a collection may have several, of which a part keeps none."""
+    if not isinstance(artist, Collection):
+        return artist.get_url()
+    urls = {url for url in artist.get_urls() if url is not None}
+    if len(urls) > 1 and not isinstance(artist, PathCollection):
+        warnings.warn(
+            f"exact: {len(urls)} urls of one {type(artist).__name__} are left out: expected set_url, "
+            "or artists of their own",
+            stacklevel=2,
+        )
+        return None
+    return urls.pop() if len(urls) == 1 else artist.get_url()
 
 
 class Styles:

@@ -383,6 +383,8 @@ class Markers(Collection):  # type: ignore[misc]
         if hasattr(artist, "get_sizes"):
             copy.set_sizes(artist.get_sizes(), self.figure.dpi)
         style_of(artist, *private.cap_and_join(artist)).give(copy)
+        if len(artist.get_urls()) > 1:
+            copy.set_urls(artist.get_urls())
         copy.draw(renderer)
 
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
 
 from . import _matplotlib_private as private
@@ -58,8 +60,7 @@ def exact(
         Error: Axes that are not three-dimensional, an option of another type or out of range, or a
             version of matplotlib without a required attribute.
     """
-    if not isinstance(ax, Axes3D):
-        raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}")
+    _require_axes(ax)
     options = _checked(
         {"method": method, "lift": lift, "line_order": line_order, "halo": halo, "clip": clip}
     )
@@ -75,6 +76,19 @@ def exact(
     else:
         ax.draw = handle._draw
     return handle
+
+
+def _require_axes(ax: Any) -> None:
+    if isinstance(ax, Axes3D):
+        return
+    advice = ""
+    if isinstance(ax, Figure):
+        advice = ": call exact for each of its axes, such as fig.axes[0]"
+    elif isinstance(ax, (np.ndarray, list, tuple)):
+        advice = ": call exact for each of the axes in it"
+    elif isinstance(ax, Axes):
+        advice = ": these axes have no projection='3d'"
+    raise Error(f"exact: expected an Axes3D, not {type(ax).__name__}{advice}")
 
 
 def _checked(options: dict[str, Any]) -> dict[str, Any]:

@@ -52,6 +52,7 @@ PYBIND11_MODULE(_displayfile, module) {
   add_turntable(module, system);
   add_views(module, system);
   add_surfaces(system);
+  add_lines(system);
   add_beside(system);
   add_scalars(module);
   add_polygons(module);

@@ -21,6 +21,7 @@
 #include "interp/device/output_device.h"
 #include "interp/device/picture.h"
 #include "interp/draw/drawing_choice.h"
+#include "interp/draw/size_on_paper.h"
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/errors.h"
@@ -34,6 +35,8 @@ namespace py = pybind11;
 // ---- Options -----------------------------------------------------------------------------
 
 namespace {
+
+constexpr int kUsualSize = 512;  // of both sides
 
 Colour colour_in(py::handle value, std::string_view what) {
   const std::vector<double> colour = numbers_in(value, what);
@@ -211,10 +214,24 @@ const std::map<std::string_view, Read>& readers() {
   return all;
 }
 
+bool has_usable_density(const DrawOptions& options) {
+  return !options.dpi || (*options.dpi >= 1.0 && *options.dpi <= kHighestDensity);
+}
+
+/// Must be called after the paper, the pens and the density are read.
 void read_size(py::handle size, DrawOptions& options) {
   const py::object given = plain(size, "size");
-  const bool is_pair = PySequence_Check(given.ptr()) != 0 && PyUnicode_Check(given.ptr()) == 0;
-  if (!is_pair) {
+  if (PyUnicode_Check(given.ptr()) != 0) {
+    const std::string word = word_in(given, "size");
+    const auto in_mm = millimetre_size(word, "size");
+    if (!in_mm) {
+      throw Error(fmt::format(
+          "size '{}': expected whole numbers of pixels, or millimetres, such as '80x60mm'", word));
+    }
+    if (has_usable_density(options)) take_size_on_paper(*in_mm, options);
+    return;
+  }
+  if (PySequence_Check(given.ptr()) == 0) {
     options.width = options.height = whole_number_in(given, "size");
     return;
   }
@@ -235,7 +252,6 @@ void read_size(py::handle size, DrawOptions& options) {
 
 DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
   DrawOptions options;
-  read_size(size, options);
   const auto read = [&](bool last) {
     for (const auto& [key, value] : keywords) {
       if (value.is_none()) continue;
@@ -247,6 +263,7 @@ DrawOptions draw_options_in(py::handle size, const py::kwargs& keywords) {
   };
   read(false);
   read(true);
+  read_size(size, options);
   return options;
 }
 
@@ -301,11 +318,13 @@ void warn(const std::string& message) {
 }
 
 /// Warnings of drawing without the interpreter's lock: collected for tell(), except that a picture
-/// is stretched, which is known before anything is drawn or written.
+/// is stretched, which is known before anything is drawn or written. An open segment that a camera
+/// does not show yet is warned of too, and is then the reason if nothing is seen.
 class Warned {
  public:
   explicit Warned(DrawOptions& options) {
     options.warn = [this](const DrawWarning& warning) {
+      if (warning.kind == DrawWarning::Kind::nothing_seen && left_open_) return;
       if (warning.kind != DrawWarning::Kind::stretched) return texts_.push_back(warning.text);
       const py::gil_scoped_acquire lock;
       warn(warning.text);
@@ -313,19 +332,48 @@ class Warned {
   }
   Warned(const Warned&) = delete;
   Warned& operator=(const Warned&) = delete;
+  /// Must be called before drawing.
+  void note_open_segment(GraphicsSystem& system, const FollowedView& followed) {
+    const auto open = system.open_segment_name();
+    if (!open || !followed.follows() || system.retained() == nullptr) return;
+    const RetainedScene& scene = *system.retained();
+    const RetainedScene::Segment& last = scene.segments().back();
+    const bool is_empty =
+        last.first == scene.size() && scene.texts(last).empty() && last.annotations.empty();
+    if (!is_empty) left_open_ = open;
+  }
   void tell() const {
+    if (left_open_) {
+      warn(fmt::format(
+          "segment {} is open, and not in the picture: a camera shows segments that are closed: "
+          "expected close_segment before the picture",
+          *left_open_));
+    }
     for (const std::string& text : texts_) warn(text);
   }
 
  private:
+  std::optional<int> left_open_;
   std::vector<std::string> texts_;
 };
+
+/// Without a size it is the usual one or, on paper, that of the paper between its margins where a
+/// camera fits the view to pictures of any shape.
+DrawOptions options_of_file(System& self, py::handle size, const py::kwargs& keywords) {
+  if (!size.is_none()) return draw_options_in(size, keywords);
+  DrawOptions options = draw_options_in(py::int_(kUsualSize), keywords);
+  const bool is_on_paper = options.vectors.paper || options.pens;
+  const bool fits = self.call([&](GraphicsSystem&) { return self.fits_any_shape(); });
+  if (is_on_paper && fits && has_usable_density(options)) take_shape_of_paper(options);
+  return options;
+}
 
 py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
   DrawOptions options = draw_options_in(size, keywords);
   Warned warned(options);
   Picture picture =
       self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+        warned.note_open_segment(system, self.followed());
         renderer.give_back(self.spare()->take());
         renderer.draw(system, options);
         return renderer.take_picture();
@@ -345,13 +393,14 @@ py::tuple require_drawn(System& self, py::handle to, py::handle size, const py::
 }
 
 py::object draw_as(System& self, py::handle format, py::handle size, const py::kwargs& keywords) {
-  DrawOptions options = draw_options_in(size, keywords);
+  DrawOptions options = options_of_file(self, size, keywords);
   Warned warned(options);
   const std::string name = word_in(format, "format");
   const std::string bytes =
       self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
         DrawOptions in_format = options;
         in_format.format = name;
+        warned.note_open_segment(system, self.followed());
         CollectedText written;
         written.exceptions(std::ios::badbit);  // that of memory, where it is written
         renderer.draw(system, written, in_format);
@@ -363,11 +412,12 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
 
 void save(System& self, py::handle to, py::handle format, py::handle size,
           const py::kwargs& keywords) {
-  DrawOptions options = draw_options_in(size, keywords);
+  DrawOptions options = options_of_file(self, size, keywords);
   const std::string path = path_in(to, "path");
   if (!format.is_none()) options.format = word_in(format, "format");
   Warned warned(options);
   self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
+    warned.note_open_segment(system, self.followed());
     renderer.draw(system, path, options);
   });
   warned.tell();

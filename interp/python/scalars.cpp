@@ -47,13 +47,14 @@ py::list ticks(double low, double high) {
   return all;
 }
 
-/// The vertices of triangles that tile the faces, the face of each, and the number of faces.
+/// The vertices of triangles that tile the faces, their corners among those of the faces, the face
+/// of each, and the number of faces.
 py::tuple triangles_of(py::handle vertices, py::handle faces, py::handle sides) {
   const std::vector<Point3> points = points_in(vertices, "vertices");
   const Faces polygons = faces_in(faces, sides, points.size());
   const std::size_t count =
       polygons.sides.empty() ? polygons.corners.size() / 3 : polygons.sides.size();
-  std::vector<std::int64_t> corners, face;
+  std::vector<std::int64_t> vertex_of, corner_of, face;
   Triangulation triangulation;
   std::vector<Point3> polygon;
   std::size_t first = 0;
@@ -63,16 +64,20 @@ py::tuple triangles_of(py::handle vertices, py::handle faces, py::handle sides) 
       throw Error(fmt::format("face {} of {} corners: expected at least 3, and all of them", k, n));
     }
     const auto of_face = std::span(polygons.corners).subspan(first, n);
-    first += n;
     polygon.clear();
     for (const std::uint32_t corner : of_face) polygon.push_back(points[corner]);
     for (const auto& triangle : triangulation.triangulate(polygon)) {
-      for (const std::uint32_t vertex : triangle.vertex) corners.push_back(of_face[vertex]);
+      for (const std::uint32_t corner : triangle.vertex) {
+        vertex_of.push_back(of_face[corner]);
+        corner_of.push_back(static_cast<std::int64_t>(first + corner));
+      }
       face.push_back(static_cast<std::int64_t>(k));
     }
+    first += n;
   }
   const auto triangles = static_cast<py::ssize_t>(face.size());
-  return py::make_tuple(owned<std::int64_t>(std::move(corners), {triangles, 3}),
+  return py::make_tuple(owned<std::int64_t>(std::move(vertex_of), {triangles, 3}),
+                        owned<std::int64_t>(std::move(corner_of), {triangles, 3}),
                         owned(std::move(face)), count);
 }
 

@@ -18,6 +18,8 @@
 #include "interp/python/arguments.h"
 #include "interp/python/arrays.h"
 #include "interp/python/entering.h"
+#include "interp/python/lines.h"
+#include "interp/python/smooth_faces.h"
 #include "interp/python/system.h"
 
 namespace displayfile::python {
@@ -148,7 +150,7 @@ void enter_cells(const SurfacePoints& surface, GraphicsSystem& system) {
     }
   }
   const std::vector<std::uint32_t> sides(corners.size() / 4, 4);
-  system.polygons_abs_3({vertices, corners, sides});
+  enter_faces(system, {vertices, corners, sides});
 }
 
 /// The surface in pieces of one colour each.
@@ -157,13 +159,14 @@ struct SurfacePieces {
   std::vector<std::uint32_t> corners, sides;
   std::vector<FillStyle> fills;
   std::vector<std::int32_t> picks;
-  ManyPolygons many() const { return {points, corners, sides, fills, picks}; }
+  std::vector<Point3> normals;
+  ManyPolygons many() const { return {points, corners, sides, fills, picks, normals}; }
 };
 
 std::optional<SurfacePieces> pieces_in(py::handle value) {
   if (value.is_none()) return std::nullopt;
-  const auto [points, sides, fills, picks] =
-      py::cast<std::tuple<py::object, py::object, py::object, py::object>>(value);
+  const auto [points, sides, fills, picks, normals] =
+      py::cast<std::tuple<py::object, py::object, py::object, py::object, py::object>>(value);
   SurfacePieces pieces;
   pieces.points = points_in(points, "points");
   for (const std::int32_t n : whole_numbers_in(sides, "sides")) {
@@ -174,6 +177,7 @@ std::optional<SurfacePieces> pieces_in(py::handle value) {
   }
   pieces.fills = fills_in(fills, "fills");
   pieces.picks = whole_numbers_in(picks, "picks");
+  if (!normals.is_none()) pieces.normals = points_in(normals, "normals");
   return pieces;
 }
 
@@ -211,10 +215,9 @@ void cropping(GraphicsSystem& system, std::span<const std::array<double, 4>> pla
   off();
 }
 
-/// Enters lines in the line style that the application set, or else in black.
-void enter_lines(GraphicsSystem& system, std::span<const Point3> ends) {
-  SystemInside::keep_line_style(system, [&] {
-    SystemInside::by_default(system, Setting::line_style, [&] { system.set_line_style({}); });
+void enter_contours(GraphicsSystem& system, std::span<const Point3> ends,
+                    const OwnLineStyle& style) {
+  with_line_style(system, style, [&] {
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
       system.move_abs_3(ends[k].x, ends[k].y, ends[k].z);
       system.line_abs_3(ends[k + 1].x, ends[k + 1].y, ends[k + 1].z);
@@ -231,19 +234,21 @@ void enter_surface(const SurfacePoints& points, GraphicsSystem& system) {
 }
 
 int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle segment,
-            py::handle crop, py::handle lines, py::handle in_pieces) {
+            py::handle crop, py::handle lines, py::handle in_pieces, py::handle line_colour,
+            py::handle line_width) {
   const auto name = if_given(segment, "segment", whole_number_in);
   SurfacePoints points = surface_points(x, y, z);
   const auto planes = planes_in(crop);
   const std::vector<Point3> ends =
       lines.is_none() ? std::vector<Point3>() : segments_in(lines, "contours");
   const std::optional<SurfacePieces> pieces = pieces_in(in_pieces);
+  const OwnLineStyle style = own_line_style_in(line_colour, line_width, "contour_");
   return in_followed_segment(self, {name, !pieces}, [&](GraphicsSystem& system) {
     if (points.regular) make_rise(points);
     cropping(system, planes, [&] {
       const auto enter_whole = [&] { enter_surface(points, system); };
       pieces ? enter_in_pieces(system, pieces->many(), enter_whole) : enter_whole();
-      enter_lines(system, ends);
+      if (!ends.empty()) enter_contours(system, ends, style);
     });
   });
 }
@@ -252,7 +257,8 @@ int surface(System& self, py::handle x, py::handle y, py::handle z, py::handle s
 
 void add_surfaces(SystemClass& system) {
   system.def("_surface", surface, py::arg(), py::arg(), py::arg(), py::arg(), py::arg(),
-             py::arg() = py::none(), py::arg() = py::none());
+             py::arg() = py::none(), py::arg() = py::none(), py::arg() = py::none(),
+             py::arg() = py::none());
 }
 
 }  // namespace displayfile::python

@@ -21,6 +21,7 @@
 #include "interp/python/camera.h"
 #include "interp/python/entering.h"
 #include "interp/python/errors.h"
+#include "interp/python/smooth_faces.h"
 
 namespace displayfile::python {
 
@@ -233,12 +234,29 @@ int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, 
     sides_drawn = faces_in(whole_faces, whole_sides, of_sides.size());
   }
   return in_followed_segment(self, {name, is_lit}, [&](GraphicsSystem& system) {
-    if (outline.is_none()) return system.polygons_abs_3(many);
+    if (outline.is_none()) return enter_faces(system, many);
     enter_in_pieces(system, many, [&] {
       system.polygons_abs_3(
           {.vertices = of_sides, .corners = sides_drawn.corners, .sides = sides_drawn.sides});
     });
   });
+}
+
+/// Normals at the corners of the faces, (C, 3), for pieces of them; None where those do not count,
+/// because the light of pieces leaves colours as they are unless one is set.
+py::object normals_at_corners(System& self, py::handle vertices, py::handle faces,
+                              py::handle sides) {
+  const bool count = self.call([](GraphicsSystem& system) {
+    return system.explicit_settings().contains(Setting::light) && shades_smoothly(system);
+  });
+  if (!count) return py::none();
+  const std::vector<Point3> points = points_in(vertices, "vertices");
+  const Faces polygons = faces_in(faces, sides, points.size());
+  if (polygons.corners.empty() || !std::ranges::all_of(points, in_range)) return py::none();
+  return owned(self.work([&](GraphicsSystem& system, Renderer&) {
+    return corner_normals(
+        {.vertices = points, .corners = polygons.corners, .sides = polygons.sides}, system);
+  }));
 }
 
 // ---- Files -------------------------------------------------------------------------------
@@ -311,6 +329,7 @@ SystemClass add_system(py::module_& module) {
   system.def("_recording", [](System& self) { return self.recording(); });
   system.def("_mesh", mesh, py::arg(), py::arg(), py::arg(), py::arg(), py::arg(), py::arg(),
              py::arg(), py::arg(), py::arg() = py::none(), py::arg() = true);
+  system.def("_normals_at_corners", normals_at_corners);
   system.def("_replay", replay_text);
   system.def("_replay_file", replay_path);
   system.def("_import_mesh",

@@ -85,6 +85,8 @@ class System {
   void running(GraphicsSystem& system, bool sets_view, const std::function<void()>& run);
 
   void set_aspect_ratio(double aspect);
+  /// True if the view is fitted to pictures of any shape. Must be called within work() or call().
+  bool fits_any_shape() const { return followed_.follows() && !is_aspect_set_; }
 
   /// Starts or stops recording. The recording is kept.
   void record(bool on) {
@@ -136,6 +138,8 @@ void add_pictures(SystemClass& system);
 void add_turntable(pybind11::module_& module, SystemClass& system);
 /// The methods that enter surfaces of heights, with lines on them, in pieces.
 void add_surfaces(SystemClass& system);
+/// Adds the method that enters lines through points.
+void add_lines(SystemClass& system);
 /// Adds the methods for content beside the scene, such as a colour bar.
 void add_beside(SystemClass& system);
 /// Adds functions for colours of scalars, and for their triangles.

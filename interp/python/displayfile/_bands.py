@@ -17,7 +17,7 @@ class Bands(typing.NamedTuple):
     """Polygons that tile the triangles, each between two neighbouring bounds."""
 
     points: Floats
-    """(N, 3)"""
+    """(N, D)"""
     sides: Indices
     """(K,): the number of corners of each."""
     triangle: Indices
@@ -27,7 +27,9 @@ class Bands(typing.NamedTuple):
 
 
 def bands(points: Floats, values: Floats, bounds: Floats) -> Bands:
-    """Cut triangles, (T, 3, 3), with values at their corners, (T, 3), at the inner bounds.
+    """Cut triangles, (T, 3, D), with values at their corners, (T, 3), at the inner bounds.
+
+    A point is three coordinates, and more numbers that are linear over each triangle.
 
     A point on a side of two triangles is the same number for both: it is found from the side's end
     of the lower value, and an end that lies on a bound is the point.
@@ -87,7 +89,7 @@ def _without_repeats(corners: Floats, is_corner: npt.NDArray[np.bool_], triangle
         missing = ~is_corner[:, k - 1]
         previous = np.where(missing[:, None], corners[:, k - 2], previous)
         before[:, k] = previous
-    is_corner &= (corners != before).any(axis=2)
+    is_corner &= (corners != before)[..., :3].any(axis=2)
     sides = is_corner.sum(axis=1)
     kept = sides >= 3
     return Bands(

@@ -18,7 +18,7 @@ from ._system import System
 
 _ENTERING = (
     *_displayfile.user_routines(),
-    *("look", "mesh", "surface", "colour_bar", "legend"),
+    *("look", "mesh", "surface", "polyline", "colour_bar", "legend"),
     *("replay", "replay_file", "import_mesh", "set_aspect_ratio", "record"),
 )
 _OF_FILES = ("import_mesh", "replay_file")

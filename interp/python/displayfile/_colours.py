@@ -176,12 +176,14 @@ def _of_matplotlib(name: str) -> typing.Any:
 class Scale:
     """Colours of scalars: `bounds` (N + 1,) rise, and colours[k] is from bounds[k] to bounds[k + 1].
 
-    What lies outside has the first or the last colour.
+    What lies outside has the first or the last colour. `is_banded`: the bounds are levels, and not
+    steps of a colour map.
     """
 
-    def __init__(self, bounds: Floats, colours: Floats) -> None:
+    def __init__(self, bounds: Floats, colours: Floats, is_banded: bool = False) -> None:
         self.bounds = bounds
         self.colours = colours
+        self.is_banded = is_banded
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -220,7 +222,8 @@ def scale_of(
     bounds = bounds_of(levels, low, high)
     # Halves first: the sum of two large bounds may be none.
     middles = 0.5 * bounds[1:] + 0.5 * bounds[:-1]
-    return Scale(bounds, steps_of(cmap, (middles - bounds[0]) / (bounds[-1] - bounds[0])))
+    colours = steps_of(cmap, (middles - bounds[0]) / (bounds[-1] - bounds[0]))
+    return Scale(bounds, colours, is_banded=True)
 
 
 def bounds_of(levels: typing.Any, low: float, high: float) -> Floats:

@@ -12,7 +12,7 @@ from ._views import Views
 if typing.TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
-    from ._displayfile import _Numbers, _OneColour, _Path, _Size
+    from ._displayfile import _Numbers, _OneColour, _Path, _Size, _SizeOfFile
     from ._literals import Device, Format, HiddenLines, LineOrder, Method, Scope
 
 _MOST_POLYGONS_AS_SVG = 2000
@@ -286,12 +286,12 @@ class Drawing(_displayfile.System):
         return Views(self._views(size, **options), more_than_pixels)
 
     def svg(
-        self, size: _Size = 512, *, hidden: Method | None = None, **options: typing.Any
+        self, size: _SizeOfFile = None, *, hidden: Method | None = None, **options: typing.Any
     ) -> str:
         """Draw as SVG.
 
         Args:
-            size: (width, height) in pixels, or one number for both.
+            size: As in save.
             hidden: As in draw.
             options: Those of save.
 
@@ -301,12 +301,12 @@ class Drawing(_displayfile.System):
         return self._draw_as("svg", size, hidden=hidden, **self._checked(options)).decode()
 
     def pdf(
-        self, size: _Size = 512, *, hidden: Method | None = None, **options: typing.Any
+        self, size: _SizeOfFile = None, *, hidden: Method | None = None, **options: typing.Any
     ) -> bytes:
         """Draw as PDF.
 
         Args:
-            size: (width, height) in points, or one number for both.
+            size: As in save.
             hidden: As in draw.
             options: Those of save.
 
@@ -316,12 +316,12 @@ class Drawing(_displayfile.System):
         return self._draw_as("pdf", size, hidden=hidden, **self._checked(options))
 
     def eps(
-        self, size: _Size = 512, *, hidden: Method | None = None, **options: typing.Any
+        self, size: _SizeOfFile = None, *, hidden: Method | None = None, **options: typing.Any
     ) -> bytes:
         """Draw as EPS.
 
         Args:
-            size: (width, height) in points, or one number for both.
+            size: As in save.
             hidden: As in draw.
             options: Those of save.
 
@@ -331,12 +331,12 @@ class Drawing(_displayfile.System):
         return self._draw_as("eps", size, hidden=hidden, **self._checked(options))
 
     def png(
-        self, size: _Size = 512, *, hidden: Method | None = None, **options: typing.Any
+        self, size: _SizeOfFile = None, *, hidden: Method | None = None, **options: typing.Any
     ) -> bytes:
         """Draw as PNG.
 
         Args:
-            size: (width, height) in pixels, or one number for both.
+            size: As in save.
             hidden: As in draw.
             options: Those of save.
 
@@ -346,12 +346,12 @@ class Drawing(_displayfile.System):
         return self._draw_as("png", size, hidden=hidden, **self._checked(options))
 
     def ppm(
-        self, size: _Size = 512, *, hidden: Method | None = None, **options: typing.Any
+        self, size: _SizeOfFile = None, *, hidden: Method | None = None, **options: typing.Any
     ) -> bytes:
         """Draw as PPM.
 
         Args:
-            size: (width, height) in pixels, or one number for both.
+            size: As in save.
             hidden: As in draw.
             options: Those of save.
 
@@ -363,7 +363,7 @@ class Drawing(_displayfile.System):
     def save(
         self,
         path: _Path | typing.IO[bytes] | typing.IO[str],
-        size: _Size = 512,
+        size: _SizeOfFile = None,
         *,
         format: Format | None = None,
         dpi: float | None = None,
@@ -379,7 +379,9 @@ class Drawing(_displayfile.System):
             path: The file; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, not
                 standard output. Or an open file, such as io.BytesIO(), to which the whole picture is
                 written: its format is set, or that of its name, or "png".
-            size: (width, height) in pixels, for PDF and EPS in points; or one number for both.
+            size: (width, height) in pixels, for PDF and EPS in points; or one number for both; or
+                millimetres, such as "80x60mm", which a PNG has with dpi. Default: 512; on paper its
+                shape between the margins, if a camera fits the view and no aspect ratio is set.
             format: One of these, such as "svg", overriding the extension.
             dpi: For PNG: pixels per inch, which the file states; with paper the picture stands on a
                 sheet in pixels.
@@ -388,8 +390,8 @@ class Drawing(_displayfile.System):
             samples: As in draw.
             threads: As in draw.
             options: Those of draw except ids and depth; and for vectors these:
-            paper: The paper, on which the picture is as large as fits: "A4", "letter" and others,
-                or "WIDTHxHEIGHT" in mm.
+            paper: The paper, on which the picture is as large as fits: "A4", "A4-landscape",
+                "letter" and others, or "WIDTHxHEIGHT" in mm.
             margin: Margin of the paper in mm; default 10.
             vector_precision: Unit in pixels to which vertices are rounded, 0.001 to 1; default
                 0.01.

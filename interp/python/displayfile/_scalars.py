@@ -17,11 +17,13 @@ if typing.TYPE_CHECKING:
 
 _BAR_STEPS = 64
 _LETTER = 0.026  # of the picture's height, as all lengths here
-_LETTER_WIDTH = 0.6 * _LETTER
+_LETTER_WIDTH, _LINE = 0.6, 1.4  # of letters, relative to their size
 _BAR_WIDTH, _TICK, _BEFORE_NUMBER = 0.025, 0.008, 0.014
 _LOW, _HIGH = 0.25, 0.75
 _SWATCH, _ROW = 0.024, 0.045
 _EDGE = 0.02
+_MOST_WIDTH = 0.4  # of a column, in pictures that are not narrower than high
+_MOST_TICKS = 13
 
 
 # ---- On faces and at vertices ------------------------------------------------------------
@@ -55,25 +57,67 @@ class Pieces(typing.NamedTuple):
     fills: Floats
     face: Indices
     """The face that each is a part of."""
+    normals: Floats | None
+    """Of the points, with smooth shading."""
 
 
 def pieces_of(
-    triangles: Floats, face: Indices, values: Floats, scale: _colours.Scale
+    triangles: Floats,
+    face: Indices,
+    values: Floats,
+    scale: _colours.Scale,
+    normals: Floats | None = None,
 ) -> Pieces:
-    """Triangles (T, 3, 3) with values (T, 3), cut where the colour changes."""
+    """Triangles (T, 3, 3) with values (T, 3), and normals (T, 3, 3) if there are some, cut where the
+    colour changes."""
     import numpy as np
 
     from ._bands import bands
 
+    if normals is not None:  # which are linear over a triangle as its points are
+        triangles = np.concatenate([triangles, normals], axis=2)
     known = ~np.isnan(values).any(axis=1)
     cut = bands(triangles[known], values[known], scale.bounds)
     unknown = triangles[~known]
+    points = np.concatenate([cut.points, unknown.reshape(-1, triangles.shape[2])])
     return Pieces(
-        np.concatenate([cut.points, unknown.reshape(-1, 3)]),
+        np.ascontiguousarray(points[:, :3]),
         np.concatenate([cut.sides, np.full(len(unknown), 3)]),
         scale.of_steps(np.concatenate([cut.band, np.full(len(unknown), -1)])),
         np.concatenate([face[known][cut.triangle], face[~known]]),
+        None if normals is None else np.ascontiguousarray(points[:, 3:]),
     )
+
+
+def normals_of(normals: typing.Any, vertices: int) -> Floats:
+    """As an array (N, 3), one for each vertex."""
+    import numpy as np
+
+    array = _colours.numbers(normals, "normals")
+    if array.shape != (vertices, 3):
+        raise Error(f"normals: shape {array.shape}, expected ({vertices}, 3), one for each vertex")
+    if not np.isfinite(array).all():
+        raise Error("normals: expected finite numbers")
+    return array
+
+
+def runs_of(points: typing.Any, closed: bool) -> tuple[Floats, Indices]:
+    """The points of a polyline without those that are unknown, and how many are in each run."""
+    import numpy as np
+
+    array = _colours.numbers(points, "points")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise Error(f"points: expected an array of shape (N, 3), not {array.shape}")
+    known = ~np.isnan(array).any(axis=1)
+    if closed and len(array):
+        array, known = np.append(array, array[:1], axis=0), np.append(known, known[:1])
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(np.int8)))
+    first, end = ends[::2], ends[1::2]
+    long = end - first >= 2
+    if not long.any():
+        raise Error(f"points: {len(points)} of them: expected 2 or more without a gap")
+    kept = [array[a:b] for a, b in zip(first[long], end[long])]
+    return np.concatenate(kept), (end - first)[long]
 
 
 def picks_of(picks: typing.Any, faces: int) -> typing.Any:
@@ -103,6 +147,13 @@ def points_of_grid(x: typing.Any, y: typing.Any, z: typing.Any) -> tuple[Floats,
     if xs.shape != zs.shape or ys.shape != zs.shape:
         raise Error(f"x and y: expected the shape of z, {zs.shape}, or its columns and rows")
     return zs, np.stack([xs, ys, zs], axis=-1).reshape(-1, 3)
+
+
+def without_nan(points: Floats) -> Floats:
+    """With 0 for unknown coordinates, of points in no triangle."""
+    import numpy as np
+
+    return np.where(np.isnan(points), 0.0, points)
 
 
 def contours_of(
@@ -199,25 +250,28 @@ def _frame(left: float, right: float, low: float, high: float) -> list[tuple[flo
     return [(*a, *b) for a, b in zip(corners, corners[1:])]
 
 
-def colour_bar(scale: _colours.Scale, label: str, ticks: typing.Any) -> Beside:
+def colour_bar(scale: _colours.Scale, label: str, ticks: typing.Any, letters: typing.Any) -> Beside:
     low, high = scale.limits
     left, right = _EDGE, _EDGE + _BAR_WIDTH
-    numbers = _ticks_of(scale, ticks)
+    size = _size_of(letters)
 
     def at(value: float) -> float:
         return _LOW + (value - low) / (high - low) * (_HIGH - _LOW)
 
+    numbers = [(at(value), text) for value, text in _ticks_of(scale, ticks, size)]
     bounds = [at(bound) for bound in scale.bounds.tolist()]
     lines = _frame(left, right, _LOW, _HIGH)
-    lines += [(right, at(value), right + _TICK, at(value)) for value, _ in numbers]
-    texts = [
-        (right + _BEFORE_NUMBER, at(value) - 0.35 * _LETTER, _LETTER, text)
-        for value, text in numbers
+    lines += [(right, y, right + _TICK, y) for y, _ in numbers]
+    texts = [(right + _BEFORE_NUMBER, y - 0.35 * size, size, text) for y, text in numbers]
+    rows = _in_rows(label, size)
+    above = _HIGH + size
+    texts += [
+        (left, above + _LINE * size * k, size, row) for k, row in enumerate(reversed(rows))
     ]
-    if label:
-        texts.append((left, _HIGH + _LETTER, _LETTER, label))
+    if above + _LINE * size * len(rows) > 1.0:
+        raise Error(f"colour_bar: the label has {len(rows)} rows: expected a shorter one")
     return Beside(
-        _width(texts),
+        _width(texts, "colour_bar"),
         [(left, right, a, b) for a, b in zip(bounds, bounds[1:])],
         typing.cast("typing.Any", scale.colours.tolist()),
         typing.cast("list[tuple[float, float, float, float]]", lines),
@@ -225,9 +279,31 @@ def colour_bar(scale: _colours.Scale, label: str, ticks: typing.Any) -> Beside:
     )
 
 
-def _ticks_of(scale: _colours.Scale, ticks: typing.Any) -> list[tuple[float, str]]:
+def _size_of(letters: typing.Any) -> float:
+    if letters is None:
+        return _LETTER
+    size = _colours.numbers(letters, "letters")
+    if size.ndim != 0 or not 0.001 <= size <= 0.1:
+        raise Error(
+            f"letters: {letters!r}: expected their size as a part of the picture's height, 0.001 to "
+            "0.1, such as 9 / 288 for 9 points where the picture is 288 points high"
+        )
+    return float(size)
+
+
+def _in_rows(label: str, size: float) -> list[str]:
+    """The label in rows that the widest column has room for; words are not broken."""
+    import textwrap
+
+    most = int((_MOST_WIDTH - 2.0 * _EDGE) / (_LETTER_WIDTH * size))
+    return textwrap.wrap(label, max(1, most), break_long_words=False, break_on_hyphens=False)
+
+
+def _ticks_of(scale: _colours.Scale, ticks: typing.Any, size: float) -> list[tuple[float, str]]:
     low, high = scale.limits
     if ticks is None:
+        if scale.is_banded:
+            return _ticks_at_bounds(scale.bounds, size)
         return _displayfile._ticks(low, high)
     values = _colours.numbers(ticks, "ticks")
     if values.ndim != 1 or not ((values >= low) & (values <= high)).all():
@@ -235,25 +311,61 @@ def _ticks_of(scale: _colours.Scale, ticks: typing.Any) -> list[tuple[float, str
     return [(value, _displayfile._number(value)) for value in values.tolist()]
 
 
-def legend(entries: typing.Any) -> Beside:
+def _ticks_at_bounds(bounds: Floats, size: float) -> list[tuple[float, str]]:
+    """Ticks at the bounds of bands, at every second or third of many; and no number where it would
+    touch the one below."""
+    import numpy as np
+
+    every = -(-(len(bounds) - 1) // (_MOST_TICKS - 1))
+    kept = bounds[::every]
+    apart = (kept - kept[0]) / (bounds[-1] - bounds[0]) * (_HIGH - _LOW)
+    least_step = float(np.diff(kept).min()) if len(kept) > 1 else float(bounds[-1] - bounds[0])
+    ticks: list[tuple[float, str]] = []
+    last = -np.inf
+    for value, place in zip(kept.tolist(), apart.tolist()):
+        has_room = place - last >= _LINE * size
+        ticks.append((value, _rounded(value, least_step) if has_room else ""))
+        last = place if has_room else last
+    return ticks
+
+
+def _rounded(value: float, step: float) -> str:
+    """The number to a hundredth of a step, and no more digits than it has."""
+    import math
+
+    decimals = 2 - math.floor(math.log10(step))
+    return _displayfile._number(float(round(value, decimals)))
+
+
+def legend(entries: typing.Any, letters: typing.Any) -> Beside:
+    size = _size_of(letters)
+    row = max(_ROW, _LINE * size)
     try:
         pairs = [(str(name), _colours.colour(value, "legend")) for name, value in entries.items()]
     except AttributeError:
         raise Error("legend: expected a dictionary of names and their colours") from None
     if not pairs:
         raise Error("legend: expected at least one name")
-    top = 0.5 + 0.5 * _ROW * len(pairs)
+    top = 0.5 + 0.5 * row * len(pairs)
     beside = Beside(0.0, [], [], [], [])
     for k, (name, fill) in enumerate(pairs):
-        low = top - (k + 1) * _ROW + 0.5 * (_ROW - _SWATCH)
+        low = top - (k + 1) * row + 0.5 * (row - _SWATCH)
         box = (_EDGE, _EDGE + _SWATCH, low, low + _SWATCH)
         beside.rectangles.append(box)
         beside.fills.append(fill)
         beside.lines.extend(typing.cast("typing.Any", _frame(*box)))
         x = _EDGE + _SWATCH + _BEFORE_NUMBER
-        beside.texts.append((x, low + 0.5 * _SWATCH - 0.35 * _LETTER, _LETTER, name))
-    return beside._replace(width=_width(beside.texts))
+        beside.texts.append((x, low + 0.5 * _SWATCH - 0.35 * size, size, name))
+    return beside._replace(width=_width(beside.texts, "legend"))
 
 
-def _width(texts: list[tuple[float, float, float, str]]) -> float:
-    return max(x + _LETTER_WIDTH * len(text) for x, _, _, text in texts) + _EDGE
+def _width(texts: list[tuple[float, float, float, str]], what: str) -> float:
+    wide = {x + _LETTER_WIDTH * size * len(text): text for x, _, size, text in texts}
+    widest = max(wide, default=0.0)
+    if widest + _EDGE > _MOST_WIDTH:
+        warnings.warn(
+            f"{what}: '{wide[widest]}' is wider than its column: expected shorter words, or smaller "
+            "letters",
+            stacklevel=4,
+        )
+    return max(widest, _EDGE + _BAR_WIDTH) + _EDGE

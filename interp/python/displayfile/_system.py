@@ -140,8 +140,8 @@ class System(Drawing):
         what follows, as by look(); a UserWarning, if other segments were entered before.
 
         A colour is a name of CSS or matplotlib, "#rrggbb", a grey such as "0.5", or red, green and
-        blue from 0 to 1, also with an alpha of 1. Faces in colours of values are not lit unless
-        set_light was called.
+        blue from 0 to 1, also with an alpha of 1. Faces in colours of values are not lit, and so not
+        shaded, unless set_light was called.
 
         Args:
             vertices: An array (N, 3), in world coordinates.
@@ -153,7 +153,8 @@ class System(Drawing):
             fills: The colour of each face: an array (M, 3), or a sequence of colours.
             picks: An array (M,): the pick identifier of each face, 0 or more; default: the one in
                 force, or each face's ordinal, with values at vertices its index.
-            normals: An array (N, 3): vertex normals for smooth shading.
+            normals: An array (N, 3): vertex normals for smooth shading. Default, if set_shading was
+                called: the mean of the faces around each vertex; set_crease_angle keeps edges.
             values: Scalars that colours stand for: (M,), one for each face, or (N,), one for each
                 vertex. Those of vertices are linear over each triangle, and each colour covers
                 exactly its part of it, in pixels and vectors. Faces with a nan are light grey.
@@ -182,19 +183,26 @@ class System(Drawing):
             name = self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
             self._warn_if_not_fitted()
             return name
-        _require_none("colours of values", False, fill=fill, fills=fills, normals=normals)
+        _require_none("colours of values", False, fill=fill, fills=fills)
         scalars = _colours.numbers(values, "values")
         points = _colours.numbers(vertices, "vertices")
-        triangles, face, count = _displayfile._triangles_of(vertices, faces, sides)
+        triangles, corners, face, count = _displayfile._triangles_of(vertices, faces, sides)
         place = _scalars.place_of(scalars, at, count, len(points))
         scale = _colours.scale_of(scalars, cmap, limits, levels)
         if place == "faces":
             fills = scale.of_steps(scale.steps(scalars))
             name = self._mesh(
-                vertices, faces, sides, segment, None, fills, picks, None, None, False
+                vertices, faces, sides, segment, None, fills, picks, normals, None, False
             )
         else:
-            pieces = _scalars.pieces_of(points[triangles], face, scalars[triangles], scale)
+            if normals is None:
+                at_corners = self._normals_at_corners(vertices, faces, sides)
+                of_triangles = None if at_corners is None else at_corners[corners]
+            else:
+                of_triangles = _scalars.normals_of(normals, len(points))[triangles]
+            pieces = _scalars.pieces_of(
+                points[triangles], face, scalars[triangles], scale, of_triangles
+            )
             name = self._enter_pieces(
                 pieces, _scalars.picks_of(picks, count), segment, (vertices, faces, sides)
             )
@@ -230,7 +238,7 @@ class System(Drawing):
             None,
             pieces.fills,
             picks[pieces.face],
-            None,
+            pieces.normals,
             outline,
             False,
         )
@@ -247,12 +255,15 @@ class System(Drawing):
         limits: tuple[float | None, float | None] | None = None,
         levels: int | _Numbers | None = None,
         contours: int | _Numbers | None = None,
+        contour_colour: _OneColour | None = None,
+        contour_width: float | None = None,
         crop: _Crop | None = None,
     ) -> int:
         """Enter the surface of heights over a grid.
 
         If x and y are evenly spaced it is entered by surface_3, otherwise as quadrilaterals. If no
-        view was set, it is fitted as in mesh.
+        view was set, it is fitted as in mesh. With set_shading its points have normals, as the
+        vertices of a mesh. The line style draws the grid; by default there is none.
 
         Args:
             x: Coordinates of the columns, (n,), in world coordinates; or of all points, (m, n), as
@@ -265,8 +276,10 @@ class System(Drawing):
             cmap: As in mesh.
             limits: As in mesh.
             levels: As in mesh: filled contours.
-            contours: Lines of equal value, or height, in the line style: their levels, or how many
-                there are between the lowest and the highest.
+            contours: Lines of equal value, or height: their levels, or how many there are between
+                the lowest and the highest. In the line style, or black if that is not set or none.
+            contour_colour: The colour of contours, as in mesh.
+            contour_width: Their width in pixels.
             crop: A box beyond which the surface is cut away exactly: ((x-min, x-max), (y-min, y-max),
                 (z-min, z-max)); None leaves all. Needs world coordinates without a modelling
                 transformation, and no other cutting plane.
@@ -278,6 +291,11 @@ class System(Drawing):
             Error: Fewer than 2 points in a direction, shapes that do not match, an infinite number.
         """
         planes = _scalars.planes_of(crop)
+        if contours is None:
+            _require_none("contours", contour_colour=contour_colour, contour_width=contour_width)
+        if contour_colour is not None:
+            contour_colour = _colours.colour(contour_colour, "contour_colour")
+        style = (contour_colour, contour_width)
         coloured = any(option is not None for option in (values, cmap, limits, levels))
         if not coloured and contours is None:
             name = self._surface(x, y, z, segment, planes)
@@ -293,13 +311,48 @@ class System(Drawing):
         corners, at_corners = points[triangles], scalars.ravel()[triangles]
         lines = _scalars.contours_of(corners, at_corners, contours, limits)
         if not coloured:
-            name = self._surface(x, y, z, segment, planes, lines)
+            name = self._surface(x, y, z, segment, planes, lines, None, *style)
             self._warn_if_not_fitted()
             return name
         scale = _colours.scale_of(scalars, cmap, limits, levels)
-        pieces = _scalars.pieces_of(corners, cell, at_corners, scale)
-        name = self._surface(x, y, z, segment, planes, lines, tuple(pieces))
+        normals = self._normals_at_corners(_scalars.without_nan(points), triangles, None)
+        of_triangles = None if normals is None else normals.reshape(-1, 3, 3)
+        pieces = _scalars.pieces_of(corners, cell, at_corners, scale, of_triangles)
+        name = self._surface(x, y, z, segment, planes, lines, tuple(pieces), *style)
         self._scale = scale
+        self._warn_if_not_fitted()
+        return name
+
+    def polyline(
+        self,
+        points: _Points,
+        *,
+        closed: bool = False,
+        colour: _OneColour | None = None,
+        width: float | None = None,
+        segment: int | None = None,
+    ) -> int:
+        """Enter lines from each point to the next.
+
+        They are drawn in the line style, or in black if that is not set or none, and hidden by
+        polygons. If no view was set, it is fitted as in mesh.
+
+        Args:
+            points: An array (N, 3), in world coordinates. A nan leaves a gap.
+            closed: True: also from the last point to the first.
+            colour: Their colour, as in mesh.
+            width: Their width in pixels.
+            segment: As in mesh.
+
+        Returns:
+            The name of the segment, as mesh does.
+
+        Raises:
+            Error: Fewer than 2 points without a gap between them, another shape, an infinite number.
+        """
+        runs = _scalars.runs_of(points, closed)
+        of_lines = None if colour is None else _colours.colour(colour)
+        name = self._polyline(*runs, segment, of_lines, width)
         self._warn_if_not_fitted()
         return name
 
@@ -437,7 +490,12 @@ class System(Drawing):
     # ---- Beside the picture --------------------------------------------------------------
 
     def colour_bar(
-        self, label: str = "", *, ticks: _Numbers | None = None, segment: int | None = None
+        self,
+        label: str = "",
+        *,
+        ticks: _Numbers | None = None,
+        letters: float | None = None,
+        segment: int | None = None,
     ) -> int:
         """Enter a bar of the colours of the values entered last, at the picture's right.
 
@@ -445,8 +503,10 @@ class System(Drawing):
         scene makes room for it.
 
         Args:
-            label: The text above it.
-            ticks: The values beside it; default: about eight round ones.
+            label: The text above it; a long one stands in several rows.
+            ticks: The values beside it; default: the bounds of levels, or about eight round ones.
+            letters: The size of letters as a part of the picture's height, as in set_text_style:
+                9 / 288 is 9 points where the picture is 288 points high. Default: 0.026.
             segment: As in mesh.
 
         Returns:
@@ -458,15 +518,20 @@ class System(Drawing):
         """
         if self._scale is None:
             raise _displayfile.Error("colour_bar: no values were entered: expected mesh(values=)")
-        return self._beside(segment, *_scalars.colour_bar(self._scale, label, ticks))
+        return self._beside(segment, *_scalars.colour_bar(self._scale, label, ticks, letters))
 
     def legend(
-        self, entries: typing.Mapping[str, _OneColour], *, segment: int | None = None
+        self,
+        entries: typing.Mapping[str, _OneColour],
+        *,
+        letters: float | None = None,
+        segment: int | None = None,
     ) -> int:
         """Enter names beside their colours, at the picture's right, as colour_bar does.
 
         Args:
             entries: The colour of each name.
+            letters: As in colour_bar.
             segment: As in mesh.
 
         Returns:
@@ -475,7 +540,7 @@ class System(Drawing):
         Raises:
             Error: No names, an invalid colour, or a segment is open.
         """
-        return self._beside(segment, *_scalars.legend(entries))
+        return self._beside(segment, *_scalars.legend(entries, letters))
 
     def record(self, on: bool = True) -> None:
         """Record every user routine that succeeds from now on.

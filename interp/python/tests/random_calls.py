@@ -84,6 +84,7 @@ class RandomCalls:
             lambda: self.routine(self.any_of(list(ROUTINES))),
             self.mesh,
             self.surface,
+            self.polyline,
             self.drawn,
             self.asked_for,
             self.entered_as_text,
@@ -91,7 +92,7 @@ class RandomCalls:
             self.wrong_call,
             self.limited,
         ]
-        return self.random.choices(kinds, (10, 4, 3, 6, 4, 1, 2, 0.5, 2))[0]()
+        return self.random.choices(kinds, (10, 4, 3, 2, 6, 4, 1, 2, 0.5, 2))[0]()
 
     # ---- User routines -------------------------------------------------------------------
 
@@ -321,7 +322,24 @@ class RandomCalls:
         parts.append(self.array(z))
         if self.chance(15):
             parts.append(f"segment={self.name()}")
+        if self.chance(20):
+            parts.append(self.any_of(["contours=2", "contours=[0.25]", "contours=2, levels=3"]))
+            if self.chance(50):
+                parts.append(self.any_of(["contour_colour='red'", f"contour_width={self.number()}"]))
         return f"g.surface({', '.join(parts)})"
+
+    def polyline(self) -> str:
+        points = f"[{', '.join(self.point(3) for _ in range(self.random.choice([0, 1, 2, 5])))}]"
+        parts = [self.array(points) if self.chance(96) else self.hostile(points)]
+        for percent, text in [
+            (20, "closed=True"),
+            (20, f"colour={self.colour_or_word()}"),
+            (20, f"width={self.number()}"),
+            (10, f"segment={self.name()}"),
+        ]:
+            if self.chance(percent):
+                parts.append(text)
+        return f"g.polyline({', '.join(parts)})"
 
     def entered_as_text(self) -> str:
         program = "\\n".join(

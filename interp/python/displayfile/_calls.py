@@ -46,14 +46,20 @@ class Calls:
     def system(self, *, retain: bool | None = None) -> System:
         """Make a system and repeat the calls.
 
-        Args:
-            retain: As in System; default: as in the original system.
+        Parameters
+        ----------
+        retain : bool, optional
+            As in System; default: as in the original system.
 
-        Returns:
+        Returns
+        -------
+        System
             The system.
 
-        Raises:
-            Error: A file has changed.
+        Raises
+        ------
+        Error
+            A file has changed.
         """
         said = self._said if retain is None else {**self._said, "retain": retain}
         return self._entered_into(System(**said))
@@ -89,10 +95,14 @@ class PicklableSystem(System):
     ) -> None:
         """Make an empty system.
 
-        Args:
-            aspect: As in System.
-            lines: As in System.
-            retain: As in System.
+        Parameters
+        ----------
+        aspect : float, optional
+            As in System.
+        lines : str, optional
+            As in System.
+        retain : bool, optional
+            As in System.
         """
         super().__init__(aspect=aspect, lines=lines, retain=retain)
         self._said = {"aspect": aspect, "lines": lines, "retain": retain}

@@ -180,37 +180,56 @@ class Drawing(_displayfile.System):
         If only the background is visible, a UserWarning gives the reason, here and in svg, save and
         the like; it is most precise for System(retain=True).
 
-        Args:
-            size: (width, height) in pixels, or one number for both: 1 to 65535.
-            ids: Also return the item buffer, at pixel centres. samples=1 is faster if colours are
-                not used.
-            depth: Also return the depths at pixel centres.
-            hidden: The hidden-surface or hidden-line method, one of methods(), such as "map",
-                "z-buffer" or "franklin".
-            lines: Kinds of polygon sides drawn as lines, as in System. They are selected when
-                segments are closed, so the value must equal the system's.
-            hidden_lines: "none", or "dashed" to also draw hidden parts of lines. An Error if there
-                are some and the method, such as "none", draws in order of entry.
-            line_order: Which of two lines that overlap is drawn over the other: "entry", the one
-                entered later, or "depth", the nearer one. An Error if the method draws in order of
-                entry.
-            line_halo: With "depth", the gap beside a line where another one crosses in front of it,
-                in pixels; 0 for none.
-            scope: "segment" or "all": what is sorted together.
-            precision: "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
-            background: A colour, as in mesh, or "none" for a transparent one.
-            rows: (first, end), counted from the top: draw only these rows of the picture.
-            samples: Antialiasing: samples per pixel side, 1 to 16. Default: 4, or the most that a
-                picture of this size may have; 1 with "osmesa" and "plain-z-buffer".
-            threads: Maximum number of threads, 1 to 1024; the picture does not depend on it.
-            device: "software", or "osmesa" for comparison.
+        Parameters
+        ----------
+        size : int or (int, int), optional
+            (width, height) in pixels, or one number for both: 1 to 65535.
+        ids : bool, optional
+            Also return the item buffer, at pixel centres. samples=1 is faster if colours are not
+            used.
+        depth : bool, optional
+            Also return the depths at pixel centres.
+        hidden : str, optional
+            The hidden-surface or hidden-line method, one of methods(), such as "map", "z-buffer" or
+            "franklin".
+        lines : str, optional
+            Kinds of polygon sides drawn as lines, as in System. They are selected when segments are
+            closed, so the value must equal the system's.
+        hidden_lines : str, optional
+            "none", or "dashed" to also draw hidden parts of lines. An Error if there are some and
+            the method, such as "none", draws in order of entry.
+        line_order : str, optional
+            Which of two lines that overlap is drawn over the other: "entry", the one entered later,
+            or "depth", the nearer one. An Error if the method draws in order of entry.
+        line_halo : float, optional
+            With "depth", the gap beside a line where another one crosses in front of it, in pixels;
+            0 for none.
+        scope : str, optional
+            "segment" or "all": what is sorted together.
+        precision : str, optional
+            "exact", or "roundoff=EPS" for the textbook's ROUNDOFF.
+        background : colour, optional
+            A colour, as in mesh, or "none" for a transparent one.
+        rows : (int, int), optional
+            (first, end), counted from the top: draw only these rows of the picture.
+        samples : int, optional
+            Antialiasing: samples per pixel side, 1 to 16. Default: 4, or the most that a picture of
+            this size may have; 1 with "osmesa" and "plain-z-buffer".
+        threads : int, optional
+            Maximum number of threads, 1 to 1024; the picture does not depend on it.
+        device : str, optional
+            "software", or "osmesa" for comparison.
 
-        Returns:
+        Returns
+        -------
+        ndarray or Picture
             An array (H, W, 4) of red, green, blue and alpha, uint8, the top row first; with ids or
             depth, a Picture of all of them.
 
-        Raises:
-            Error: An option out of range, or not enough memory for the picture.
+        Raises
+        ------
+        Error
+            An option out of range, or not enough memory for the picture.
         """
         self._require_lines(lines)
         pixels, of_ids, of_depth = self._draw(
@@ -245,20 +264,30 @@ class Drawing(_displayfile.System):
         By default they are drawn from one BSP tree; with "z-buffer" and other methods that work in
         image space or find lines, each view by itself. Later calls on the system do not change it.
 
-        Args:
-            views: Number of views, at equal angles around the axis: 1 to 10000.
-            size: (width, height) in pixels, or one number for both.
-            axis: The axis of rotation, (x, y, z), through the middle of the scene; default: the
-                view's up direction.
-            fit: Fit the window to all views. Default: True if import_mesh fitted it.
-            options: Those of draw; and for files of vectors those of save.
+        Parameters
+        ----------
+        views : int
+            Number of views, at equal angles around the axis: 1 to 10000.
+        size : int or (int, int), optional
+            (width, height) in pixels, or one number for both.
+        axis : array_like, optional
+            The axis of rotation, (x, y, z), through the middle of the scene; default: the view's up
+            direction.
+        fit : bool, optional
+            Fit the window to all views. Default: True if import_mesh fitted it.
+        **options
+            Those of draw; and for files of vectors those of save.
 
-        Returns:
+        Returns
+        -------
+        Turntable
             The turntable. Nothing is drawn yet.
 
-        Raises:
-            Error: A system that is not System(retain=True), segments in several views, a method
-                that does not draw views, an option out of range.
+        Raises
+        ------
+        Error
+            A system that is not System(retain=True), segments in several views, a method that does
+            not draw views, an option out of range.
         """
         options = self._checked(options)
         turned = self._turntable(views, size, axis, fit, **options)
@@ -270,16 +299,23 @@ class Drawing(_displayfile.System):
         Each view is transformed and drawn from what was entered, without entering it again. Later
         calls on the system do not change it.
 
-        Args:
-            size: (width, height) in pixels, or one number for both.
-            options: Those of draw; and for files of vectors those of save.
+        Parameters
+        ----------
+        size : int or (int, int), optional
+            (width, height) in pixels, or one number for both.
+        **options
+            Those of draw; and for files of vectors those of save.
 
-        Returns:
+        Returns
+        -------
+        Views
             The views. Nothing is drawn yet.
 
-        Raises:
-            Error: A system that was entered without a camera and without System(retain=True),
-                segments in several views, an option out of range.
+        Raises
+        ------
+        Error
+            A system that was entered without a camera and without System(retain=True), segments in
+            several views, an option out of range.
         """
         options = self._checked(options)
         more_than_pixels = bool(options.get("ids") or options.get("depth"))
@@ -290,12 +326,18 @@ class Drawing(_displayfile.System):
     ) -> str:
         """Draw as SVG.
 
-        Args:
-            size: As in save.
-            hidden: As in draw.
-            options: Those of save.
+        Parameters
+        ----------
+        size : int, (int, int) or str, optional
+            As in save.
+        hidden : str, optional
+            As in draw.
+        **options
+            Those of save.
 
-        Returns:
+        Returns
+        -------
+        str
             The text of the file.
         """
         return self._draw_as("svg", size, hidden=hidden, **self._checked(options)).decode()
@@ -305,12 +347,18 @@ class Drawing(_displayfile.System):
     ) -> bytes:
         """Draw as PDF.
 
-        Args:
-            size: As in save.
-            hidden: As in draw.
-            options: Those of save.
+        Parameters
+        ----------
+        size : int, (int, int) or str, optional
+            As in save.
+        hidden : str, optional
+            As in draw.
+        **options
+            Those of save.
 
-        Returns:
+        Returns
+        -------
+        bytes
             The bytes of the file.
         """
         return self._draw_as("pdf", size, hidden=hidden, **self._checked(options))
@@ -320,12 +368,18 @@ class Drawing(_displayfile.System):
     ) -> bytes:
         """Draw as EPS.
 
-        Args:
-            size: As in save.
-            hidden: As in draw.
-            options: Those of save.
+        Parameters
+        ----------
+        size : int, (int, int) or str, optional
+            As in save.
+        hidden : str, optional
+            As in draw.
+        **options
+            Those of save.
 
-        Returns:
+        Returns
+        -------
+        bytes
             The bytes of the file.
         """
         return self._draw_as("eps", size, hidden=hidden, **self._checked(options))
@@ -335,12 +389,18 @@ class Drawing(_displayfile.System):
     ) -> bytes:
         """Draw as PNG.
 
-        Args:
-            size: As in save.
-            hidden: As in draw.
-            options: Those of save.
+        Parameters
+        ----------
+        size : int, (int, int) or str, optional
+            As in save.
+        hidden : str, optional
+            As in draw.
+        **options
+            Those of save.
 
-        Returns:
+        Returns
+        -------
+        bytes
             The bytes of the file.
         """
         return self._draw_as("png", size, hidden=hidden, **self._checked(options))
@@ -350,12 +410,18 @@ class Drawing(_displayfile.System):
     ) -> bytes:
         """Draw as PPM.
 
-        Args:
-            size: As in save.
-            hidden: As in draw.
-            options: Those of save.
+        Parameters
+        ----------
+        size : int, (int, int) or str, optional
+            As in save.
+        hidden : str, optional
+            As in draw.
+        **options
+            Those of save.
 
-        Returns:
+        Returns
+        -------
+        bytes
             The bytes of the file.
         """
         return self._draw_as("ppm", size, hidden=hidden, **self._checked(options))
@@ -375,48 +441,76 @@ class Drawing(_displayfile.System):
     ) -> None:
         """Draw into a file, which is written completely or not at all.
 
-        Args:
-            path: The file; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, not
-                standard output. Or an open file, such as io.BytesIO(), to which the whole picture is
-                written: its format is set, or that of its name, or "png".
-            size: (width, height) in pixels, for PDF and EPS in points; or one number for both; or
-                millimetres, such as "80x60mm", which a PNG has with dpi. Default: 512; on paper its
-                shape between the margins, if a camera fits the view and no aspect ratio is set.
-            format: One of these, such as "svg", overriding the extension.
-            dpi: For PNG: pixels per inch, which the file states; with paper the picture stands on a
-                sheet in pixels.
-            hidden: As in draw.
-            background: As in draw.
-            samples: As in draw.
-            threads: As in draw.
-            options: Those of draw except ids and depth; and for vectors these:
-            paper: The paper, on which the picture is as large as fits: "A4", "A4-landscape",
-                "letter" and others, or "WIDTHxHEIGHT" in mm.
-            margin: Margin of the paper in mm; default 10.
-            vector_precision: Unit in pixels to which vertices are rounded, 0.001 to 1; default
-                0.01.
-            seams: "trapped", or "butted" for smaller files, in which the background may show
-                between neighbours.
-            pick_ids: True: one element with a title per pick identifier, in SVG.
-            font: The font of texts, by the name that the system has for it; or "hershey", or
-                "hershey:NAME", for strokes (Debian: hershey-fonts-data); for pixels too.
-            text: "outlines": letters as outlines, the same in every viewer; default "text".
-            id_prefix: Beginning of every id, and of every class with a rule, in SVG, in place of a
-                hash: letters, digits, - and _.
-            inline: True: no XML declaration in SVG, to stand in an HTML page.
-            layers: True: a layer for each segment, with its title, in SVG and PDF.
-            pens: True: strokes only, none drawn twice, in layers by pen and ordered for short
-                travel, for plotters and laser cutters; on A4 unless paper is set.
-            hatch: pens, with fills hatched: the distance of lines in mm where a fill is darkest; or
-                a dictionary of spacing, angle (45 degrees), cross (True: dark fills get
-                perpendicular lines too), colour and width (0.3 mm).
-            pen_order: With pens or hatch, "travel", or "cut": what lies inside of closed contours
-                is drawn before them.
-            pen_layers: With pens or hatch, a list of colours: the pens with these colours come
-                first, in this order.
+        Parameters
+        ----------
+        path : path_like or file
+            The file; its name ends in .svg, .pdf, .eps, .png or .ppm. "-" is an Error, not standard
+            output. Or an open file, such as io.BytesIO(), to which the whole picture is written:
+            its format is set, or that of its name, or "png".
+        size : int, (int, int) or str, optional
+            (width, height) in pixels, for PDF and EPS in points; or one number for both; or
+            millimetres, such as "80x60mm", which a PNG has with dpi. Default: 512; on paper its
+            shape between the margins, if a camera fits the view and no aspect ratio is set.
+        format : str, optional
+            One of these, such as "svg", overriding the extension.
+        dpi : float, optional
+            For PNG: pixels per inch, which the file states; with paper the picture stands on a
+            sheet in pixels.
+        hidden : str, optional
+            As in draw.
+        background : colour, optional
+            As in draw.
+        samples : int, optional
+            As in draw.
+        threads : int, optional
+            As in draw.
+        **options
+            Those of draw except ids and depth; and for vectors these:
 
-        Raises:
-            Error: An option out of range, an unknown format, or a file that cannot be written.
+        Other Parameters
+        ----------------
+        paper : str
+            The paper, on which the picture is as large as fits: "A4", "A4-landscape", "letter" and
+            others, or "WIDTHxHEIGHT" in mm.
+        margin : float
+            Margin of the paper in mm; default 10.
+        vector_precision : float
+            Unit in pixels to which vertices are rounded, 0.001 to 1; default 0.01.
+        seams : str
+            "trapped", or "butted" for smaller files, in which the background may show between
+            neighbours.
+        pick_ids : bool
+            True: one element with a title per pick identifier, in SVG.
+        font : str
+            The font of texts, by the name that the system has for it; or "hershey", or
+            "hershey:NAME", for strokes (Debian: hershey-fonts-data); for pixels too.
+        text : str
+            "outlines": letters as outlines, the same in every viewer; default "text".
+        id_prefix : str
+            Beginning of every id, and of every class with a rule, in SVG, in place of a hash:
+            letters, digits, - and _.
+        inline : bool
+            True: no XML declaration in SVG, to stand in an HTML page.
+        layers : bool
+            True: a layer for each segment, with its title, in SVG and PDF.
+        pens : bool
+            True: strokes only, none drawn twice, in layers by pen and ordered for short travel, for
+            plotters and laser cutters; on A4 unless paper is set.
+        hatch : float or dict
+            pens, with fills hatched: the distance of lines in mm where a fill is darkest; or a
+            dictionary of spacing, angle (45 degrees), cross (True: dark fills get perpendicular
+            lines too), colour and width (0.3 mm).
+        pen_order : str
+            With pens or hatch, "travel", or "cut": what lies inside of closed contours is drawn
+            before them.
+        pen_layers : list of colours
+            With pens or hatch, a list of colours: the pens with these colours come first, in this
+            order.
+
+        Raises
+        ------
+        Error
+            An option out of range, an unknown format, or a file that cannot be written.
         """
         options = self._checked(
             {
@@ -437,12 +531,17 @@ class Drawing(_displayfile.System):
     def dump(self, *, hidden: Method | None = None, **options: typing.Any) -> str:
         """Return the instructions of all segments.
 
-        Args:
-            hidden: As in draw.
-            options: hidden_lines, line_order, line_halo, scope, precision and threads, as in draw;
-                lines overlap as in a picture of 512 x 512 pixels.
+        Parameters
+        ----------
+        hidden : str, optional
+            As in draw.
+        **options
+            hidden_lines, line_order, line_halo, scope, precision and threads, as in draw; lines
+            overlap as in a picture of 512 x 512 pixels.
 
-        Returns:
+        Returns
+        -------
+        str
             The text of the command's dump (displayfile/text/drawing_programs.md). It determines the
             drawing bit for bit.
         """
@@ -455,12 +554,17 @@ class Drawing(_displayfile.System):
         "map": the visible pieces only, and so with "auto", which is the map unless only lines are
         visible.
 
-        Args:
-            hidden: As in draw.
-            options: hidden_lines, line_order, line_halo, scope, precision and threads, as in draw;
-                lines overlap as in a picture of 512 x 512 pixels.
+        Parameters
+        ----------
+        hidden : str, optional
+            As in draw.
+        **options
+            hidden_lines, line_order, line_halo, scope, precision and threads, as in draw; lines
+            overlap as in a picture of 512 x 512 pixels.
 
-        Returns:
+        Returns
+        -------
+        Pieces
             Arrays of pieces of polygons and lines, in drawing order.
         """
         return Pieces(*self._pieces(hidden=hidden, **self._checked(options)))
@@ -483,18 +587,30 @@ class Drawing(_displayfile.System):
         For "none" and "back-face" that is the primitive entered last, for the other methods the
         nearest one, exactly unless the method rounds.
 
-        Args:
-            x: Pixels from the left of the picture.
-            y: Pixels from its top.
-            size: The picture's size, as in draw.
-            reach: Distance in pixels within which lines and edges are picked, before polygons.
-            hidden: As in draw.
-            scope: As in draw.
-            precision: As in draw.
-            threads: Maximum number of threads.
-            device: As in draw.
+        Parameters
+        ----------
+        x : float
+            Pixels from the left of the picture.
+        y : float
+            Pixels from its top.
+        size : int or (int, int), optional
+            The picture's size, as in draw.
+        reach : float, optional
+            Distance in pixels within which lines and edges are picked, before polygons.
+        hidden : str, optional
+            As in draw.
+        scope : str, optional
+            As in draw.
+        precision : str, optional
+            As in draw.
+        threads : int, optional
+            Maximum number of threads.
+        device : str, optional
+            As in draw.
 
-        Returns:
+        Returns
+        -------
+        Pick or None
             The Pick; None if nothing is visible there.
         """
         picked = self._pick(

@@ -30,16 +30,22 @@ class limits:
     ) -> None:
         """Make limits; None means no limit.
 
-        Args:
-            pieces: Pieces of cut polygons, visible pieces of lines, or edges of a map, in one
-                operation.
-            comparisons: Comparisons of polygons and lines with each other, in all calls together.
-                They are counted in batches.
-            bytes: Memory of one operation's tables.
-            seconds: Time since the beginning of the block.
+        Parameters
+        ----------
+        pieces : int, optional
+            Pieces of cut polygons, visible pieces of lines, or edges of a map, in one operation.
+        comparisons : int, optional
+            Comparisons of polygons and lines with each other, in all calls together. They are
+            counted in batches.
+        bytes : int, optional
+            Memory of one operation's tables.
+        seconds : float, optional
+            Time since the beginning of the block.
 
-        Raises:
-            Error: A number below 0, or of another type.
+        Raises
+        ------
+        Error
+            A number below 0, or of another type.
         """
         self._limits = (pieces, comparisons, bytes, seconds)
         _displayfile._require_limits(*self._limits)

@@ -73,29 +73,40 @@ def sort(
     They are viewed along z: x to the right, y up, a larger z nearer to the viewer, in any range.
     The order is exact.
 
-    Args:
-        polygons: An array (M, k, 3), or a sequence of arrays (k, 3), of 3 or more corners each.
-            With sides: all corners, (N, 3), polygon after polygon.
-        sides: An array (M,): the number of corners of each polygon.
-        segments: An array (L, 2, 3) of lines to sort too. Their pieces have two points, and item is
-            M for the first of them.
-        whole: Make pieces of a polygon adjacent, or rejoin them, where nothing that overlaps them
-            comes between: where the order of other polygons required a cut, and where a polygon
-            that is not planar was sorted as triangles.
-        method: "depth-sort", "bsp", which cuts more, or "plain-bsp", the textbook's form of it.
-        threads: Maximum number of threads, 1 to 1024.
-        touching: Distance within which polygons touch, as in System.set_touching: a polygon that
-            touches a plane is taken to lie in it, and of coplanar polygons the later one is nearer.
-            "auto": from the precision of the numbers; "off": only what coincides exactly touches. A
-            length is in the coordinates of the polygons, and at least the rounding of moving them
-            into the unit cube: 2e-15 of it.
+    Parameters
+    ----------
+    polygons : array_like
+        An array (M, k, 3), or a sequence of arrays (k, 3), of 3 or more corners each. With sides:
+        all corners, (N, 3), polygon after polygon.
+    sides : array_like, optional
+        An array (M,): the number of corners of each polygon.
+    segments : array_like, optional
+        An array (L, 2, 3) of lines to sort too. Their pieces have two points, and item is M for the
+        first of them.
+    whole : bool, optional
+        Make pieces of a polygon adjacent, or rejoin them, where nothing that overlaps them comes
+        between: where the order of other polygons required a cut, and where a polygon that is not
+        planar was sorted as triangles.
+    method : str, optional
+        "depth-sort", "bsp", which cuts more, or "plain-bsp", the textbook's form of it.
+    threads : int, optional
+        Maximum number of threads, 1 to 1024.
+    touching : float or str, optional
+        Distance within which polygons touch, as in System.set_touching: a polygon that touches a
+        plane is taken to lie in it, and of coplanar polygons the later one is nearer. "auto": from
+        the precision of the numbers; "off": only what coincides exactly touches. A length is in the
+        coordinates of the polygons, and at least the rounding of moving them into the unit cube:
+        2e-15 of it.
 
-    Returns:
+    Returns
+    -------
+    PolygonPieces
         The pieces, in order.
 
-    Raises:
-        Error: A wrong shape or type, a polygon of fewer than 3 corners, a number that is not
-            finite.
+    Raises
+    ------
+    Error
+        A wrong shape or type, a polygon of fewer than 3 corners, a number that is not finite.
     """
     if method == "map":
         raise _displayfile.Error("method 'map': expected depth-sort, bsp or plain-bsp, or visible_pieces")
@@ -114,17 +125,26 @@ def visible_pieces(
 ) -> VisiblePieces:
     """Find the visible pieces of polygons. They do not overlap in the picture.
 
-    Args:
-        polygons: As in sort.
-        sides: As in sort.
-        threads: As in sort.
-        touching: As in sort.
+    Parameters
+    ----------
+    polygons : array_like
+        As in sort.
+    sides : array_like, optional
+        As in sort.
+    threads : int, optional
+        As in sort.
+    touching : float or str, optional
+        As in sort.
 
-    Returns:
+    Returns
+    -------
+    VisiblePieces
         The pieces, each without holes.
 
-    Raises:
-        Error: As in sort.
+    Raises
+    ------
+    Error
+        As in sort.
     """
     points, first, item, *_ = _displayfile._pieces_of(
         polygons, sides, "map", threads, None, False, touching
@@ -145,23 +165,35 @@ def visible_lines(
 ) -> VisibleLines:
     """Find the visible parts of polygons' sides, or of lines among polygons.
 
-    Args:
-        polygons: As in sort.
-        sides: As in sort.
-        segments: An array (L, 2, 3) of lines to use instead of the polygons' sides.
-        lines: Kinds of sides, as in System, such as "outline,crease"; default: all.
-        hidden: Also return hidden parts.
-        method: "franklin", "appel", "roberts" or "plain-appel", the textbook's form, which give
-            the same result.
-        threads: As in sort.
-        touching: As in sort: a line whose ends touch a plane is taken to lie in it and is visible
-            there.
+    Parameters
+    ----------
+    polygons : array_like
+        As in sort.
+    sides : array_like, optional
+        As in sort.
+    segments : array_like, optional
+        An array (L, 2, 3) of lines to use instead of the polygons' sides.
+    lines : str, optional
+        Kinds of sides, as in System, such as "outline,crease"; default: all.
+    hidden : bool, optional
+        Also return hidden parts.
+    method : str, optional
+        "franklin", "appel", "roberts" or "plain-appel", the textbook's form, which give the same
+        result.
+    threads : int, optional
+        As in sort.
+    touching : float or str, optional
+        As in sort: a line whose ends touch a plane is taken to lie in it and is visible there.
 
-    Returns:
+    Returns
+    -------
+    VisibleLines
         The visible parts.
 
-    Raises:
-        Error: As in sort; or kinds that are unknown.
+    Raises
+    ------
+    Error
+        As in sort; or kinds that are unknown.
     """
     points, _, item, kinds, is_hidden, cuts = _displayfile._lines_of(
         polygons, sides, method, lines, hidden, threads, segments, touching

@@ -33,14 +33,20 @@ class Turntable:
     def draw(self, view: int) -> typing.Any:
         """Draw one of the views into memory.
 
-        Args:
-            view: Its number, from 0.
+        Parameters
+        ----------
+        view : int
+            Its number, from 0.
 
-        Returns:
+        Returns
+        -------
+        object
             The same as System.draw.
 
-        Raises:
-            Error: No such view, or not enough memory for the picture.
+        Raises
+        ------
+        Error
+            No such view, or not enough memory for the picture.
         """
         picture = Picture(*self._views._draw(view))
         return picture if self._more_than_pixels else picture.pixels
@@ -50,16 +56,23 @@ class Turntable:
 
         Each file is written completely or not at all.
 
-        Args:
-            path: The file name without the number; it ends in .svg, .pdf, .eps, .png or .ppm.
-            views: (first, end): only these; default: all.
+        Parameters
+        ----------
+        path : path_like
+            The file name without the number; it ends in .svg, .pdf, .eps, .png or .ppm.
+        views : (int, int), optional
+            (first, end): only these; default: all.
 
-        Returns:
+        Returns
+        -------
+        list[str]
             The names of the files.
 
-        Raises:
-            Error: Views out of range, an unknown format, or a file that cannot be written; if this
-                is known beforehand, nothing is drawn.
+        Raises
+        ------
+        Error
+            Views out of range, an unknown format, or a file that cannot be written; if this is
+            known beforehand, nothing is drawn.
         """
         first, end = self._range(views)
         self._views._require_drawable(first, end, path)

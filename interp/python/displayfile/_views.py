@@ -43,20 +43,32 @@ class Views:
     ) -> typing.Any:
         """Draw the scene in one view into memory.
 
-        Args:
-            eye: As in System.look; default, here and below: as the system's look() set it.
-            look_at: As in System.look.
-            up: As in System.look.
-            fov: As in System.look.
-            parallel: As in System.look.
-            fit: As in System.look.
-            turning: As in System.look.
+        Parameters
+        ----------
+        eye : array_like, optional
+            As in System.look; default, here and below: as the system's look() set it.
+        look_at : array_like, optional
+            As in System.look.
+        up : str, optional
+            As in System.look.
+        fov : float, optional
+            As in System.look.
+        parallel : bool, optional
+            As in System.look.
+        fit : bool, optional
+            As in System.look.
+        turning : bool, optional
+            As in System.look.
 
-        Returns:
+        Returns
+        -------
+        object
             The same as System.draw.
 
-        Raises:
-            Error: An invalid camera, or not enough memory for the picture.
+        Raises
+        ------
+        Error
+            An invalid camera, or not enough memory for the picture.
         """
         drawn = self._views._draw(
             eye=eye,
@@ -72,11 +84,16 @@ class Views:
     def picture(self, eye: _Numbers | None = None, **camera: typing.Any) -> Picture:
         """Draw the scene in one view, as a Picture that a notebook shows.
 
-        Args:
-            eye: As in draw.
-            camera: The others of draw.
+        Parameters
+        ----------
+        eye : array_like, optional
+            As in draw.
+        **camera
+            The others of draw.
 
-        Returns:
+        Returns
+        -------
+        Picture
             The Picture, with item buffer and depths if System.views set them.
         """
         drawn = self.draw(eye, **camera)
@@ -92,13 +109,20 @@ class Views:
     ) -> None:
         """Draw the scene in one view into a file, which is written completely or not at all.
 
-        Args:
-            path: As in System.save.
-            eye: As in draw.
-            format: As in System.save.
-            camera: The others of draw.
+        Parameters
+        ----------
+        path : path_like
+            As in System.save.
+        eye : array_like, optional
+            As in draw.
+        format : str, optional
+            As in System.save.
+        **camera
+            The others of draw.
 
-        Raises:
-            Error: An invalid camera, an unknown format, or a file that cannot be written.
+        Raises
+        ------
+        Error
+            An invalid camera, an unknown format, or a file that cannot be written.
         """
         self._views._save(path, format, eye=eye, **camera)

@@ -53,22 +53,33 @@ def draw(
 ) -> typing.Any:
     """Make a picture whose bands of rows are drawn on demand.
 
-    Args:
-        system: The system to draw, in its present state.
-        size: As in System.draw.
-        band: Number of rows that one task draws; default: at most 64 MiB of pixels and at most a
-            32nd of the picture.
-        ids: Also draw the item buffer.
-        depth: Also draw the depths.
-        options: Those of System.draw except rows.
+    Parameters
+    ----------
+    system : PicklableSystem
+        The system to draw, in its present state.
+    size : int or (int, int), optional
+        As in System.draw.
+    band : int, optional
+        Number of rows that one task draws; default: at most 64 MiB of pixels and at most a 32nd of
+        the picture.
+    ids : bool, optional
+        Also draw the item buffer.
+    depth : bool, optional
+        Also draw the depths.
+    **options
+        Those of System.draw except rows.
 
-    Returns:
-        A dask.array (H, W, 4), uint8, in bands; with ids or depth, a Picture of such arrays. A slice
-        computes only the bands that it touches.
+    Returns
+    -------
+    object
+        A dask.array (H, W, 4), uint8, in bands; with ids or depth, a Picture of such arrays. A
+        slice computes only the bands that it touches.
 
-    Raises:
-        Error: A system that cannot be sent, or arguments that System.draw refuses, except for errors
-            that occur during drawing.
+    Raises
+    ------
+    Error
+        A system that cannot be sent, or arguments that System.draw refuses, except for errors that
+        occur during drawing.
     """
     options = _checked(system, {"ids": ids, "depth": depth, **options})
     width, bands = _bands(system, None, size, band, options)
@@ -88,21 +99,33 @@ def turntable(
 ) -> typing.Any:
     """Make the views of System.turntable, drawn on demand.
 
-    Args:
-        system: The system to rotate, in its present state.
-        views: As in System.turntable.
-        size: As in System.draw.
-        block: Number of views that one task draws; default: limited as band in draw.
-        ids: Also draw the item buffers.
-        depth: Also draw the depths.
-        options: Those of System.turntable.
+    Parameters
+    ----------
+    system : PicklableSystem
+        The system to rotate, in its present state.
+    views : int
+        As in System.turntable.
+    size : int or (int, int), optional
+        As in System.draw.
+    block : int, optional
+        Number of views that one task draws; default: limited as band in draw.
+    ids : bool, optional
+        Also draw the item buffers.
+    depth : bool, optional
+        Also draw the depths.
+    **options
+        Those of System.turntable.
 
-    Returns:
-        A dask.array (views, H, W, 4), uint8, in blocks of views; with ids or depth, a Picture of such
-        arrays.
+    Returns
+    -------
+    object
+        A dask.array (views, H, W, 4), uint8, in blocks of views; with ids or depth, a Picture of
+        such arrays.
 
-    Raises:
-        Error: As in draw, for arguments that System.turntable refuses.
+    Raises
+    ------
+    Error
+        As in draw, for arguments that System.turntable refuses.
     """
     options = _checked(system, {"ids": ids, "depth": depth, **options})
     (height, width), blocks = _blocks(system, None, views, size, block, options)
@@ -122,19 +145,29 @@ def save(
 
     Each file is written completely or not at all.
 
-    Args:
-        system: The system to draw, in its present state.
-        path: The file name without the number, in a folder that all workers can access; it ends in
-            .png or .ppm.
-        size: As in System.draw.
-        band: As in draw.
-        options: Those of System.draw except rows, ids and depth.
+    Parameters
+    ----------
+    system : PicklableSystem
+        The system to draw, in its present state.
+    path : path_like
+        The file name without the number, in a folder that all workers can access; it ends in .png
+        or .ppm.
+    size : int or (int, int), optional
+        As in System.draw.
+    band : int, optional
+        As in draw.
+    **options
+        Those of System.draw except rows, ids and depth.
 
-    Returns:
+    Returns
+    -------
+    Delayed
         A Delayed of the names of the files, from the top.
 
-    Raises:
-        Error: As in draw; or an unknown format.
+    Raises
+    ------
+    Error
+        As in draw; or an unknown format.
     """
     options = _checked(system, options)
     path = _for_workers(path)
@@ -157,19 +190,30 @@ def save_turntable(
 
     Each file is written completely or not at all.
 
-    Args:
-        system: The system to rotate, in its present state.
-        path: The file name without the number, in a folder that all workers can access.
-        views: As in System.turntable.
-        size: As in System.draw.
-        block: As in turntable.
-        options: Those of System.turntable except ids and depth.
+    Parameters
+    ----------
+    system : PicklableSystem
+        The system to rotate, in its present state.
+    path : path_like
+        The file name without the number, in a folder that all workers can access.
+    views : int
+        As in System.turntable.
+    size : int or (int, int), optional
+        As in System.draw.
+    block : int, optional
+        As in turntable.
+    **options
+        Those of System.turntable except ids and depth.
 
-    Returns:
+    Returns
+    -------
+    Delayed
         A Delayed of the names of the files.
 
-    Raises:
-        Error: As in turntable; or an unknown format.
+    Raises
+    ------
+    Error
+        As in turntable; or an unknown format.
     """
     options = _checked(system, options)
     path = _for_workers(path)

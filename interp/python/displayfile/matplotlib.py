@@ -38,27 +38,38 @@ def exact(
     Polygons, lines and markers are hidden where opaque polygons are in front of them, across
     artists, including those added later.
 
-    Args:
-        ax: Three-dimensional axes.
-        method: "depth-sort", or "bsp", which cuts more.
-        lift: Moves lines and markers toward the viewer by this fraction of the scene's depth. Those
-            in the plane of a polygon are visible without it. A curve on a bent surface needs some,
-            such as 0.01: between its points it passes below the polygons.
-        line_order: Which of two lines that cross is drawn over the other: "entry", the later one,
-            or "depth", the nearer one. Lines behind translucent polygons stay in the order of
-            method.
-        halo: With "depth", the gap beside a line where another one crosses in front of it, in
-            points; 0 for none.
-        clip: Crop polygons and lines where they pass the axes' limits, and leave out markers outside
-            of them.
-        off: Restore the axes.
+    Parameters
+    ----------
+    ax : Axes3D
+        Three-dimensional axes.
+    method : str, optional
+        "depth-sort", or "bsp", which cuts more.
+    lift : float, optional
+        Moves lines and markers toward the viewer by this fraction of the scene's depth. Those in
+        the plane of a polygon are visible without it. A curve on a bent surface needs some, such as
+        0.01: between its points it passes below the polygons.
+    line_order : str, optional
+        Which of two lines that cross is drawn over the other: "entry", the later one, or "depth",
+        the nearer one. Lines behind translucent polygons stay in the order of method.
+    halo : float, optional
+        With "depth", the gap beside a line where another one crosses in front of it, in points; 0
+        for none.
+    clip : bool, optional
+        Crop polygons and lines where they pass the axes' limits, and leave out markers outside of
+        them.
+    off : bool, optional
+        Restore the axes.
 
-    Returns:
+    Returns
+    -------
+    Exact
         The Exact that draws them; its remove method restores the axes, too.
 
-    Raises:
-        Error: Axes that are not three-dimensional, an option of another type or out of range, or a
-            version of matplotlib without a required attribute.
+    Raises
+    ------
+    Error
+        Axes that are not three-dimensional, an option of another type or out of range, or a version
+        of matplotlib without a required attribute.
     """
     _require_axes(ax)
     options = _checked(

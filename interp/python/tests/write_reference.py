@@ -16,9 +16,11 @@ from typing import Any, Iterator
 import displayfile
 from displayfile import _displayfile, dask, matplotlib
 from displayfile._drawing import Drawing
+from displayfile._entering import Entering
 
 PAGE = Path(__file__).resolve().parents[1] / "reference.md"
 WIDTH = 120
+SECTIONS = ("Parameters", "Other Parameters", "Returns", "Raises")
 BEGIN = """# Reference
 
 `tests/write_reference.py` generates this page from the docstrings of the package, which `help()` shows too.
@@ -37,23 +39,24 @@ def docstring_of(thing: Any) -> str:
 
 
 def sections_of(docstring: str) -> dict[str, str]:
-    """What stands before all sections, under "", and what stands in each."""
+    """What stands before all sections, under "", and what stands in each, as numpydoc has them."""
     sections = {"": ""}
     name = ""
-    for line in docstring.splitlines():
-        heading = re.fullmatch(r"(Args|Returns|Raises):", line)
-        if heading is not None:
-            name = heading[1]
-        else:
+    lines = docstring.splitlines()
+    for line, below in zip(lines, [*lines[1:], ""]):
+        if line in SECTIONS and below == "-" * len(line):
+            name = line
+        elif line != "-" * len(name) or not name:
             sections[name] = sections.get(name, "") + line + "\n"
-    return {name: textwrap.dedent(text).strip() for name, text in sections.items()}
+    return {name: text.strip() for name, text in sections.items()}
 
 
-def entries_of(section: str) -> Iterator[tuple[str, str]]:
-    """The names in a section, and what is said of each: lines that are indented go on."""
+def entries_of(section: str) -> Iterator[tuple[str, str, str]]:
+    """Names, types and what is written of each: lines that are indented go on."""
     for entry in re.split(r"\n(?! )", section):
-        name, _, text = entry.partition(":")
-        yield name, " ".join(text.split())
+        first, _, text = entry.partition("\n")
+        name, _, of = first.partition(" : ")
+        yield name.lstrip("*"), of, " ".join(text.split())
 
 
 def fields_of(kind: type) -> Iterator[tuple[str, str, str]]:
@@ -88,8 +91,11 @@ def paragraphs(text: str) -> str:
     return "\n\n".join(wrapped(paragraph) for paragraph in text.split("\n\n"))
 
 
-def listed(entries: Iterator[tuple[str, str]]) -> str:
-    return "\n".join(wrapped(f"**{name}**: {text}", "- ", "  ") for name, text in entries)
+def listed(section: str) -> str:
+    return "\n".join(
+        wrapped(f"**{name}**{f' ({of})' if of else ''}: {text}", "- ", "  ")
+        for name, of, text in entries_of(section)
+    )
 
 
 def signature_of(function: Any, name: str) -> str:
@@ -109,18 +115,18 @@ def signature_of(function: Any, name: str) -> str:
 def function(thing: Any, name: str) -> str:
     sections = sections_of(docstring_of(thing))
     said = [parameter for parameter in inspect.signature(thing).parameters if parameter != "self"]
-    described = [name for name, _ in entries_of(sections["Args"])] if "Args" in sections else []
-    if described[: len(said)] != said or (described != said and said[-1] != "options"):
+    parameters = sections.get("Parameters")
+    described = [name for name, _, _ in entries_of(parameters)] if parameters else []
+    if described != said or ("Other Parameters" in sections and said[-1] != "options"):
         raise ValueError(f"{name}: parameters {said}, but described are {described}")
     parts = [signature_of(thing, name), paragraphs(sections[""])]
-    if "Args" in sections:
-        parts.append(listed(entries_of(sections["Args"])))
-    if "Returns" in sections:
-        parts.append(wrapped(f"Returns: {sections['Returns']}"))
-    if "Raises" in sections:
-        parts += [
-            wrapped(f"Raises {name}: {text}") for name, text in entries_of(sections["Raises"])
-        ]
+    for section in ("Parameters", "Other Parameters"):
+        if section in sections:
+            parts.append(listed(sections[section]))
+    for of, _, text in entries_of(sections["Returns"]) if "Returns" in sections else ():
+        parts.append(wrapped(f"Returns ({of}): {text}"))
+    for error, _, text in entries_of(sections["Raises"]) if "Raises" in sections else ():
+        parts.append(wrapped(f"Raises {error}: {text}"))
     return "\n\n".join(parts)
 
 
@@ -158,6 +164,7 @@ def page() -> str:
     parts = [BEGIN.strip(), "## System", paragraphs(system), "### System"]
     parts.append(function(displayfile.System.__init__, "System"))
     parts += members_of(displayfile.System)
+    parts += members_of(Entering)
     parts += members_of(Drawing)
     parts += ["## User routines", paragraphs(ROUTINES), "\n".join(user_routines()).strip()]
     parts += ["## Turntable", paragraphs(docstring_of(displayfile.Turntable))]

@@ -194,11 +194,16 @@ TEST_F(Completion, LeavesFilesToTheShell) {
   EXPECT_EQ(found_by_shell("import ''").find(" draw"), inputs.npos);
 }
 
-/// A build without the import library offers the extensions that it reads.
+/// A build without the import library, or OpenCASCADE, offers the extensions that it reads.
 TEST_F(Completion, OffersMeshesThatAreRead) {
   ASSERT_EQ(run("--version"), 0);
   const bool has_library = out_.find("(Assimp)  not found") == out_.npos;
-  EXPECT_EQ(found_by_shell("draw ''").find(" 3ds ") != std::string::npos, has_library);
+  const bool has_cad = out_.find("OpenCASCADE") == out_.npos;  // "built without ..."
+  const std::string inputs = found_by_shell("draw ''");
+  EXPECT_EQ(inputs.find(" 3ds ") != inputs.npos, has_library);
+  for (const char* extension : {" step ", " stp ", " iges ", " igs "}) {
+    EXPECT_EQ((inputs + " ").find(extension) != inputs.npos, has_cad) << extension;
+  }
 }
 
 TEST_F(Completion, TellsWhatAnOptionIs) {

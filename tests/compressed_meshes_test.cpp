@@ -153,7 +153,7 @@ TEST_F(CompressedMeshes, OtherFormatsAreRefusedByName) {
     expect_error([&] { read("a.gltf" + end, by.compressed("{}")); },
                  "compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first");
     expect_error([&] { read("a.step" + end, by.compressed("ISO-10303-21;")); },
-                 "a STEP file, which is not read");
+                 "compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first");
   }
 }
 

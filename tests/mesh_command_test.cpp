@@ -233,11 +233,58 @@ TEST_F(MeshCommand, RefusedFilesGetTheRightReadersReason) {
 }
 
 TEST_F(MeshCommand, FormatsThatAreNotReadAreNamed) {
-  write("part.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
+  write("part.dwg", "AC1032");
   const std::string message =
-      "part.step: a STEP file, which is not read: export it as STL, OBJ, PLY or glTF";
-  expect_error("draw part.step -o x.png", message);
-  expect_error("import part.step -o x.draw", message);
+      "part.dwg: a DWG drawing, which is not read: export it as STL, OBJ, PLY or glTF";
+  expect_error("draw part.dwg -o x.png", message);
+  expect_error("import part.dwg -o x.draw", message);
+}
+
+/// Of a build without OpenCASCADE, or an installation without its program.
+TEST_F(MeshCommand, AStepFileThatCannotBeReadIsNamed) {
+  write("part.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
+  ASSERT_EQ(run("--version"), 0);
+  if (out_.find("OpenCASCADE") != out_.npos) {
+    expect_error("draw part.step -o x.png",
+                 "part.step: a STEP file, which this build does not read: it has no OpenCASCADE");
+    EXPECT_NE(err_.find("libocct-data-exchange-dev"), err_.npos) << err_;
+    return;
+  }
+  expect_error("draw part.step -o x.png", "part.step: not a STEP file that can be read: ");
+  before_ = "DISPLAYFILE_IMPORT_CAD_PROGRAM=/nonexistent ";
+  expect_error("draw part.step -o x.png", "cannot be started: /nonexistent: No such file");
+}
+
+class CadCommand : public Command {
+ protected:
+  static std::string model(const std::string& name) {
+    return "'" DISPLAYFILE_SOURCE_DIR "/tests/meshes/" + name + "'";
+  }
+  static constexpr const char* kHasNoOpenCascade =
+      "this build does not read: it has no OpenCASCADE";
+};
+
+/// The curved side has no edges, and where it meets the ends are its only creases.
+TEST_F(CadCommand, ASheetOfAStepPart) {
+  if (!can_run("sheet " + model("cylinder.step") + " -o sheet.svg", kHasNoOpenCascade)) {
+    GTEST_SKIP() << err_;
+  }
+  EXPECT_EQ(err_, "");
+  EXPECT_NE(read(folder_ / "sheet.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(CadCommand, ADeflectionIsALength) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* bad : {"0", "-1", "x", "nan", "1mm"}) {
+    expect_error(std::string("draw m.obj -o m.png --deflection=") + bad,
+                 std::string("--deflection ") + bad + ": expected a length, more than 0");
+  }
+  EXPECT_EQ(run("draw m.obj -o m.ppm --size 8x8 --deflection 0.1"), 0) << err_;
+  EXPECT_EQ(err_, "m.obj: --deflection has no effect: it has polygons, no curved surfaces\n");
+  const std::string sphere = "import " + model("sphere.step") + " -o ";
+  if (!can_run(sphere + "fine.draw", kHasNoOpenCascade)) GTEST_SKIP() << err_;
+  ASSERT_EQ(run(sphere + "rough.draw --deflection 0.5"), 0) << err_;
+  EXPECT_GT(fs::file_size(folder_ / "fine.draw"), 10 * fs::file_size(folder_ / "rough.draw"));
 }
 
 TEST_F(MeshCommand, WhatIsLeftOutIsSaidOnce) {

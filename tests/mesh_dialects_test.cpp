@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "displayfile/mesh/cad_format.h"
+#include "displayfile/mesh/cad_import.h"
 #include "displayfile/mesh/mesh.h"
 #include "tests/error_of.h"
 #include "tests/mesh_files.h"
@@ -463,26 +465,46 @@ TEST_F(MeshDialects, OffNumbersThatAreNoColoursAreTold) {
 // ---- Formats that are not read ---------------------------------------------------------
 
 TEST_F(MeshDialects, FormatsThatAreNotReadAreNamed) {
-  const std::string step =
-      "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nENDSEC;\nDATA;\n"
-      "#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
-  const std::string of_ap214 =
-      "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n";
   const std::string advice = ", which is not read: export it as STL, OBJ, PLY or glTF";
-  for (const std::string& text : {step, of_ap214}) {
-    for (const char* name : {"a.step", "a.STP", "a.weird", "a"}) {
-      expect_error([&] { read(name, text); }, fmt::format("{}: a STEP file{}", name, advice));
-    }
-  }
   for (const auto& [extension, format] :
-       {std::pair("iges", "an IGES file"), std::pair("igs", "an IGES file"),
-        std::pair("dwg", "a DWG drawing"), std::pair("SLDPRT", "a SOLIDWORKS part"),
+       {std::pair("dwg", "a DWG drawing"), std::pair("SLDPRT", "a SOLIDWORKS part"),
         std::pair("f3d", "a Fusion design"), std::pair("3dm", "a Rhino model")}) {
     const std::string name = fmt::format("a.{}", extension);
     expect_error([&] { read(name, "something\n"); }, name + ": " + format + advice);
   }
   // A file that is recognisably a mesh of another format is read.
   EXPECT_EQ(read("a.dwg", "OFF\n3 1 0\n" + std::string(kTriangle) + "3 0 1 2\n").faces(), 1u);
+}
+
+/// By their beginnings or their names.
+TEST_F(MeshDialects, FilesOfCadProgramsAreRecognised) {
+  const std::string step = "ISO-10303-21;\nHEADER;\nENDSEC;\n";
+  for (const char* name : {"a.step", "a.STP", "a.p21", "a.weird", "a"}) {
+    EXPECT_EQ(cad_format(file(name, step)), CadFormat::step) << name;
+  }
+  const std::string iges = std::string(72, ' ') + "S      1\n";
+  for (const char* name : {"a.iges", "a.IGS", "a.weird", "a"}) {
+    EXPECT_EQ(cad_format(file(name, iges)), CadFormat::iges) << name;
+  }
+  EXPECT_EQ(cad_format(file("b.igs", "something\n")), CadFormat::iges);
+  for (const std::string& text :
+       {std::string("something\n"), std::string(72, ' ') + "S      2\n",
+        std::string(72, ' ') + "G      1\n",
+        std::string(40, ' ') + "\n" + std::string(31, ' ') + "S      1\n"}) {
+    EXPECT_EQ(cad_format(file("b.weird", text)), std::nullopt) << text;
+  }
+}
+
+TEST_F(MeshDialects, CadFilesThatCannotBeReadAreNamed) {
+  const bool has_library = !cad_extensions_read().empty();
+  expect_error([&] { read("a.step", "ISO-10303-21;\n"); },
+               has_library ? "a.step: not a STEP file that can be read: it ends too early"
+                           : "a.step: a STEP file, which this build does not read: it has no "
+                             "OpenCASCADE");
+  expect_error([&] { read("a.igs", "x\n"); },
+               has_library ? "a.igs: not an IGES file that can be read: it ends too early"
+                           : "a.igs: an IGES file, which this build does not read: it has no "
+                             "OpenCASCADE");
 }
 
 /// A building in the same notation is left to the import library.

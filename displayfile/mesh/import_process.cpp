@@ -39,6 +39,10 @@ using Clock = std::chrono::steady_clock;
 // ---- Limits ----------------------------------------------------------------------------
 
 void require_limits(const std::string& path, const ImportLimits& limits) {
+  if (!(limits.deflection >= 0.0) || std::isinf(limits.deflection)) {
+    throw Error(
+        fmt::format("{}: deflection {}: expected a length, 0 or more", path, limits.deflection));
+  }
   if (limits.memory > 0 && limits.seconds > 0.0) return;  // false for NaN too
   throw Error(fmt::format("{}: import limits of {} bytes and {} seconds: expected more than 0",
                           path, limits.memory, limits.seconds));
@@ -68,20 +72,28 @@ std::string in_words(std::size_t bytes) {
   return fmt::format("{} bytes", bytes);
 }
 
-Error too_slow(const std::string& path, const ImportLimits& limits) {
+/// One mesh that an import program reads.
+struct Reading {
+  const ImportProgram& program;
+  const std::string& path;
+  bool with_normals;
+  const ImportLimits& limits;
+};
+
+Error too_slow(const Reading& reading) {
   return Error(
-      fmt::format("{}: the import library (Assimp) reached the limit of {} seconds: "
+      fmt::format("{}: the import library ({}) reached the limit of {} seconds: "
                   "--import-seconds (ImportLimits::seconds) sets another",
-                  path, limits.seconds));
+                  reading.path, reading.program.library, reading.limits.seconds));
 }
 
 /// `lent`: the memory that the process had, less than its own limit if no more was available.
-Error too_hungry(const std::string& path, const ImportLimits& limits, std::size_t lent) {
-  return Error(fmt::format(
-      "{}: the import library (Assimp) reached the limit of {} of memory: {} sets another", path,
-      in_words(lent),
-      lent < limits.memory ? "--limit-memory, which leaves no more,"
-                           : "--import-memory (ImportLimits::memory)"));
+Error too_hungry(const Reading& reading, std::size_t lent) {
+  return Error(
+      fmt::format("{}: the import library ({}) reached the limit of {} of memory: {} sets another",
+                  reading.path, reading.program.library, in_words(lent),
+                  lent < reading.limits.memory ? "--limit-memory, which leaves no more,"
+                                               : "--import-memory (ImportLimits::memory)"));
 }
 
 std::string name_of_signal(int number) {
@@ -100,23 +112,22 @@ std::string name_of_signal(int number) {
 constexpr int kUnknownStatus = -1;
 
 /// The error for a process that did not answer.
-Error without_answer(const std::string& path, const ImportLimits& limits, std::size_t lent,
-                     int status) {
+Error without_answer(const Reading& reading, std::size_t lent, int status) {
   const auto failed = [&](const std::string& how) {
-    return Error(
-        fmt::format("{}: not a mesh that can be read: the import library (Assimp) {}", path, how));
+    return Error(fmt::format("{}: not a mesh that can be read: the import library ({}) {}",
+                             reading.path, reading.program.library, how));
   };
   if (status == kUnknownStatus) return failed("did not answer");
   if (WIFSIGNALED(status)) {
     const int number = WTERMSIG(status);
-    if (number == SIGXCPU) return too_slow(path, limits);
+    if (number == SIGXCPU) return too_slow(reading);
     if (number == SIGKILL) {
       return failed("was killed while reading it, probably for lack of memory");
     }
     return failed("crashed on it (" + name_of_signal(number) + ")");
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-  if (code == kOutOfMemoryStatus) return too_hungry(path, limits, lent);
+  if (code == kOutOfMemoryStatus) return too_hungry(reading, lent);
   if (code == kOtherProtocolStatus) return failed("was called by a program of another build");
   return failed(fmt::format("ended its process with status {}", code));
 }
@@ -169,19 +180,19 @@ Pipe make_pipe(const std::string& path) {
 
 // ---- The program -----------------------------------------------------------------------
 
-std::string import_program(const std::string& path) {
+std::string path_of(const ImportProgram& program, const std::string& mesh) {
   std::string looked_at;
   int why = ENOENT;
-  const char* const named = std::getenv("DISPLAYFILE_IMPORT_PROGRAM");
-  for (const auto& place : places_of_companion("displayfile-import", named)) {
+  const char* const named = std::getenv(program.variable);
+  for (const auto& place : places_of_companion(program.name, named)) {
     if (access(place.c_str(), X_OK) == 0) return place.string();
     if (errno != ENOENT && errno != ENOTDIR) why = errno;
     looked_at += (looked_at.empty() ? "" : ", ") + place.string();
   }
   throw Error(
       fmt::format("{}: the import program cannot be started: {}: {}; set the environment variable "
-                  "DISPLAYFILE_IMPORT_PROGRAM if it is elsewhere",
-                  path, looked_at, std::strerror(why)));
+                  "{} if it is elsewhere",
+                  mesh, looked_at, std::strerror(why), program.variable));
 }
 
 /// The environment that the program inherits: three descriptors, no blocked signals, and default
@@ -241,16 +252,16 @@ struct NoAnswer {};
 
 class ImportProcess {
  public:
-  ImportProcess(const std::string& path, bool with_normals, const ImportLimits& limits)
-      : path_(path), limits_(limits), memory_(limits.memory) {
+  explicit ImportProcess(const Reading& reading)
+      : reading_(reading), memory_(reading.limits.memory) {
     constexpr double kMostSeconds = 1e9;
-    deadline_ =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                           std::chrono::duration<double>(std::min(limits.seconds, kMostSeconds)));
-    Pipe reply = make_pipe(path), messages = make_pipe(path);
+    deadline_ = Clock::now() +
+                std::chrono::duration_cast<Clock::duration>(
+                    std::chrono::duration<double>(std::min(reading.limits.seconds, kMostSeconds)));
+    Pipe reply = make_pipe(reading.path), messages = make_pipe(reading.path);
     constexpr int kPipeBytes = 1 << 20;  // fewer reads; the system may limit it
     fcntl(reply.write_end.number(), F_SETPIPE_SZ, kPipeBytes);
-    start(with_normals, reply.write_end, messages.write_end);
+    start(reply.write_end, messages.write_end);
     reply_ = std::move(reply.read_end);
     messages_ = std::move(messages.read_end);
   }
@@ -263,7 +274,7 @@ class ImportProcess {
   void fill(std::span<std::byte> bytes) {
     while (!bytes.empty()) {
       ask_budget();
-      if (Clock::now() >= deadline_) throw too_slow(path_, limits_);
+      if (Clock::now() >= deadline_) throw too_slow(reading_);
       const ssize_t count = ::read(reply_.number(), bytes.data(), bytes.size());
       if (count > 0) {
         bytes = bytes.subspan(static_cast<std::size_t>(count));
@@ -293,19 +304,20 @@ class ImportProcess {
   }
 
  private:
-  void start(bool with_normals, const Descriptor& reply, const Descriptor& messages) {
-    const double seconds = std::min(std::ceil(limits_.seconds), 1e9);
-    std::vector<std::string> words{import_program(path_),
+  void start(const Descriptor& reply, const Descriptor& messages) {
+    const double seconds = std::min(std::ceil(reading_.limits.seconds), 1e9);
+    std::vector<std::string> words{path_of(reading_.program, reading_.path),
                                    kImportProtocol,
                                    std::to_string(getpid()),
                                    std::to_string(memory_.bytes()),
                                    fmt::format("{:.0f}", seconds),
-                                   with_normals ? "1" : "0",
-                                   path_};
+                                   reading_.with_normals ? "1" : "0",
+                                   fmt::format("{}", reading_.limits.deflection),
+                                   reading_.path};
     child_ = import_starter()(words, reply.number(), messages.number());
     if (child_ > 0) return;
-    throw Error(fmt::format("{}: the import program cannot be started: {}: {}", path_, words[0],
-                            std::strerror(-child_)));
+    throw Error(fmt::format("{}: the import program cannot be started: {}: {}", reading_.path,
+                            words[0], std::strerror(-child_)));
   }
 
   void wait_for_more() {
@@ -320,7 +332,7 @@ class ImportProcess {
     }
     if (ends[1].revents != 0) take_messages();
     if (kWatchesResidentMemory && resident_bytes() > memory_.bytes()) {
-      throw too_hungry(path_, limits_, memory_.bytes());
+      throw too_hungry(reading_, memory_.bytes());
     }
   }
 
@@ -345,8 +357,7 @@ class ImportProcess {
     return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   }
 
-  const std::string& path_;
-  const ImportLimits& limits_;
+  Reading reading_;
   LentMemory memory_;
   Clock::time_point deadline_;
   pid_t child_ = 0;
@@ -362,10 +373,11 @@ ImportStarter& import_starter() {
   return starter;
 }
 
-Mesh read_by_import_process(const std::string& path, bool with_normals,
-                            const ImportLimits& limits) {
+Mesh read_by_program(const ImportProgram& program, const std::string& path, bool with_normals,
+                     const ImportLimits& limits) {
   require_limits(path, limits);
-  ImportProcess process(path, with_normals, limits);
+  const Reading reading{program, path, with_normals, limits};
+  ImportProcess process(reading);
   try {
     auto reply =
         receive_reply([&](std::span<std::byte> bytes) { process.fill(bytes); }, limits.memory);
@@ -376,7 +388,7 @@ Mesh read_by_import_process(const std::string& path, bool with_normals,
     if (names_file) message.remove_prefix(path.size());
     throw NotRead(path + (names_file ? "" : ": ") + drawable(message));
   } catch (const NoAnswer&) {
-    throw without_answer(path, limits, process.memory(), process.end());
+    throw without_answer(reading, process.memory(), process.end());
   } catch (const BadReply& e) {
     throw Error(
         fmt::format("{}: not a mesh that can be read: invalid reply of the import program: {}",

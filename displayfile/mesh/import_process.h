@@ -15,13 +15,25 @@ class NotRead : public Error {
   using Error::Error;
 };
 
+/// A program that reads meshes for this process.
+struct ImportProgram {
+  const char* name;      ///< of its file
+  const char* variable;  ///< of the environment: replaces the places to look for it
+  const char* library;   ///< by which it reads, for messages
+};
+
+/// Reads a mesh by such a program, as read_by_import_process does by Assimp.
+Mesh read_by_program(const ImportProgram& program, const std::string& path, bool with_normals,
+                     const ImportLimits& limits);
+
 /// Reads a mesh by the import library, as read_by_import_library does, in a separate process
 /// (import_process.md), so that faults of the library do not affect this process. Several threads
 /// may call it at once. Output of readers on standard error goes to std::cerr.
 ///
 /// Throws NotRead where read_by_import_library throws Error, with its message; and Error, naming
 /// the file, if the library crashed, exceeded the limits of time or memory, or the process cannot
-/// be started. The limits must be more than zero.
+/// be started. The limits of time and memory must be more than zero, the deflection finite and not
+/// negative.
 Mesh read_by_import_process(const std::string& path, bool with_normals, const ImportLimits& limits);
 
 /// Starts the import program with these arguments, the first of which is its path, and with the

@@ -2,18 +2,18 @@
 
 #include <cstddef>
 
-// The protocol between this process and the import program (programs/import_program). Both are of
+// The protocol between this process and an import program (programs/import_program). Both are of
 // one build: numbers are sent as in memory.
 
 namespace displayfile {
 
 /// The program's first argument; programs of another build are refused, and refuse.
 inline constexpr const char* kImportProtocol =
-    sizeof(void*) == 8 ? "displayfile-import-1-64" : "displayfile-import-1-32";
+    sizeof(void*) == 8 ? "displayfile-import-2-64" : "displayfile-import-2-32";
 
 /// The program's arguments: the protocol, the waiting process, bytes, seconds, 1 for normals, the
-/// path.
-inline constexpr int kImportArguments = 6;
+/// deflection, the path.
+inline constexpr int kImportArguments = 7;
 
 /// The descriptor for the program's reply.
 inline constexpr int kReplyDescriptor = 3;

@@ -75,6 +75,9 @@ struct ImportLimits {
   /// On systems without such a process: also reads formats whose readers are not on the list of
   /// allowed ones (allowed_formats.h). No effect elsewhere.
   bool any_format = false;
+  /// STEP and IGES: the largest distance of a facet from its curved surface, in the file's units;
+  /// 0: 1/2,500 of the diagonal of the scene's bounding box.
+  double deflection = 0.0;
 };
 
 /// How meshes are entered, where that differs from their files.
@@ -157,8 +160,9 @@ struct Mesh {
 std::vector<std::string> left_out(const Mesh::Skipped& skipped);
 
 /// Reads a mesh: OBJ, OFF, PLY and STL, also compressed, in the precision of the file; glTF 2.0 and
-/// 3MF in that of the file and any other format through the import library, in a separate process
-/// (import_process.h); formats.md lists the supported contents of each format. An object is an OBJ
+/// 3MF in that of the file, STEP and IGES through OpenCASCADE, and any other format through the
+/// import library, in a separate process (import_process.h); formats.md lists the supported
+/// contents of each format. An object is an OBJ
 /// object or group, a solid of an STL text, a node of the library's scene, or otherwise the whole
 /// file. Throws Error with the file and, where known, line and column: unreadable; unknown format;
 /// truncated; an index out of range; a coordinate that is not finite or exceeds single precision;

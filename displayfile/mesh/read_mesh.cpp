@@ -16,6 +16,8 @@
 #include "clip/base/memory.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
+#include "displayfile/mesh/cad_format.h"
+#include "displayfile/mesh/cad_import.h"
 #include "displayfile/mesh/compressed_data.h"
 #include "displayfile/mesh/format_not_read.h"
 #include "displayfile/mesh/import_process.h"
@@ -89,6 +91,14 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
+/// Reads a file of a CAD program. Of no such format it is laid down which axis is up.
+Mesh read_cad(const std::string& path, CadFormat format, bool with_normals,
+              const ImportLimits& limits) {
+  Mesh mesh = read_by_cad_process(path, with_normals, limits);
+  set_upright_of_format(mesh, format == CadFormat::step ? ".step" : ".iges", "");
+  return mesh;
+}
+
 /// Some of the import library's readers may read UTF-16 text; no built-in reader does. The message
 /// of one that does not is replaced, since it would refer to bytes that the author of the text
 /// never saw.
@@ -130,6 +140,7 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   if (format == nullptr) {
     require_format_that_is_read(path, name);
     if (is_compressed) fail_compressed(path);
+    if (const auto cad = cad_format(path)) return read_cad(path, *cad, with_normals, limits);
   }
   if (begins_in_utf16(file.data)) return read_utf16(path, with_normals, limits, format);
   const std::string extension =
@@ -142,6 +153,10 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   set_upright_of_format(mesh, extension, file.data);
   const bool is_known = mesh.upright || mesh.usual_upright;
   if (format == nullptr && !is_known) mesh.upright = upright("y");  // as the library gives them
+  if (limits.deflection > 0.0) {
+    mesh.skipped.warnings.emplace_back(
+        "--deflection has no effect: it has polygons, no curved surfaces");
+  }
   return mesh;
 }
 

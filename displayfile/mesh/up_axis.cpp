@@ -52,8 +52,10 @@ constexpr FormatUpright kUprightFormats[] = {
     {".smd", "z", true},   // Valve's engines
     {".stl", "z", true},   // Burns, "Automated Fabrication", 6.5: z away from the printer's plate
     {".amf", "z", false},  // printed, as STL
+    {".iges", "z", false},
     {".q3o", "z", false},  // Quick3D
     {".q3s", "z", false},
+    {".step", "z", false},  // most CAD programs draw upon the plane of x and y
 };
 
 const FormatUpright* format_named(std::string_view extension) {

@@ -16,6 +16,10 @@ set(CPACK_DEBIAN_MODULES_PACKAGE_NAME displayfile-modules)
 if(DISPLAYFILE_MODULE_LICENCES)
   list(APPEND CPACK_COMPONENTS_ALL modules)
 endif()
+set(CPACK_DEBIAN_CAD_PACKAGE_NAME displayfile-cad)
+if(DISPLAYFILE_CAD_PROGRAM)
+  list(APPEND CPACK_COMPONENTS_ALL cad)
+endif()
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME displayfile-doc)
 if(DISPLAYFILE_SITE)
   list(APPEND CPACK_COMPONENTS_ALL documentation)
@@ -23,6 +27,7 @@ endif()
 
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_BENCH_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_CAD_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
@@ -49,6 +54,9 @@ it measures the methods side by side, beside OSMesa, Embree and gl2ps.")
 describe(modules "exact pictures of 3D scenes: solids combined, sheets in DXF"
 "This package has the modules that are compiled with libraries under the GPL:
 they combine solids, by CGAL, and write sheets in DXF, by dxflib.")
+describe(cad "exact pictures of 3D scenes: STEP and IGES"
+"This package has the program that the command displayfile starts to read files
+of CAD programs, STEP and IGES, by OpenCASCADE.")
 describe(library "exact pictures of 3D scenes (library for C)"
 "This package has the shared library that C programs use.")
 describe(development "exact pictures of 3D scenes (development files)"
@@ -78,8 +86,12 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_BENCH_PACKAGE_DEPENDS "displayfile ${same}")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "displayfile-bench ${same}, hershey-fonts-data")
 set(and_modules)
+if(DISPLAYFILE_CAD_PROGRAM)
+  set(and_modules ", displayfile-cad ${same}")
+  string(APPEND CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "${and_modules}")
+endif()
 if(DISPLAYFILE_MODULE_LICENCES)
-  set(and_modules ", displayfile-modules ${same}")
+  string(APPEND and_modules ", displayfile-modules ${same}")
   set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "displayfile-modules ${same}")
 endif()
 # The program that reads foreign formats is in the command's package.

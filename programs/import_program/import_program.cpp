@@ -14,7 +14,6 @@
 #include <string_view>
 
 #include "clip/base/error.h"
-#include "displayfile/mesh/import_library.h"
 #include "displayfile/mesh/import_protocol.h"
 #include "displayfile/mesh/mesh_reply.h"
 #include "displayfile/mesh/neighbour_files.h"
@@ -47,16 +46,32 @@ std::size_t number(std::string_view word) {
 /// Some of the library's readers catch what new throws and continue as if the file were invalid.
 [[noreturn]] void end_hungry() { _exit(kOutOfMemoryStatus); }
 
-Mesh read_confined(const std::string& path, bool with_normals, std::size_t memory) {
-  load_import_library(path);
-  confine(NeighbourFiles(path), path, memory);
-  std::set_new_handler(end_hungry);
-  return read_by_import_library(path, with_normals);
+double length(std::string_view word) {
+  double value = 0.0;
+  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (failure != std::errc{} || end != word.data() + word.size()) {
+    throw Error(fmt::format("'{}': expected a length", word));
+  }
+  return value;
 }
 
-void answer(const std::string& path, bool with_normals, std::size_t memory) {
+struct Task {
+  std::string path;
+  bool with_normals;
+  double deflection;
+  std::size_t memory;
+};
+
+Mesh read_confined(const Task& task, const MeshReader& reader) {
+  reader.load(task.path);
+  confine(NeighbourFiles(task.path), task.path, task.memory);
+  std::set_new_handler(end_hungry);
+  return reader.read(task.path, task.with_normals, task.deflection);
+}
+
+void answer(const Task& task, const MeshReader& reader) {
   try {
-    const Mesh mesh = read_confined(path, with_normals, memory);
+    const Mesh mesh = read_confined(task, reader);
     std::fflush(nullptr);
     send_mesh(mesh, write_all);
   } catch (const Error& e) {
@@ -64,23 +79,24 @@ void answer(const std::string& path, bool with_normals, std::size_t memory) {
   } catch (const std::bad_alloc&) {
     end_hungry();
   } catch (const std::exception& e) {  // an exception that a reader of the library did not catch
-    send_refusal(fmt::format("{}: not a mesh that can be read: {}", path, e.what()), write_all);
+    send_refusal(fmt::format("{}: not a mesh that can be read: {}", task.path, e.what()),
+                 write_all);
   }
 }
 
 }  // namespace
 
-int read_for_waiting_process(int argc, char** argv) {
+int read_for_waiting_process(int argc, char** argv, const MeshReader& reader) {
   const std::span words(argv, static_cast<std::size_t>(argc));
   if (argc != kImportArguments + 1 || words[1] != std::string_view(kImportProtocol)) {
-    std::cerr << "displayfile-import is started by displayfile, of the same build\n";
+    std::cerr << "this program is started by displayfile, of the same build\n";
     return kOtherProtocolStatus;
   }
   const auto waiting_process = static_cast<long>(number(words[2]));
   if (!begin_confinement(waiting_process, kReplyDescriptor + 1, number(words[4]))) {
     return kEndedAlready;
   }
-  answer(words[6], words[5] == std::string_view("1"), number(words[3]));
+  answer({words[7], words[5] == std::string_view("1"), length(words[6]), number(words[3])}, reader);
   _exit(0);  // freeing the library's memory would take longer than to end
 }
 

@@ -53,6 +53,12 @@ void ImportWords::add_to(CLI::App& command) {
       ->type_name("SECONDS")
       ->group(kImportOptions);
   command
+      .add_option("--deflection", deflection,
+                  "STEP and IGES: largest distance of facets from curved surfaces, in the file's "
+                  "units (1/2500 of the diagonal of all its parts)")
+      ->type_name("LENGTH")
+      ->group(kImportOptions);
+  command
       .add_flag("--any-format", any_format,
                 "on systems that cannot confine the import library, also read formats whose "
                 "readers are not known to be safe")
@@ -64,6 +70,10 @@ ImportLimits ImportWords::limits() const {
   if (!memory.empty()) limits.memory = memory_of(memory);
   if (!seconds.empty()) {
     limits.seconds = positive_number("--import-seconds", seconds, seconds, "seconds, more than 0");
+  }
+  if (!deflection.empty()) {
+    limits.deflection =
+        positive_number("--deflection", deflection, deflection, "a length, more than 0");
   }
   return limits;
 }

@@ -8,9 +8,10 @@
 
 namespace displayfile {
 
-/// The options of commands that read meshes: limits of the import library for each mesh.
+/// The options of commands that read meshes: limits of the import library for each mesh, and how
+/// near facets are to curved surfaces.
 struct ImportWords {
-  std::string memory, seconds;
+  std::string memory, seconds, deflection;
   bool any_format = false;
 
   void add_to(CLI::App& command);

@@ -179,7 +179,7 @@ class System(Entering):
         Parameters
         ----------
         path : path_like
-            An OBJ, OFF, PLY or STL file, or another one that Assimp reads.
+            An OBJ, OFF, PLY or STL file, or one that Assimp or OpenCASCADE (STEP, IGES) reads.
         colour : colour, optional
             Colour of all faces, overriding the file.
         eye : array_like, optional

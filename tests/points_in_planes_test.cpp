@@ -11,7 +11,7 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "hidden/touching/touching_planes.h"
+#include "hidden/exact/entered_plane.h"
 #include "tests/from_environment.h"
 #include "tests/slower.h"
 #include "tests/touching_scenes.h"
@@ -66,7 +66,7 @@ Point3 any_point(Source& s) {
 }
 
 /// Points at about the reach from a plane, and at about its fractions and multiples.
-TEST(TouchingPlanes, PointsLieInPlanesAsInRationals) {
+TEST(EnteredPlane, ReachesPointsAsInRationals) {
   std::size_t in = 0, out = 0;
   const auto trials = static_cast<std::uint64_t>(
       200 * test::from_environment("DISPLAYFILE_TOUCHING_SCENES", 60 / test::kSlower));
@@ -95,15 +95,10 @@ TEST(TouchingPlanes, PointsLieInPlanesAsInRationals) {
       const glm::dmat4 here = of_point == nullptr ? glm::dmat4(1.0) : glm::dmat4(*of_point);
       v = Point3(glm::inverse(here) * (there * HomogeneousPoint(v, 1.0)));
     }
-    const TouchingPlanes planes(
-        1,
-        [&](std::uint32_t) {
-          return EnteredPolygon{triangle, of_plane};
-        },
-        reach);
-    ASSERT_TRUE(planes.has_plane(0));
+    const Modelling modelling(of_plane, reach);
+    const EnteredPlane plane(triangle, modelling);
     const bool expected = lies_in_rationally(v, of_point, triangle, of_plane, reach);
-    ASSERT_EQ(planes.lies_in(v, of_point, 0), expected) << "seed " << seed;
+    ASSERT_EQ(plane.reaches(v, Modelling(of_point, reach)), expected) << "seed " << seed;
     ++(expected ? in : out);
   }
   EXPECT_GT(in, trials / 8);
@@ -111,48 +106,21 @@ TEST(TouchingPlanes, PointsLieInPlanesAsInRationals) {
 }
 
 /// Exactly at the reach it lies in the plane, a unit farther it does not.
-TEST(TouchingPlanes, PointsAtTheReachLieInThePlane) {
-  const std::array<Point3, 3> floor{Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0)};
+TEST(EnteredPlane, ReachesPointsAtTheReach) {
+  const EnteredPlane::Corners floor{Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0)};
   for (const double reach : {0x1p-49, 0.1, 1e-30, 1e-200}) {
-    const TouchingPlanes planes(
-        1,
-        [&](std::uint32_t) {
-          return EnteredPolygon{floor, nullptr};
-        },
-        reach);
+    const Modelling none(nullptr, reach);
+    const EnteredPlane plane(floor, none);
     for (const double sign : {1.0, -1.0}) {
-      EXPECT_TRUE(planes.lies_in({0.7, 0.3, sign * reach}, nullptr, 0));
-      EXPECT_FALSE(planes.lies_in({0.7, 0.3, sign * std::nextafter(reach, 1.0)}, nullptr, 0));
+      EXPECT_TRUE(plane.reaches({0.7, 0.3, sign * reach}, none));
+      EXPECT_FALSE(plane.reaches({0.7, 0.3, sign * std::nextafter(reach, 1.0)}, none));
     }
     // Under a matrix that doubles, both are twice as far, and so is the reach.
-    const glm::dmat4x3 twice(2.0);
-    EXPECT_TRUE(planes.lies_in({0.7, 0.3, reach}, &twice, 0));
-    EXPECT_FALSE(planes.lies_in({0.7, 0.3, std::nextafter(reach, 1.0)}, &twice, 0));
+    const glm::dmat4x3 matrix(2.0);
+    const Modelling twice(&matrix, reach);
+    EXPECT_TRUE(plane.reaches({0.7, 0.3, reach}, twice));
+    EXPECT_FALSE(plane.reaches({0.7, 0.3, std::nextafter(reach, 1.0)}, twice));
   }
-}
-
-/// A polygon that touches has the plane of the other.
-TEST(TouchingPlanes, APointLiesInThePlaneThatThePolygonTakes) {
-  const std::vector<std::vector<Point3>> polygons{
-      {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}},
-      {{0, 0, 0.01}, {0.5, 0, 0.01}, {0, 0.5, 0.01}},
-      {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
-  };
-  const TouchingPlanes planes(
-      3,
-      [&](std::uint32_t i) {
-        return EnteredPolygon{polygons[i], nullptr};
-      },
-      0.01);
-  EXPECT_EQ(planes.plane_of(1), 0u);
-  EXPECT_TRUE(planes.lies_in({5, 5, -0.01}, nullptr, 1));
-  EXPECT_FALSE(planes.lies_in({5, 5, 0.015}, nullptr, 1));
-  EXPECT_FALSE(planes.has_plane(2));
-  EXPECT_EQ(planes.plane_of(2), 2u);
-  EXPECT_FALSE(planes.lies_in({0, 0, 0}, nullptr, 2));
-  ASSERT_EQ(planes.shared_planes(), 1u);
-  EXPECT_EQ(std::vector<std::uint32_t>(planes.members(0).begin(), planes.members(0).end()),
-            (std::vector<std::uint32_t>{0, 1}));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "hidden/exact/entered_plane.h"
 #include "hidden/exact/rounding.h"
 #include "hidden/touching/planes_in_reach.h"
 

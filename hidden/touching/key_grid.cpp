@@ -53,8 +53,4 @@ void KeyGrid::insert(std::uint32_t number, const Keys& keys) {
   }
 }
 
-void KeyGrid::clear() {
-  for (Size& size : sizes_) std::ranges::fill(size.first, kNone);
-}
-
 }  // namespace displayfile

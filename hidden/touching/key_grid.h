@@ -25,7 +25,6 @@ class KeyGrid {
     return !sizes_.empty() && tolerance <= sizes_.back().length;
   }
   void insert(std::uint32_t number, const Keys& keys);
-  void clear();
 
   /// Calls visit(number) for all inserted numbers with every key within the tolerance, and for
   /// others, possibly repeatedly, until it returns false. Requires a size for the tolerance.

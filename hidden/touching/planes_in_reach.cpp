@@ -13,6 +13,7 @@
 
 #include "clip/base/round_to_nearest.h"
 #include "clip/geometry/bounds.h"
+#include "hidden/exact/entered_plane.h"
 #include "hidden/touching/planes_in_row.h"
 
 namespace displayfile {

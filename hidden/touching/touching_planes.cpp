@@ -16,6 +16,7 @@
 #include "clip/base/round_to_nearest.h"
 #include "clip/base/work_budget.h"
 #include "clip/geometry/back_face.h"
+#include "hidden/exact/entered_plane.h"
 #include "hidden/touching/key_grid.h"
 #include "hidden/touching/plane_tree.h"
 
@@ -45,8 +46,8 @@ std::vector<std::uint32_t> all_of(std::uint32_t polygons) {
 /// of their own planes in `own_`.
 class TouchingPlanes::Search {
  public:
-  Search(TouchingPlanes& result, const PolygonOf& polygon_of)
-      : result_(result), polygon_of_(polygon_of) {}
+  Search(TouchingPlanes& result, const PolygonOf& polygon_of, double reach)
+      : result_(result), polygon_of_(polygon_of), entered_reach_(reach) {}
 
   void enter(std::span<const std::uint32_t> polygons);
   void find_planes();
@@ -56,6 +57,11 @@ class TouchingPlanes::Search {
 
  private:
   using Plane = PlaneTree::Plane;
+  /// A polygon's own plane.
+  struct OwnPlane {
+    EnteredPlane::Corners corners;
+    std::uint32_t polygon, modelling;
+  };
   /// A plane in the frame, in doubles.
   struct Estimate {
     Plane plane{0.0};
@@ -109,6 +115,8 @@ class TouchingPlanes::Search {
 
   TouchingPlanes& result_;
   const PolygonOf& polygon_of_;
+  double entered_reach_;
+  std::vector<Modelling> modellings_;
   std::vector<OwnPlane> own_;
   std::vector<std::uint32_t> sides_;
   std::vector<double> area_;
@@ -135,11 +143,10 @@ class TouchingPlanes::Search {
 };
 
 std::uint32_t TouchingPlanes::Search::modelling_of(const EnteredPolygon& polygon) {
-  std::vector<Modelling>& all = result_.modellings_;
-  if (all.empty() || !all.back().is_of(polygon.modelling)) {
-    all.emplace_back(polygon.modelling, result_.reach_);
+  if (modellings_.empty() || !modellings_.back().is_of(polygon.modelling)) {
+    modellings_.emplace_back(polygon.modelling, entered_reach_);
   }
-  return static_cast<std::uint32_t>(all.size() - 1);
+  return static_cast<std::uint32_t>(modellings_.size() - 1);
 }
 
 /// Enters the polygons' own planes, areas and bounds.
@@ -155,7 +162,7 @@ void TouchingPlanes::Search::enter(std::span<const std::uint32_t> polygons) {
     const auto support = support_of_entered(points);
     if (!support) continue;
     const std::uint32_t number = modelling_of(polygon);
-    const Modelling& modelling = result_.modellings_[number];
+    const Modelling& modelling = modellings_[number];
     const auto& [p, q, r] = *support;
     const EnteredPlane::Corners corners{points[p], points[q], points[r]};
     if (modelling.is_singular() && modelling.puts_in_line(corners[0], corners[1], corners[2])) {
@@ -259,10 +266,10 @@ void TouchingPlanes::Search::find_frame() {
   int exponent = 0;
   std::frexp(std::max({half.x, half.y, half.z}) * (1.0 + 0x1p-50), &exponent);
   scale_ = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
-  for (const Modelling& modelling : result_.modellings_) {
+  for (const Modelling& modelling : modellings_) {
     reach_ = std::max(reach_, modelling.reach().high);
   }
-  least_reach_ = result_.modellings_.front().reach().low * scale_ / kWider;
+  least_reach_ = modellings_.front().reach().low * scale_ / kWider;
   reach_ *= scale_ * kWider;
   // A world coordinate has an error of up to 3.01 roundings of a sum.
   const double world_error = 5.3 * rounding_ * magnitude_ * scale_;
@@ -289,7 +296,7 @@ KeyGrid::Keys TouchingPlanes::Search::keys_of(const Plane& plane) const {
 }
 
 TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane& own) const {
-  const Modelling& modelling = result_.modellings_[own.modelling];
+  const Modelling& modelling = modellings_[own.modelling];
   const Point3 p = modelling.apply(own.corners[0]);
   const Point3 u = (modelling.apply(own.corners[1]) - p) * scale_;
   const Point3 v = (modelling.apply(own.corners[2]) - p) * scale_;
@@ -311,7 +318,7 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate(const OwnPlane
 
 TouchingPlanes::Search::Estimate TouchingPlanes::Search::estimate_closely(
     const EnteredPlane& plane, const OwnPlane& own) const {
-  const Point3 p = result_.modellings_[own.modelling].apply(own.corners[0]);
+  const Point3 p = modellings_[own.modelling].apply(own.corners[0]);
   const double off = plane.normal_error();
   if (!(off <= 1.0)) return {in_frame(Point3(1.0, 0.0, 0.0), p), kNoBound, kNoBound};
   const double radius = (off * diameter_ + 2.0 * point_error_ + 24.0 * rounding_) * kWider;
@@ -324,7 +331,7 @@ TouchingPlanes::Search::Estimate TouchingPlanes::Search::find_estimate(const Own
   steps_.step();
   Estimate of = estimate(own);
   if (!(of.radius <= std::max(close_radius_, kGood))) {
-    const EnteredPlane plane(own.corners, result_.modellings_[own.modelling]);
+    const EnteredPlane plane(own.corners, modellings_[own.modelling]);
     const Estimate close = estimate_closely(plane, own);
     if (close.radius < of.radius) {
       of.plane = close.plane;
@@ -360,7 +367,7 @@ bool TouchingPlanes::Search::keys_are_near(std::uint32_t own, std::uint32_t othe
 }
 
 void TouchingPlanes::Search::take_corners(std::uint32_t own) {
-  const Modelling& modelling = result_.modellings_[own_[own].modelling];
+  const Modelling& modelling = modellings_[own_[own].modelling];
   for (std::size_t k = 0; k < 3; ++k) {
     corners_[k] = in_frame(modelling.apply(own_[own].corners[k]));
   }
@@ -474,7 +481,7 @@ const TouchingPlanes::Search::Known& TouchingPlanes::Search::known_closely(std::
 TouchingPlanes::Search::Passage TouchingPlanes::Search::passage(const Known& known) const {
   const Plane& n = known.plane;
   const double near = (reach_ + known.radius) * kWider;
-  bool is_within = result_.modellings_.size() == 1;
+  bool is_within = modellings_.size() == 1;
   for (const Point3& v : corners_) {
     const double off = std::abs(n.x * v.x + n.y * v.y + n.z * v.z - n.w);
     if (off > near) return Passage::beyond;
@@ -487,7 +494,7 @@ TouchingPlanes::Search::Passage TouchingPlanes::Search::passage(const Known& kno
 bool TouchingPlanes::Search::touches(std::uint32_t own, std::uint32_t plane) {
   ++result_.counts_.tested;
   const EnteredPlane& of = ready(plane);
-  const Modelling& modelling = result_.modellings_[own_[own].modelling];
+  const Modelling& modelling = modellings_[own_[own].modelling];
   const auto is_reached = [&](const Point3& v) { return of.reaches(v, modelling); };
   if (sides_[own] == 3) return std::ranges::all_of(own_[own].corners, is_reached);
   const EnteredPolygon polygon = polygon_of_(own_[own].polygon);
@@ -497,13 +504,13 @@ bool TouchingPlanes::Search::touches(std::uint32_t own, std::uint32_t plane) {
 const EnteredPlane& TouchingPlanes::Search::ready(std::uint32_t plane) {
   Ready& ready = ready_[plane % ready_.size()];
   if (ready.own != plane) {
-    ready.plane.emplace(own_[plane].corners, result_.modellings_[own_[plane].modelling]);
+    ready.plane.emplace(own_[plane].corners, modellings_[own_[plane].modelling]);
     ready.own = plane;
   }
   return *ready.plane;
 }
 
-/// Stores the planes in which polygons lie, and the polygons that share each.
+/// Stores in whose plane each polygon lies, and the polygons that share each.
 void TouchingPlanes::Search::keep(std::uint32_t polygons) {
   std::vector<std::uint32_t> sharing(own_.size(), 0);
   for (const std::uint32_t k : order_) {
@@ -512,23 +519,11 @@ void TouchingPlanes::Search::keep(std::uint32_t polygons) {
     ++result_.touching_;
   }
   keep_members(sharing);
-  std::vector<std::uint32_t>& number = sharing;  // of the stored planes
   result_.plane_.assign(polygons, kNone);
-  std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < own_.size(); ++k) {
     assert(taken_[taken_[k]] == taken_[k]);
-    if (taken_[k] == k) number[k] = kept++;
+    result_.plane_[own_[k].polygon] = own_[taken_[k]].polygon;
   }
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    result_.plane_[own_[k].polygon] = number[taken_[k]];
-  }
-  for (std::uint32_t k = 0; k < own_.size(); ++k) {
-    assert(taken_[k] != k || number[k] <= k);
-    if (taken_[k] == k) own_[number[k]] = own_[k];
-  }
-  own_.resize(kept);
-  own_.shrink_to_fit();
-  result_.planes_ = std::move(own_);
 }
 
 /// `sharing`: for each plane the number of other polygons that lie in it.
@@ -560,36 +555,17 @@ TouchingPlanes::TouchingPlanes(std::uint32_t polygons, const PolygonOf& polygon_
 
 TouchingPlanes::TouchingPlanes(std::uint32_t polygons, std::span<const std::uint32_t> looked_at,
                                const PolygonOf& polygon_of, double reach,
-                               const std::vector<Pair>* pairs)
-    : reach_(reach) {
+                               const std::vector<Pair>* pairs) {
   assert(std::ranges::is_sorted(looked_at) && (looked_at.empty() || looked_at.back() < polygons));
   const RoundToNearest mode;
-  Search search(*this, polygon_of);
+  Search search(*this, polygon_of, reach);
   search.enter(looked_at);
   pairs == nullptr ? search.find_planes() : search.find_planes(looked_at, *pairs);
   search.keep(polygons);
 }
 
-bool TouchingPlanes::lies_in(const Point3& entered, const glm::dmat4x3* modelling,
-                             std::uint32_t polygon) const {
-  if (plane_[polygon] == kNone) return false;
-  const RoundToNearest mode;
-  const OwnPlane& plane = planes_[plane_[polygon]];
-  const Modelling& of_plane = modellings_[plane.modelling];
-  const EnteredPlane ready(plane.corners, of_plane);
-  if (of_plane.is_of(modelling)) return ready.reaches(entered, of_plane);
-  return ready.reaches(entered, Modelling(modelling, reach_));
-}
-
-std::size_t TouchingPlanes::bytes() const {
-  const auto size = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return size(modellings_) + size(planes_) + size(plane_) + size(first_member_) + size(members_);
-}
-
 void TouchingPlanes::keep_members_alone() {
-  modellings_ = decltype(modellings_)();  // assigning {} would keep the memory
-  planes_ = decltype(planes_)();
-  plane_ = decltype(plane_)();
+  plane_ = decltype(plane_)();  // assigning {} would keep the memory
 }
 
 }  // namespace displayfile

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "hidden/exact/entered_plane.h"
 #include "hidden/exact/entered_polygon.h"
 
 namespace displayfile {
@@ -47,8 +46,7 @@ class TouchingPlanes {
   /// no plane. plane_of(plane_of(p)) = plane_of(p).
   std::uint32_t plane_of(std::uint32_t polygon) const {
     assert(polygon < plane_.size());
-    const std::uint32_t plane = plane_[polygon];
-    return plane == kNone ? polygon : planes_[plane].polygon;
+    return plane_[polygon] == kNone ? polygon : plane_[polygon];
   }
   bool has_plane(std::uint32_t polygon) const { return plane_[polygon] != kNone; }
   /// The number of polygons in the plane of another.
@@ -64,32 +62,17 @@ class TouchingPlanes {
     return std::span(members_).subspan(first, first_member_[shared_plane + 1] - first);
   }
 
-  /// True if a point, entered under that matrix (null: the identity), is within reach of the plane
-  /// that the polygon lies in, by the larger reach of both matrices. Exact; false if the polygon
-  /// has no plane. With a reach of 0: if it is on the plane.
-  bool lies_in(const Point3& entered, const glm::dmat4x3* modelling, std::uint32_t polygon) const;
-
   /// Keeps only shared_planes, members and touching, in little memory: nothing else may be called
   /// afterwards.
   void keep_members_alone();
 
   const Counts& counts() const { return counts_; }
-  std::size_t bytes() const;  ///< of the arrays, as used
 
  private:
   class Search;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// A polygon's own plane.
-  struct OwnPlane {
-    EnteredPlane::Corners corners;
-    std::uint32_t polygon, modelling;
-  };
-
-  double reach_ = 0.0;
-  std::vector<Modelling> modellings_;
-  std::vector<OwnPlane> planes_;      // that polygons lie in
-  std::vector<std::uint32_t> plane_;  // in planes_, by polygon
+  std::vector<std::uint32_t> plane_;  // by polygon, the one in whose plane it lies
   std::vector<std::uint32_t> first_member_, members_;
   std::size_t touching_ = 0;
   Counts counts_;

@@ -229,9 +229,9 @@ TEST(LineKinds, OnlyWhatHasALineStyleIsDrawn) {
     enter(g, box());
   });
   SortedDisplayFile sorted;
-  const DisplayFile& file =
-      sorted.update(none, HiddenMethod::franklin, {.method = HiddenMethod::franklin});
-  EXPECT_EQ(file.sorted()->lines(), 0u);
+  const std::string drawn =
+      dump(sorted.update(none, HiddenMethod::franklin, {.method = HiddenMethod::franklin}));
+  EXPECT_EQ(drawn.find("\nline "), drawn.npos) << drawn;
 }
 
 /// Lines that the application draws are lines whatever is selected.

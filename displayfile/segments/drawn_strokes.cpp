@@ -39,7 +39,7 @@ std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPiec
   return strokes_once(strokes, lines_apart(scene.touching_of_ends()));
 }
 
-void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const StrokeOrder& order,
+void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const SurfacePlan& plan,
                   std::vector<StrokePart>& parts) {
   const std::size_t first = std::min(pieces.first_stroke, pieces.pieces.size());
   const std::vector<std::uint32_t> looks = looks_of_lines(scene);
@@ -60,10 +60,11 @@ void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const St
                        style_of_stroke(scene, piece.item, kinds).width,
                        256 * look + (kinds_differ ? kinds : 0u), piece.item});
   }
-  const StrokePicture picture{order.pixels, lines_apart(scene.touching_of_ends())};
+  const StrokePicture picture{Point2(plan.width, plan.height),
+                              lines_apart(scene.touching_of_ends())};
   std::vector<StrokePart> all(parts.begin(), end_of_hidden);
   all.reserve(parts.size());
-  for (const PartByDepth& of : strokes_by_depth(strokes, picture, order.halo, order.threads)) {
+  for (const PartByDepth& of : strokes_by_depth(strokes, picture, plan.line_halo, plan.threads)) {
     StrokePart part = seen[of.stroke];
     const double length = part.to - part.from;
     if (of.to != 1.0) part.to = part.from + of.to * length;

@@ -11,7 +11,7 @@
 namespace displayfile {
 
 class ViewedScene;
-struct StrokeOrder;
+struct SurfacePlan;
 
 /// The strokes of a sorted scene (SortedPieces::first_stroke and those after it, by numbers from 0)
 /// as drawn in a picture: each position of the strokes of one segment and style once, with isolated
@@ -21,7 +21,7 @@ std::vector<StrokePart> drawn_strokes(const ViewedScene& scene, const SortedPiec
 /// Puts those parts into the order of depth, after the hidden ones, and cuts them where that needs
 /// it or a halo leaves them out (hidden/lines/strokes_by_depth.h). A part that a halo leaves
 /// between two gaps is alone.
-void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const StrokeOrder& order,
+void put_by_depth(const ViewedScene& scene, const SortedPieces& pieces, const SurfacePlan& plan,
                   std::vector<StrokePart>& parts);
 
 /// The visible lines of a scene as drawn in a picture: each position once, without crumbs. `pixels`

@@ -19,8 +19,9 @@ namespace {
 /// its sides a line of the picture is, or was before clipping.
 class SidesInPicture {
  public:
-  explicit SidesInPicture(const ViewedScene::EnteredItem& item)
-      : item_(item), image_(*item.image), longest_(longest_of(*item.image)) {}
+  /// `longest`: the largest factor by which the item's image transformation increases an error.
+  SidesInPicture(const ViewedScene::EnteredItem& item, double longest)
+      : item_(item), image_(*item.image), longest_(longest) {}
 
   /// How well a line of the picture matches the side between two vertices.
   struct Likeness {
@@ -50,9 +51,6 @@ class SidesInPicture {
     double error;
   };
 
-  static double longest_of(const ImageTransformation& image) {
-    return std::max(1.0, std::abs(image.scale.x) + std::abs(image.scale.y));
-  }
   Vertex vertex(std::size_t k) const {
     const Point3& p = item_.polygon.points[k];
     Point3 world = p, size = glm::abs(p);
@@ -173,7 +171,7 @@ std::optional<ViewedScene::EnteredLine> ViewedScene::entered_line(Item item,
   const std::size_t sides = all.size();
   if (sides < 2) return std::nullopt;
   const Point3 &a = seen[previous_corner<std::size_t>(corner, seen.size())], &b = seen[corner];
-  const SidesInPicture in_picture(entered);
+  const SidesInPicture in_picture(entered, longest_of(*entered.image));
   const auto likeness = [&](std::size_t to) {
     return in_picture.likeness(previous_corner(to, sides), to, a, b);
   };

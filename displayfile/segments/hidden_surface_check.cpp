@@ -61,7 +61,7 @@ std::shared_ptr<const SortedScene> sorted_scene(ViewedScene viewed,
   double moved = viewed.boundary_error() + cuts_may_move(viewed);
   if (plan.precision.exact && vertices_touch(viewed.touching_of_ends())) moved += kTouchingStrip;
   auto ordered = std::make_shared<OrderedScene>(OrderedScene{
-      std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces), StrokeOrder::of(plan)});
+      std::make_shared<ViewedScene>(std::move(viewed)), std::move(pieces), plan.kept()});
   return std::make_shared<SortedScene>(
       SortedScene{{std::move(ordered)}, image, kept(plan), counts, moved});
 }

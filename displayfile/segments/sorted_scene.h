@@ -38,23 +38,11 @@ struct SortCounts {
   }
 };
 
-/// The order in which overlapping strokes are drawn: the part of a SurfacePlan.
-struct StrokeOrder {
-  LineOrder order = LineOrder::entry;
-  double halo = 0.0;            ///< pixels
-  Point2 pixels{512.0, 512.0};  ///< the picture's size
-  int threads = 1;
-
-  static StrokeOrder of(const SurfacePlan& plan) {
-    return {plan.line_order, plan.line_halo, Point2(plan.width, plan.height), plan.threads};
-  }
-};
-
 /// A scene and the order that a sort found: its pieces, back to front.
 struct OrderedScene {
   std::shared_ptr<const ViewedScene> scene;
-  SortedPieces pieces;  ///< of the scene's items
-  StrokeOrder strokes = {};
+  SortedPieces pieces;    ///< of the scene's items
+  SurfacePlan plan = {};  ///< by which its strokes are drawn, without progress and budget
 
   /// Its strokes as drawn in a picture (displayfile/segments/drawn_strokes.h). Found on first use,
   /// by any thread.
@@ -100,10 +88,8 @@ struct SortedScene {
     walk(TransformedVisitor(visit, moved));
   }
 
-  bool has_shadows() const;      ///< some fill shows them
-  std::size_t polygons() const;  ///< pieces that are drawn as polygons
-  std::size_t lines() const;     ///< and as lines
-  std::size_t bytes() const;     ///< of the scenes' own arrays and the orders, as used
+  bool has_shadows() const;   ///< some fill shows them
+  std::size_t bytes() const;  ///< of the scenes' own arrays and the orders, as used
 };
 
 /// State while pieces are made into instructions.
@@ -118,7 +104,7 @@ class PieceWriter {
   /// Sends lines that are drawn after all polygons.
   void save_strokes(const OrderedScene& ordered) {
     const std::size_t first = ordered.pieces.first_stroke;
-    if (!kDrawsPicture && ordered.strokes.order == LineOrder::entry) {
+    if (!kDrawsPicture && ordered.plan.line_order == LineOrder::entry) {
       return save_pieces(ordered, first, ordered.pieces.pieces.size());
     }
     for (const StrokePart& part : ordered.strokes_of_picture()) {

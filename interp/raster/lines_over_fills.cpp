@@ -35,7 +35,7 @@ void take_by_depth(LinesOverFills::Group& group, const FoundLines& found) {
   const ViewedScene& scene = *group.scene;
   const SurfacePlan& plan = group.wanted.plan;
   const OrderedScene ordered{group.scene, lines_in_order(scene, found, plan.hidden_lines),
-                             StrokeOrder::of(plan)};
+                             plan.kept()};
   const SortedPieces& lines = ordered.pieces;
   for (const StrokePart& part : ordered.strokes_of_picture()) {
     const std::size_t k = lines.first_stroke + part.stroke;

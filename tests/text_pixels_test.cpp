@@ -216,7 +216,7 @@ TEST(Text, CornersAndPointsOfASurfaceAreSeenInAnyView) {
 Picture joined_rows(const DisplayFile& file, const RasterRequest& request) {
   Picture all;
   all.width = request.width;
-  draw_rows_with_software(file, request, [&](const Picture& rows) {
+  SoftwareRenderer().draw(file, request, [&](const Picture& rows) {
     all.height += rows.height;
     all.pixels.insert(all.pixels.end(), rows.pixels.begin(), rows.pixels.end());
   });

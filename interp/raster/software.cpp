@@ -526,9 +526,4 @@ Picture draw_with_software(const DisplayFile& display_file, const RasterRequest&
   return renderer.take_picture();
 }
 
-void draw_rows_with_software(const DisplayFile& display_file, const RasterRequest& request,
-                             const TakeRows& take) {
-  SoftwareRenderer().draw(display_file, request, take);
-}
-
 }  // namespace displayfile

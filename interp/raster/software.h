@@ -121,7 +121,5 @@ class SoftwareRenderer {
 
 /// Draws one picture with a renderer of its own.
 Picture draw_with_software(const DisplayFile& display_file, const RasterRequest& request);
-void draw_rows_with_software(const DisplayFile& display_file, const RasterRequest& request,
-                             const TakeRows& take);
 
 }  // namespace displayfile

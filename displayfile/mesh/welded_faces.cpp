@@ -1,7 +1,6 @@
 #include "displayfile/mesh/welded_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 

@@ -1,7 +1,6 @@
 #include "displayfile/solids/solid_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,5 @@
 #include "hidden/exact/predicate_counts.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <mutex>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <tuple>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <utility>
 
 #include "hidden/lines/convex_objects.h"
 #include "hidden/lines/roberts_finder.h"

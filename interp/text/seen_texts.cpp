@@ -1,7 +1,6 @@
 #include "interp/text/seen_texts.h"
 
 #include <cstdint>
-#include <iterator>
 #include <span>
 
 #include "interp/text/seen_points.h"

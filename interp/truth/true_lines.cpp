@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "clip/base/budgeted_work.h"

@@ -1,6 +1,5 @@
 #include "interp/truth/world_truth.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "interp/visibility/auto_method.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <iostream>
-#include <string_view>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"

@@ -9,7 +9,6 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <variant>
 #include <vector>

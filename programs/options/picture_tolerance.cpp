@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"

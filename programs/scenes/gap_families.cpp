@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "programs/scenes/families.h"
 #include "programs/scenes/shapes.h"

@@ -1,7 +1,6 @@
 #include "programs/sheet/chained_lines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <string_view>
 #include <unordered_map>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "programs/sheet/placed_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>

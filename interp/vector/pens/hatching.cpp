@@ -1,7 +1,6 @@
 #include "interp/vector/pens/hatching.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -10,8 +10,8 @@
 
 namespace displayfile::python {
 
-/// The options of a picture: its size as one or two numbers of pixels or a word in mm, and the other
-/// members of DrawOptions by their Python names. None stands for a missing argument.
+/// The options of a picture: its size as one or two numbers of pixels or a word in mm, and the
+/// other members of DrawOptions by their Python names. None stands for a missing argument.
 DrawOptions draw_options_in(pybind11::handle size, const pybind11::kwargs& keywords);
 
 /// Width over height of such a picture; none if its size is not valid.

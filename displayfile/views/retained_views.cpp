@@ -73,8 +73,10 @@ class RetainedViews::Part {
         boundary_error(ViewRounding(view, volume), *scene) + scene->boundary_error();
     SortedPieces order = order_of_pieces(moving_eye_.far_to_near(eye), stage.pipeline());
     append_lines(*scene, plan_, order);
-    sorted->parts.push_back(
-        std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
+    auto ordered = std::make_shared<OrderedScene>();
+    ordered->scene = std::move(scene);
+    ordered->pieces = std::move(order);
+    sorted->parts.push_back(std::move(ordered));
     return sorted;
   }
 

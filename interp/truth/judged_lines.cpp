@@ -128,8 +128,10 @@ DisplayFile true_line_drawing(const DisplayFile& display_file, int threads,
     const FoundLines true_lines{lines_to_draw(*scene), {}, items.of_group(group, pieces)};
     SortedPieces order = lines_in_order(*scene, true_lines, HiddenLines::none);
     sorted->counts.pieces += order.pieces.size();
-    sorted->parts.push_back(
-        std::make_shared<OrderedScene>(OrderedScene{std::move(scene), std::move(order)}));
+    auto ordered = std::make_shared<OrderedScene>();
+    ordered->scene = std::move(scene);
+    ordered->pieces = std::move(order);
+    sorted->parts.push_back(std::move(ordered));
   }
   DisplayFile drawing = display_file;
   drawing.set_sorted(std::move(sorted));

@@ -36,18 +36,17 @@ TEST(KeyGrid, FindsAllWithinTheTolerance) {
       }
       keys.push_back(own);
     }
-    KeyGrid grid(tolerances);
-    const auto near_of = [&](std::uint32_t k) {
-      std::set<std::uint32_t> near;
-      grid.visit_near(keys[k], tolerances[k], [&](std::uint32_t i) {
-        near.insert(i);
-        return true;
-      });
-      return near;
-    };
     std::size_t found = 0;
     for (const bool all : {true, false}) {
-      grid.clear();
+      KeyGrid grid(tolerances);
+      const auto near_of = [&](std::uint32_t k) {
+        std::set<std::uint32_t> near;
+        grid.visit_near(keys[k], tolerances[k], [&](std::uint32_t i) {
+          near.insert(i);
+          return true;
+        });
+        return near;
+      };
       for (std::uint32_t k = 0; k < kNumbers; ++k) {
         if (all || k % 3 == 0) grid.insert(k, keys[k]);
       }

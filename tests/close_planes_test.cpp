@@ -60,7 +60,7 @@ class ScenePlanes {
 };
 
 constexpr double kTouching = 0x1p-49, kNearby = 0x1p-24;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 TEST(ClosePlanes, ThatTouchAreFoundInAllDirections) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -321,7 +321,7 @@ TEST(PlanesInReach, PolygonsAnyhowAndAnyReach) {
       if (n % 4 == 0) scene.enter(ScenePlanes::square(at + 0.4 * u - 0.7 * v, 0.1 * u, -0.2 * v));
       if (n % 5 == 0) scene.enter({at, at, at + u});  // no plane
     }
-    for (const double reach : {0x1p-49, 1e-9, 1e-4, 1e-2, 0.1, 3.0, 1e30, 1e39, 1e200, kInfinity}) {
+    for (const double reach : {0x1p-49, 1e-9, 1e-4, 1e-2, 0.1, 3.0, 1e30, 1e39, 1e200, kNoLimit}) {
       expect_same_planes(scene, reach, "seed " + std::to_string(seed));
     }
   }
@@ -330,7 +330,7 @@ TEST(PlanesInReach, PolygonsAnyhowAndAnyReach) {
 /// Planes are compared several at a time, also past the last one.
 TEST(PlanesInRow, NoneAreFoundThatWereNotPut) {
   for (const float near :
-       {1.0F, 1e38F, std::numeric_limits<float>::max(), static_cast<float>(kInfinity)}) {
+       {1.0F, 1e38F, std::numeric_limits<float>::max(), static_cast<float>(kNoLimit)}) {
     PlanesInRow planes(3, near);
     for (std::uint32_t k = 0; k < 3; ++k) planes.put(k, {{0.0F, 0.0F, 1.0F}, 0.5F}, k);
     const std::array<PlanesInRow::Run, 1> all{{{0, 3}}};

@@ -18,6 +18,7 @@
 #include "tests/from_eyes.h"
 #include "tests/gallery.h"
 #include "tests/retained_truth.h"
+#include "tests/slower.h"
 
 namespace displayfile {
 namespace {
@@ -107,12 +108,13 @@ TEST(KeptViews, AreThoseEnteredAnewOfTheGallery) {
     system.set_light({0.4, 0.9, 0.6}, 0.3);  // unless the program sets another
     system.set_shadows(true);
   };
+  test::Share share;
   test::for_each_in_gallery(light, [&](const std::string&, const Retained& retained) {
-    if (!test::is_of_one_view(retained.scene)) return;
+    if (!test::is_of_one_view(retained.scene) || !share.takes_next()) return;
     ASSERT_NO_FATAL_FAILURE(expect_right(retained));
     ++drawn;
   });
-  EXPECT_GE(drawn, 12);
+  EXPECT_GE(drawn, 12 / test::kShare);
 }
 
 TEST(KeptViews, AreThoseEnteredAnewOfGeneratedScenes) {
@@ -131,7 +133,9 @@ TEST(KeptViews, AreThoseEnteredAnewOfGeneratedScenes) {
 /// Points on planes, sheets that nearly touch, huge offsets: where rounding decides, it decides as
 /// in a view that is entered anew.
 TEST(KeptViews, AreThoseEnteredAnewOfHardCases) {
+  test::Share share;
   for (const HardCase& hard : hard_cases()) {
+    if (!share.takes_next()) continue;
     SCOPED_TRACE(hard.name);
     Retained retained;
     retained.system.set_light({0.2, 0.3, 1.0}, 0.25);

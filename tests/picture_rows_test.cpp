@@ -13,6 +13,7 @@
 #include "tests/error_of.h"
 #include "tests/from_eyes.h"
 #include "tests/gallery.h"
+#include "tests/slower.h"
 #include "tests/temporary_folder.h"
 
 namespace displayfile {
@@ -46,11 +47,13 @@ Picture in_parts(const GraphicsSystem& system, DrawOptions options) {
 class PictureRowsTest : public test::TemporaryFolder {};
 
 TEST_F(PictureRowsTest, AreThoseOfTheWholePicture) {
+  test::Share share;
   test::for_each_in_gallery([&](const std::string& name, const test::Retained& retained) {
     for (const HiddenMethod method :
          {HiddenMethod::automatic, HiddenMethod::z_buffer, HiddenMethod::scan_line,
           HiddenMethod::scan_line_z, HiddenMethod::warnock, HiddenMethod::ray_cast,
           HiddenMethod::bsp, HiddenMethod::none, HiddenMethod::franklin}) {
+      if (!share.takes_next()) continue;
       SCOPED_TRACE(name + " by " + std::string(name_of(method)));
       DrawOptions options{.samples = 1};
       options.width = 70;

@@ -43,6 +43,13 @@ def test_links_are_kept(ax: Any) -> None:
     assert set(links(ax)) == {"https://line.example/", "https://faces.example/"}
 
 
+def test_the_link_of_a_single_path(ax: Any) -> None:
+    (line,) = ax.plot([0, 1], [0, 1], [0, 3])
+    line.set_url("https://line.example/")
+    exact(ax)
+    assert links(ax) == ["https://line.example/"]
+
+
 def test_a_link_of_a_whole_collection(ax: Any) -> None:
     faces = Poly3DCollection(TRIANGLES)
     faces.set_url("https://faces.example/")

@@ -156,6 +156,18 @@ def test_normals_go_with_values() -> None:
             System().mesh(points, quads, values=X.ravel(), normals=wrong)
 
 
+def test_normals_make_no_polygon_without_area() -> None:
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 1, 0)]
+    counts = []
+    for normals in (None, [(0, 0, 1), (0, 1, 1), (1, 0, 1), (1, 1, 0)]):
+        system = lit("gouraud")
+        system.mesh(
+            points, [(0, 1, 2), (0, 2, 3)], values=[0.0, 1.0, 0.3, 0.3], levels=2, normals=normals
+        )
+        counts.append(system.pieces().picks.max())
+    assert counts == [0, 0]
+
+
 def test_what_is_smooth_is_recorded_noted_and_pickled() -> None:
     system = PicklableSystem()
     system.record()
@@ -243,6 +255,12 @@ def test_contours_have_a_style_without_a_grid() -> None:
     assert lines.any() and (drawing.line_colours[lines] == (1, 0, 0)).all()
     assert (drawing.line_widths[lines] == 2).all()
     assert (drawing.line_kinds[~lines] == 2).all()  # no grid
+    filled = System()
+    filled.surface(X, Y, DOME, levels=4, contours=3, contour_colour="red", contour_width=3)
+    drawing = filled.pieces()
+    lines = drawing.kinds == 2
+    assert lines.any() and (drawing.line_colours[lines] == (1, 0, 0)).all()
+    assert (drawing.line_widths[lines] == 3).all()
     quiet, plain = System(), System()
     quiet.set_line_style("none")
     for each in (quiet, plain):

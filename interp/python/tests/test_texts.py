@@ -159,6 +159,11 @@ def test_letters_have_the_size_that_is_set() -> None:
     system.surface(X, Y, Z)
     system.legend({"a": "red"}, letters=0.05)
     assert "font-size:20px" in system.svg((400, 400))
+    large = System()
+    large.surface(X, Y, Z)
+    large.legend({"a": "red", "b": "blue", "c": "lime"}, letters=0.08)
+    lines = [text.bottom for text in texts_of(large.svg((400, 400)))]
+    assert np.diff(lines) == pytest.approx([1.4 * 32, 1.4 * 32], abs=0.01)
     for wrong in (0, -1, 2, float("nan"), "9pt", [0.03]):
         with pytest.raises(Error, match="letters"):
             with_bar("height", letters=wrong)

@@ -122,7 +122,7 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-9) << "vertex " << k;
 }
 
-constexpr double kCreases[] = {180.0, 90.0, 45.0, 20.0, 5.0, 0.0};
+constexpr double kCreases[] = {180.0, 150.0, 120.0, 90.0, 45.0, 20.0, 5.0, 0.0};
 
 TEST(SurfaceShading, HasTheNormalsOfAMeshOfTheSameTriangles) {
   for (const double crease : kCreases) {

@@ -253,6 +253,7 @@ TEST_F(MeshCommand, AStepFileThatCannotBeReadIsNamed) {
   expect_error("draw part.step -o x.png", "part.step: not a STEP file that can be read: ");
   before_ = "DISPLAYFILE_IMPORT_CAD_PROGRAM=/nonexistent ";
   expect_error("draw part.step -o x.png", "cannot be started: /nonexistent: No such file");
+  EXPECT_NE(err_.find("package displayfile-cad"), err_.npos) << err_;
 }
 
 class CadCommand : public Command {

@@ -8,7 +8,7 @@ namespace displayfile {
 namespace {
 
 constexpr ImportProgram kCadProgram{"displayfile-import-cad", "DISPLAYFILE_IMPORT_CAD_PROGRAM",
-                                    "OpenCASCADE"};
+                                    "OpenCASCADE", "displayfile-cad"};
 
 }  // namespace
 

@@ -4,8 +4,8 @@ namespace displayfile {
 
 namespace {
 
-constexpr ImportProgram kAssimpProgram{"displayfile-import", "DISPLAYFILE_IMPORT_PROGRAM",
-                                       "Assimp"};
+constexpr ImportProgram kAssimpProgram{"displayfile-import", "DISPLAYFILE_IMPORT_PROGRAM", "Assimp",
+                                       "displayfile"};
 
 }  // namespace
 

@@ -189,10 +189,10 @@ std::string path_of(const ImportProgram& program, const std::string& mesh) {
     if (errno != ENOENT && errno != ENOTDIR) why = errno;
     looked_at += (looked_at.empty() ? "" : ", ") + place.string();
   }
-  throw Error(
-      fmt::format("{}: the import program cannot be started: {}: {}; set the environment variable "
-                  "{} if it is elsewhere",
-                  mesh, looked_at, std::strerror(why), program.variable));
+  throw Error(fmt::format(
+      "{}: the import program cannot be started: {}: {}: Debian's package {} has it; set the "
+      "environment variable {} if it is elsewhere",
+      mesh, looked_at, std::strerror(why), program.package, program.variable));
 }
 
 /// The environment that the program inherits: three descriptors, no blocked signals, and default

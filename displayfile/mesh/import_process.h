@@ -20,6 +20,7 @@ struct ImportProgram {
   const char* name;      ///< of its file
   const char* variable;  ///< of the environment: replaces the places to look for it
   const char* library;   ///< by which it reads, for messages
+  const char* package;   ///< of Debian, that has it
 };
 
 /// Reads a mesh by such a program, as read_by_import_process does by Assimp.

@@ -120,6 +120,36 @@ TEST(HiddenLinesTruth, OfEndsWithinReachOfSteepPlanes) {
   }
 }
 
+/// A table whose legs touch its top, with its sides along the axes. All coordinates and the eye's
+/// are whole tenths, so that some edges lie exactly behind others, except for rounding.
+void enter_table(GraphicsSystem& g, std::uint32_t seed) {
+  test::Dice dice(seed);
+  const auto tenths = [&](int low, int high) { return dice.from(low, high) / 10.0; };
+  g.set_view_plane_normal({tenths(-60, -40), tenths(-60, -10), tenths(-70, -50)});
+  g.set_perspective({tenths(60, 80), tenths(20, 70), tenths(70, 90)});
+  g.set_window(-3.2, 3.2, -2.4, 2.4);
+  g.open_segment(1);
+  const double left = tenths(5, 15), right = tenths(20, 30), near = tenths(20, 25);
+  constexpr double kFar = 1.2, kUnder = 0.7;
+  box_3(g, {left, kUnder, kFar}, {right, kUnder + 0.06, near});
+  for (const double x : {left, right - 0.1}) {
+    for (const double z : {kFar, near - 0.1}) {
+      if (!dice.one_in(4)) box_3(g, {x, 0, z}, {x + 0.1, kUnder, z + 0.1});
+    }
+  }
+  g.close_segment();
+}
+
+TEST(HiddenLinesTruth, OfTablesWhoseEdgesLieBehindOthers) {
+  constexpr std::uint32_t kScenes = 1000 / test::kSlower;
+  for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
+    SCOPED_TRACE(seed);
+    GraphicsSystem system;
+    enter_table(system, seed);
+    ASSERT_EQ(test::wrong_lines(system.display_file(), 1), "");
+  }
+}
+
 TEST(HiddenLinesTruth, WithRoundoffSomeAreWrong) {
   int wrong = 0, wrong_at_points = 0;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {

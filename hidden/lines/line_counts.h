@@ -71,6 +71,13 @@ class LineCounts {
   /// (hidden/lines/near_line.h).
   bool is_taken_for_on_line(const Point3& p) const { return near_.has(p) && turn(p) != 0; }
 
+  bool has_corner_taken_for_on_line(std::uint32_t polygon) const {
+    for (std::uint32_t k = 0; k < scene_.sides(polygon); ++k) {
+      if (is_taken_for_on_line(scene_.corner(polygon, k))) return true;
+    }
+    return false;
+  }
+
   /// True if the line is a side of the polygon, which is then not counted along it.
   bool is_side_of(std::uint32_t polygon) const {
     const std::uint32_t sides = scene_.sides(polygon);

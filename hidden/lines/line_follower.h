@@ -262,7 +262,11 @@ class LineFollower {
       } else if (counts_.reaches_over(polygon)) {
         if (doubtful) doubtful_.push_back(polygon);
         if (has_other_depths) near_.push_back(polygon);
+      } else {
+        return false;
       }
+      // A comparison takes such a corner for one on the line, counts do not.
+      is_near_ = is_near_ || counts_.has_corner_taken_for_on_line(polygon);
       return false;
     });
   }

@@ -169,6 +169,60 @@ TEST(WindowFit, APictureOfAnotherShapeThanItsSystemsIsWarnedOf) {
   EXPECT_EQ(warnings_of("", 1.0, 101, 100), 0) << "whole pixels have no other shape";
 }
 
+std::vector<std::string> warnings_of_square(GraphicsSystem& g, int width, int height) {
+  g.open_segment(1);
+  g.polygon_abs_2({{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.8}, {0.2, 0.8}});
+  g.close_segment();
+  std::vector<std::string> warned;
+  DrawOptions options{.width = width, .height = height};
+  options.warn = [&](const DrawWarning& warning) {
+    EXPECT_EQ(warning.kind, DrawWarning::Kind::stretched);
+    warned.push_back(warning.text);
+  };
+  draw(g, options);
+  return warned;
+}
+
+TEST(WindowFit, AWindowOfAnotherShapeThanAPictureOfTheSystemsIsWarnedOf) {
+  for (const auto& [right, stretched] : {std::pair(1.0, true), std::pair(2.0, false)}) {
+    GraphicsSystem g;
+    g.set_aspect_ratio(2);
+    g.set_window(0, right, 0, 1);
+    const std::vector<std::string> warned = warnings_of_square(g, 80, 40);
+    ASSERT_EQ(warned.size(), stretched ? 1u : 0u);
+    if (!stretched) continue;
+    EXPECT_EQ(warned[0],
+              "segment 1: a window 1 times as wide as high is stretched to a viewport 2 times as "
+              "wide as high: expected a window of that shape, or set_window_fit");
+  }
+  for (const WindowFit fit : {WindowFit::widen, WindowFit::stretch}) {
+    GraphicsSystem g;
+    g.set_aspect_ratio(2);
+    g.set_window_fit(fit);
+    g.set_window(0, 1, 0, 1);
+    EXPECT_TRUE(warnings_of_square(g, 80, 40).empty());
+  }
+}
+
+TEST(WindowFit, ImagesThatTurningDistortsAreWarnedOf) {
+  for (const double degrees : {0.0, 45.0, 90.0, 180.0}) {
+    for (const int width : {40, 80}) {
+      GraphicsSystem g;
+      g.set_aspect_ratio(width / 40.0);
+      g.open_segment(2);
+      g.close_segment();
+      g.set_image_rotation(2, degrees);
+      const std::vector<std::string> warned = warnings_of_square(g, width, 40);
+      const bool distorts = width != 40 && (degrees == 45.0 || degrees == 90.0);
+      ASSERT_EQ(warned.size(), distorts ? 1u : 0u) << degrees << ", " << width;
+      if (distorts) {
+        EXPECT_NE(warned[0].find("the image rotation of segment 2 distorts it in a picture of"),
+                  std::string::npos);
+      }
+    }
+  }
+}
+
 /// The warnings of a view of a retained square, drawn in memory and as vectors.
 int warnings_in_view(const View& view, const GraphicsSystem& g, bool has_settings, int width,
                      int height) {

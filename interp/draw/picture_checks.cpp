@@ -188,13 +188,48 @@ bool is_stretched(double wider, const DrawOptions& options) {
 
 }  // namespace
 
+const Segment* distorted_by_turning(const DisplayFile& file, int width, int height) {
+  if (width == height) return nullptr;
+  for (const Segment& segment : file.segments()) {
+    if (segment.visible && std::fmod(segment.image.rotation, 180.0) != 0.0) return &segment;
+  }
+  return nullptr;
+}
+
+namespace {
+
+void warn_if_distorted_by_turning(const DisplayFile& file, const DrawOptions& options) {
+  const Segment* turned = distorted_by_turning(file, options.width, options.height);
+  if (turned == nullptr) return;
+  options.warn(
+      {DrawWarning::Kind::stretched,
+       fmt::format("the image rotation of segment {} distorts it in a picture of {} x {}: "
+                   "expected as many pixels in width as in height, or a modelling transformation",
+                   turned->name(), options.width, options.height)});
+}
+
+/// A window of another shape than its viewport's, in a picture of the shape that was set.
+void warn_of_stretched_window(const StretchedWindow& stretched, const DrawOptions& options) {
+  if (!is_stretched(stretched.viewport / stretched.window, options)) return;
+  options.warn({DrawWarning::Kind::stretched,
+                fmt::format("segment {}: a window {:.4g} times as wide as high is stretched to a "
+                            "viewport {:.4g} times as wide as high: expected a window of that "
+                            "shape, or set_window_fit",
+                            stretched.segment, stretched.window, stretched.viewport)});
+}
+
+}  // namespace
+
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options) {
+  if (!options.warn || system.display_file().segments().empty()) return;
+  warn_if_distorted_by_turning(system.display_file(), options);
+  if (system.explicit_settings().contains(Setting::window_fit)) return;
   const double shape = static_cast<double>(options.width) / options.height;
-  const bool is_as_set = system.display_file().segments().empty() ||
-                         shape == system.aspect_ratio() ||
-                         system.explicit_settings().contains(Setting::window_fit);
-  if (!options.warn || is_as_set) return;
   const auto stretched = system.counts().stretched_window;
+  if (shape == system.aspect_ratio()) {
+    if (stretched) warn_of_stretched_window(*stretched, options);
+    return;
+  }
   const double meant = stretched ? stretched->window / stretched->viewport : 1.0;
   const double wider = shape / (system.aspect_ratio() * meant);
   if (!is_stretched(wider, options)) return;

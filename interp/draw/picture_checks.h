@@ -50,8 +50,12 @@ void require_scope_of_view(const DrawOptions& options);
 /// Throws Error if the options have hidden-surface settings that differ from those of the display
 /// file's order.
 void require_order_as_it_is(const DisplayFile& display_file, const DrawOptions& options);
+/// The first visible segment that an image transformation turns by other than half turns, if the
+/// picture is not square; otherwise null. Image transformations apply in normalised device
+/// coordinates, whose units differ in x and y there.
+const Segment* distorted_by_turning(const DisplayFile& file, int width, int height);
 /// Calls the options' `warn` if a system's windows are stretched by default in a picture of this
-/// aspect ratio.
+/// aspect ratio, or its images are distorted by turning.
 void warn_if_stretched(const GraphicsSystem& system, const DrawOptions& options);
 /// The same for a view; `settings` may be null.
 void warn_if_stretched(const View& view, const GraphicsSystem* settings,

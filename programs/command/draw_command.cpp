@@ -333,9 +333,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   const double entering_took = watch.lap();
   entered.check_window();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
-  if (takes_papers_shape_) {
-    warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);
-  }
+  warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);
   const GraphicsSystem& system = entered.system();
   const PicturePlan& plan = entered.plan();
   std::string text = explain ? explanation_of_method(plan) : "";

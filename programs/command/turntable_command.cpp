@@ -99,6 +99,7 @@ std::string draw_turntable(std::span<const std::string> inputs, const std::files
       {.method = options.surfaces.method, .hidden_lines = options.surfaces.hidden_lines});
   const double entering_took = watch.lap();
   warn_of_stretched_window(system, output.string(), options.width, options.height);
+  warn_of_turned_images(system, output.string(), options.width, options.height);
   const Destination to(output);
   left_out.note(system, resolve(system, options, &to));
   const Camera looking = meshes.camera();

@@ -9,6 +9,7 @@
 
 #include "clip/base/error.h"
 #include "displayfile/segments/display_file.h"
+#include "interp/draw/picture_checks.h"
 #include "programs/options/number_list.h"
 #include "programs/options/option_groups.h"
 #include "programs/process/warnings.h"
@@ -158,15 +159,12 @@ void CameraWords::start(GraphicsSystem& system, double aspect) const {
 
 void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
                            int height) {
-  if (width == height) return;
-  for (const Segment& segment : system.display_file().segments()) {
-    if (!segment.visible || std::fmod(segment.image.rotation, 180.0) == 0.0) continue;
-    warnings() << fmt::format(
-        "{}: segment {}: set-image-rotation distorts in {} x {} pixels, the paper's shape: use "
-        "--size to set another, such as 512x512\n",
-        picture, segment.name(), width, height);
-    return;
-  }
+  const Segment* turned = distorted_by_turning(system.display_file(), width, height);
+  if (turned == nullptr) return;
+  warnings() << fmt::format(
+      "{}: segment {}: set-image-rotation distorts in {} x {} pixels: use --size to set as many in "
+      "width as in height, such as 512x512, or a modelling transformation\n",
+      picture, turned->name(), width, height);
 }
 
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,

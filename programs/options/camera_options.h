@@ -47,8 +47,7 @@ Upright upright_of_option(const std::string& word);
 /// Warns on standard error if a window of a picture was stretched by a pixel or more by default.
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,
                               int height);
-/// Warns of images that a program rotates, if the picture is not square because its shape is the
-/// paper's: image transformations apply in normalised device coordinates.
+/// Warns of images that a program rotates, if the picture is not square (distorted_by_turning).
 void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
                            int height);
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-
 #include "hidden/lines/convex_objects.h"
 #include "hidden/lines/roberts_finder.h"
 #include "interp/steps/algorithms.h"

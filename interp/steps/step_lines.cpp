@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "hidden/lines/line_ends.h"
 
 namespace displayfile {

@@ -1,7 +1,6 @@
 #include "interp/visibility/active_polygons.h"
 #include "interp/scan/sort_stably.h"
 
-
 namespace displayfile {
 
 namespace {

@@ -1,6 +1,5 @@
 #include "interp/visibility/row_triangles.h"
 
-
 #include "clip/base/vector_kind.h"
 #include "hidden/exact/rounding.h"
 #include "interp/visibility/row_bounds.h"

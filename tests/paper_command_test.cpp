@@ -421,7 +421,7 @@ TEST_F(PaperCommand, TheShapeOfThePaperDistortsNothing) {
   EXPECT_NE(err_.find("set-image-rotation"), std::string::npos) << err_;
   svg_of("square.draw turned.draw --paper a4 --size 400x400");
   EXPECT_EQ(err_, "");
-  svg_of("square.draw turned.draw --size 400x200");
+  png_of("square.draw turned.draw --size 400x200");
   EXPECT_NE(err_.find("set-image-rotation distorts in 400 x 200 pixels"), std::string::npos)
       << err_;
 }

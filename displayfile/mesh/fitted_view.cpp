@@ -323,10 +323,10 @@ double FittedCamera::height_around(const Bounds& seen) const {
 /// makes them larger on the view plane, so it grows until they are in it, up to `most`.
 double FittedCamera::height_for(const Bounds& seen, std::span<const PlacedText> texts,
                                 double most) const {
-  constexpr int kMostSteps = 200;  // each leaves a part of the rest, at most about nine tenths
+  constexpr int kMostGrowths = 200;  // each leaves a part of the rest, at most about nine tenths
   constexpr double kNearEnough = 1e-6;
   double height = height_around(seen);
-  for (int k = 0; k < kMostSteps && height < most; ++k) {
+  for (int k = 0; k < kMostGrowths && height < most; ++k) {
     const double next = height_around(with_letters(seen, texts, height));
     if (next <= (1.0 + kNearEnough) * height) break;
     height = next;

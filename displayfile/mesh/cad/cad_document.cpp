@@ -60,7 +60,7 @@ class KeptErrors : public Message_Printer {
 };
 
 opencascade::handle<KeptErrors> keep_errors() {
-  const opencascade::handle<KeptErrors> kept = new KeptErrors;
+  opencascade::handle<KeptErrors> kept = new KeptErrors;
   const auto& messenger = Message::DefaultMessenger();
   messenger->ChangePrinters().Clear();
   messenger->AddPrinter(kept);

@@ -240,7 +240,7 @@ TEST_F(MeshCommand, FormatsThatAreNotReadAreNamed) {
   expect_error("import part.dwg -o x.draw", message);
 }
 
-/// Of a build without OpenCASCADE, or an installation without its program.
+/// A build may lack OpenCASCADE, and an installation its program.
 TEST_F(MeshCommand, AStepFileThatCannotBeReadIsNamed) {
   write("part.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
   ASSERT_EQ(run("--version"), 0);

@@ -91,7 +91,7 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
-/// Reads a file of a CAD program. Of no such format it is laid down which axis is up.
+/// Reads a file of a CAD program. No such format defines which axis is up.
 Mesh read_cad(const std::string& path, CadFormat format, bool with_normals,
               const ImportLimits& limits) {
   Mesh mesh = read_by_cad_process(path, with_normals, limits);

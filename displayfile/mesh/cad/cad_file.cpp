@@ -249,7 +249,7 @@ class CadReader {
     }
   }
 
-  /// Of no face.
+  /// The number of edges and points that belong to no face.
   static std::size_t points_and_lines(const TopoDS_Shape& shape) {
     std::size_t n = 0;
     for (TopExp_Explorer edge(shape, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) ++n;

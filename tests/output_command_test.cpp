@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <string>
 
+#include "clip/point.h"
 #include "tests/command_fixture.h"
 
 namespace {
@@ -202,6 +204,43 @@ TEST_F(Command, AnEpsWithoutABackgroundHasTheSizeAskedFor) {
     }
     EXPECT_GE(boxes, 2) << name;
   }
+}
+
+/// The box of whole points covers the sheet; the one of fractions is the sheet, and lengths are
+/// true.
+TEST_F(Command, AnEpsHasASizeOnPaper) {
+  write("line.draw",
+        "set-window -50 50 -30 30\nset-window-fit widen\nset-line-style solid 0 0 0\n"
+        "open-segment 1\nmove-abs-3 -40 -20 0\nline-abs-3 40 20 0\nclose-segment\n");
+  const std::string line = "draw line.draw --size 120.5x80mm --scale 1:1 --line-width 2pt -o a.eps";
+  ASSERT_EQ(run(line), 0) << err_;
+  std::istringstream lines(read(folder_ / "a.eps"));
+  constexpr double kPerMillimetre = 72.0 / 25.4, kNear = 0.01 * kPerMillimetre;
+  double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0, width = 0.0;
+  displayfile::Point2 from(0.0), to(0.0);
+  for (std::string text; std::getline(lines, text);) {
+    if (std::sscanf(text.c_str(), "%%%%HiResBoundingBox: %lf %lf %lf %lf", &left, &bottom, &right,
+                    &top) == 4) {
+      continue;
+    }
+    if (text.starts_with("%%BoundingBox: ")) {
+      EXPECT_EQ(text, "%%BoundingBox: 0 0 342 227");
+    }
+    double number = 0.0;
+    int length = 0;
+    std::sscanf(text.c_str(), "%lf w%n", &number, &length);
+    if (length > 0) width = number;
+    std::sscanf(text.c_str(), "%lf %lf m %lf %lf l S", &from.x, &from.y, &to.x, &to.y);
+  }
+  EXPECT_NEAR(right - left, 120.5 * kPerMillimetre, kNear);
+  EXPECT_NEAR(top - bottom, 80.0 * kPerMillimetre, kNear);
+  EXPECT_EQ(width, 2.0);
+  EXPECT_NEAR(to.x - from.x, 80.0 * kPerMillimetre, kNear);
+  EXPECT_NEAR(from.y - to.y, 40.0 * kPerMillimetre, kNear);
+  // The page's coordinates are 227 points down from the box's top.
+  EXPECT_NEAR(0.5 * (from.x + to.x), 0.5 * (left + right), kNear);
+  EXPECT_NEAR(227.0 - 0.5 * (from.y + to.y), 0.5 * (bottom + top), kNear);
+  expect_error("draw line.draw -o a.eps --pens", "a.eps: .eps files are not for pens: expected");
 }
 
 }  // namespace

@@ -563,6 +563,8 @@ TEST_F(PaperPdf, ScalesAndWidthsAreExact) {
   EXPECT_NEAR(box.width(), 60.0, kTolerance);
   const Measured pens = pdf_of("plate.draw --pens --scale 1:1");
   EXPECT_NEAR(pens.width(), 80.0, kTolerance);
+  // Without paper a pixel is a point.
+  EXPECT_NEAR(pdf_of("plate.draw --line-width 0.5mm").line_width, 0.5, kTolerance);
   const Measured figure = pdf_of("plate.draw --size 120x80mm --scale 1:1");
   EXPECT_NEAR(figure.width(), 80.0, kTolerance);
   EXPECT_NEAR(figure.left, 20.0, 0.02);

@@ -248,7 +248,7 @@ TEST_F(PenCommand, ADashedLineOfNoLengthIsADot) {
 TEST_F(PenCommand, MistakesAreTold) {
   expect_error("draw box.obj --paper A11 -o a.svg", "unknown paper 'A11'");
   expect_error("draw box.obj --paper A4 -o a.png", ".png files have no size on paper");
-  expect_error("draw box.obj --pens -o a.ppm", ".ppm files have no size on paper");
+  expect_error("draw box.obj --pens -o a.ppm", ".ppm files are not for pens: expected one of");
   expect_error("draw box.obj --paper A4 --margin 200 -o a.svg", "margins of 200 mm");
   expect_error("draw box.obj --paper A4 --margin -1 -o a.pdf", "margins of -1 mm");
   expect_error("draw box.obj --margin 10 -o a.svg", "--margin 10: expected with --paper");

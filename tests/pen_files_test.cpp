@@ -208,7 +208,7 @@ TEST_F(PenFiles, AreRefusedWhereTheyMeanNothing) {
   g.polygon_abs_2({{0, 0}, {1, 0}, {1, 1}});
   g.close_segment();
   DrawOptions options = for_pens({});
-  expect_error([&] { draw(g, file("a.png"), options); }, ".png files have no size on paper");
+  expect_error([&] { draw(g, file("a.png"), options); }, ".png files are not for pens");
   for (const HiddenMethod method : {HiddenMethod::bsp, HiddenMethod::depth_sort,
                                     HiddenMethod::z_buffer, HiddenMethod::colour_rule}) {
     options.surfaces.method = method;

@@ -577,7 +577,7 @@ TEST(SurfaceScene, SurfacesTogetherHaveFillsOfTheirOwn) {
 TEST(SurfaceScene, CurvesAreThinnerWhereThereAreMany) {
   const auto width = [](int x_points, int y_points, double set) {
     SurfaceLook look = bare();
-    look.curve_width = set;
+    look.line_width = set;
     const SurfaceData surface = surface_of(x_points, y_points, [](double x, double) { return x; });
     std::string last;
     for (const Call& call : calls_of({surface}, look)) {

@@ -38,9 +38,13 @@ constexpr std::array kFormats{
                   write_svg,
                   write_pens_svg,
                   {.ids = true, .layers = true}},
+    PictureFormat{{".pdf", "vectors for print"},
+                  nullptr,
+                  write_pdf,
+                  write_pens_pdf,
+                  {.layers = true, .points = true}},
     PictureFormat{
-        {".pdf", "vectors for print"}, nullptr, write_pdf, write_pens_pdf, {.layers = true}},
-    PictureFormat{{".eps", "vectors to embed in documents"}, nullptr, write_eps},
+        {".eps", "vectors to embed in documents"}, nullptr, write_eps, nullptr, {.points = true}},
 };
 
 /// The requested rows of a picture from a device that draws whole pictures only.

@@ -27,6 +27,7 @@ struct PictureFormat {
   /// Capabilities beyond the drawing itself.
   struct Extras {
     bool density = false, alpha = false, ids = false, layers = false;
+    bool points = false;  ///< without paper a pixel is a point: 1/72 inch
   };
   Choice choice;
   std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Alpha, Density);
@@ -36,7 +37,9 @@ struct PictureFormat {
   Extras extras = {};
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
-  bool is_for_paper() const { return write_pens != nullptr; }  ///< with pens and without
+  bool is_for_paper() const { return write_vectors != nullptr; }
+  bool is_for_pens() const { return write_pens != nullptr; }
+  bool has_points() const { return extras.points; }
   bool has_density() const { return extras.density; }
   bool has_ids() const { return extras.ids; }
   bool has_layers() const { return extras.layers; }

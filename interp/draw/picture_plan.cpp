@@ -65,17 +65,21 @@ void require_density(const Destination& to, const PictureFormat& format,
   }
 }
 
-/// Throws Error for paper or pens with a format other than vectors; pixels may have paper if their
-/// density is set.
+/// Throws Error for pens with a format that has none, and for paper with pixels of unknown density.
 void require_paper_and_pens(const Destination& to, const PictureFormat& format,
                             const DrawOptions& options) {
+  if (options.pens && !format.is_for_pens()) {
+    throw Error(fmt::format("{}: {} files are not for pens: expected one of {}", to.name(),
+                            format.choice.name,
+                            names_of_formats(&PictureFormat::is_for_pens, " ")));
+  }
   if (!options.vectors.paper && !options.pens) return;
-  if (!format.is_for_paper() && (options.pens || !options.dpi)) {
-    const bool needs_dpi = !options.pens && format.has_density();
-    throw Error(fmt::format(
-        "{}: {} files have no size on paper{}, and are not for pens: expected {}one of {}",
-        to.name(), format.choice.name, needs_dpi ? " without dpi" : "", needs_dpi ? "dpi, or " : "",
-        names_of_formats(&PictureFormat::is_for_paper, " ")));
+  if (!format.is_for_paper() && !options.dpi) {
+    const bool needs_dpi = format.has_density();
+    throw Error(fmt::format("{}: {} files have no size on paper{}: expected {}one of {}", to.name(),
+                            format.choice.name, needs_dpi ? " without dpi" : "",
+                            needs_dpi ? "dpi, or " : "",
+                            names_of_formats(&PictureFormat::is_for_paper, " ")));
   }
   fit_on_paper(options.vectors.paper.value_or(Paper{}), options.width, options.height);
   if (options.pens) require_pens(*options.pens);

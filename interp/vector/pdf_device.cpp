@@ -31,13 +31,17 @@ std::optional<PaperFit> sheet_of(const VectorOptions& options, int width, int he
   return fit_on_paper(*options.paper, width, height);
 }
 
-cairo_surface_t* page_surface(PageFormat format, std::ostream& out, int pixels_across,
-                              int pixels_down, const std::optional<PaperFit>& sheet) {
-  const double width = sheet ? sheet->width * kPointsOfMillimetre : pixels_across;
-  const double height = sheet ? sheet->height * kPointsOfMillimetre : pixels_down;
+/// The sides of the page, in points.
+Point2 page_sides(const VectorOptions& options, int width, int height) {
+  const auto sheet = sheet_of(options, width, height);
+  if (!sheet) return {width, height};
+  return kPointsOfMillimetre * Point2(sheet->width, sheet->height);
+}
+
+cairo_surface_t* page_surface(PageFormat format, std::ostream& out, const Point2& sides) {
   return (format == PageFormat::pdf
               ? cairo().pdf_surface_create_for_stream
-              : cairo().ps_surface_create_for_stream)(write_to_stream, &out, width, height);
+              : cairo().ps_surface_create_for_stream)(write_to_stream, &out, sides.x, sides.y);
 }
 
 /// Removes the date that Cairo writes.
@@ -48,12 +52,20 @@ std::string without_date(std::string eps) {
   return eps;
 }
 
-/// Replaces Cairo's bounding boxes, which are those of the drawing, by the picture's.
-std::string with_boxes(std::string eps, int width, int height) {
+/// Replaces Cairo's bounding boxes, which are those of the drawing, by the page's, in points. They
+/// have whole numbers; the box with fractions that a page on paper needs follows the first. Cairo
+/// places the page at the upper left of the larger box.
+std::string with_boxes(std::string eps, const Point2& page) {
   constexpr std::string_view kBox = "BoundingBox:", kEndOfBoxes = "%%EndPageSetup";
+  const Point2 whole = glm::ceil(page);
+  std::string exact = page == whole ? ""
+                                    : fmt::format("\n%%HiResBoundingBox: 0 {:.7g} {:.7g} {}",
+                                                  whole.y - page.y, page.x, whole.y);
   for (std::size_t at = eps.find(kBox); at < eps.find(kEndOfBoxes); at = eps.find(kBox, at)) {
     at += kBox.size();
-    eps.replace(at, eps.find('\n', at) - at, fmt::format(" 0 0 {} {}", width, height));
+    const std::string box = fmt::format(" 0 0 {} {}", whole.x, whole.y) + std::exchange(exact, "");
+    eps.replace(at, eps.find('\n', at) - at, box);
+    at += box.size();
   }
   return eps;
 }
@@ -70,7 +82,7 @@ PdfDevice::PdfDevice(std::ostream& out, int width, int height, const Background&
     : VectorDevice(width, height, background, options),
       out_(out),
       format_(format),
-      surface_(page_surface(format, document_, width, height, sheet_of(options, width, height))) {
+      surface_(page_surface(format, document_, page_sides(options, width, height))) {
   require_success(cairo().surface_status(surface_.get()));
   if (format == PageFormat::pdf) {  // by default Cairo stores the time
     cairo().pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
@@ -191,7 +203,8 @@ void PdfDevice::finish() {
   document_.require_whole();
   require_success(cairo().surface_status(surface_.get()));
   if (format_ == PageFormat::eps) {
-    out_ << with_boxes(without_date(std::move(document_).str()), width(), height());
+    out_ << with_boxes(without_date(std::move(document_).str()),
+                       page_sides(options(), width(), height()));
     return;
   }
   out_ << (layers_.empty() ? std::move(document_).str()

@@ -203,16 +203,6 @@ void DrawCommand::add_picture_options(CLI::App& command) {
 
 namespace {
 
-/// The size of a picture's pixels with these options, if it is known. Numbers without a unit are
-/// millimetres on paper, and where the picture's size is in millimetres.
-PixelSize pixel_size_of(const DrawOptions& all, bool is_in_millimetres) {
-  std::optional<Paper> sheet = all.vectors.paper;
-  if (!sheet && all.pens) sheet.emplace();
-  if (all.dpi) return {kMillimetresOfInch / *all.dpi, sheet || is_in_millimetres};
-  if (!sheet) return {};
-  return {fit_on_paper(*sheet, all.width, all.height).pixel, true};
-}
-
 /// To which vertices are rounded for lengths that are exact on paper: 0.004 mm, or finer by
 /// default.
 double precision_at_scale(const PixelSize& pixel) {
@@ -230,7 +220,7 @@ DrawOptions DrawCommand::all_options() {
   all.vectors = vectors.options();
   takes_papers_shape_ = paper.read(all, size, scale.has_value());
   if (scale && vectors.precision.empty()) {
-    all.vectors.precision = precision_at_scale(pixel_size_of(all, false));
+    all.vectors.precision = precision_at_scale(pixel_size(all, size, output));
   }
   if (rows) {
     const NumberRange range = number_range("--rows", *rows, all.height, "rows");
@@ -241,8 +231,7 @@ DrawOptions DrawCommand::all_options() {
   all.lettering = vectors.lettering();
   if (line_order) all.surfaces.line_order = displayfile::line_order(*line_order);
   if (halo) {
-    all.surfaces.line_halo =
-        halo_of_option(*halo, pixel_size_of(all, size.millimetres().has_value()));
+    all.surfaces.line_halo = halo_of_option(*halo, pixel_size(all, size, output));
   }
   if (turntable && all.pens && !all.pens->hatching && !all.surfaces.method) {
     all.surfaces.method = HiddenMethod::franklin;
@@ -269,25 +258,25 @@ std::optional<ExactScale> DrawCommand::exact_scale(const DrawOptions& drawing) c
   }
   const std::string name = "--scale " + *scale;
   const DrawingScale drawn = drawing_scale(*scale);
-  const PixelSize pixel = pixel_size_of(drawing, size.millimetres().has_value());
+  const PixelSize pixel = pixel_size(drawing, size, output);
   if (!pixel.millimetres) {
     throw Error(name +
                 ": a picture without a size on paper has no scale: expected --paper, or --size in "
-                "mm, with .svg or .pdf, or --dpi with .png");
+                "mm, with .svg, .pdf or .eps, or --dpi with .png");
   }
   if (turntable) throw Error(name + ": expected one picture, not a turntable's views");
   return ExactScale{name, drawn.factor() * unit_in_mm, *pixel.millimetres * drawing.height};
 }
 
 MeshWords DrawCommand::entering(const DrawOptions& drawing) const {
-  const auto pixel = [&] { return pixel_size_of(drawing, size.millimetres().has_value()); };
+  const auto pixel = [&] { return pixel_size(drawing, size, output); };
   MeshWords words = meshes;
   if (const auto& lines = hidden_surfaces.lines) {
     words.lines = lines->selection();
     words.line_styles = lines->styles(pixel());
   }
   if (explode) words.explosion = explosion_of_option(*explode);
-  if (line_width) words.line_width = line_width_of_option(*line_width, pixel());
+  if (line_width) words.line_width = length_of_option("--line-width", *line_width, pixel());
   words.scale = exact_scale(drawing);
   words.widen = words.widen || takes_papers_shape_;
   words.touching = hidden_surfaces.touching;

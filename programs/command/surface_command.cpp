@@ -123,6 +123,17 @@ CLI::App& SurfaceCommand::add_to(CLI::App& app) {
   command.add_flag(
       "--true-scale", true_scale,
       "use the same unit length on every axis; by default the box has fixed proportions");
+  command
+      .add_option("--line-width", line_width,
+                  "width of all lines: in pixels, in mm with --paper or --pens, or with a unit "
+                  "(0.2mm, 0.5pt, 2px); by default curves are thinner, the more there are")
+      ->type_name("WIDTH");
+  command
+      .add_option("--text-size", text_size,
+                  "size of the letters of axes and legend, that of the font: in pixels, in mm with "
+                  "--paper or --pens, or with a unit (8pt, 3mm); the surface gets the room that "
+                  "they leave [2.6 % of the picture's height]")
+      ->type_name("SIZE");
   command.add_option("--program", program, "also write the drawing program")
       ->type_name("PROGRAM.draw");
   command
@@ -154,7 +165,7 @@ GridRange SurfaceCommand::range() const {
   return range;
 }
 
-SurfaceLook SurfaceCommand::look() const {
+SurfaceLook SurfaceCommand::look(const DrawOptions& drawing) const {
   SurfaceLook look;
   look.camera = camera.camera();
   if (camera.up.empty()) look.camera.upright = upright("z");
@@ -177,6 +188,20 @@ SurfaceLook SurfaceCommand::look() const {
   look.axes = axes;
   look.box = box;
   look.names = names_of_axes(labels);
+  if (line_width) {
+    look.line_width =
+        length_of_option("--line-width", *line_width, pixel_size(drawing, size, output));
+  }
+  if (text_size) {
+    if (!axes && !look.coloured) {
+      throw Error(fmt::format("--text-size {}: expected axes or --colour height: nothing else has "
+                              "letters",
+                              *text_size));
+    }
+    look.letter_height =
+        length_of_option("--text-size", *text_size, pixel_size(drawing, size, output)) /
+        drawing.height;
+  }
   return look;
 }
 
@@ -194,8 +219,8 @@ DrawOptions SurfaceCommand::drawing() const {
 
 int SurfaceCommand::run() const {
   const GridRange points = range();
-  const SurfaceLook shown = look();
   DrawOptions options = drawing();
+  const SurfaceLook shown = look(options);
   require_drawable(output, options);
   if (!program.empty()) require_extension(program, ".draw", "a drawing program");
   require_files_of_their_own({output, program}, surfaces);

@@ -22,6 +22,7 @@ struct SurfaceCommand {
   std::string x, y, z, grid, curves = "both", sides = "both", colour, labels;
   int contours = 0;
   std::optional<int> samples;
+  std::optional<std::string> line_width, text_size;
   bool axes = true, box = true, true_scale = false;
   CameraWords camera;
   HiddenSurfaceWords hidden_surfaces;
@@ -35,7 +36,7 @@ struct SurfaceCommand {
 
  private:
   GridRange range() const;
-  SurfaceLook look() const;
+  SurfaceLook look(const DrawOptions& drawing) const;
   DrawOptions drawing() const;
 };
 

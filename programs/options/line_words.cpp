@@ -73,8 +73,8 @@ double LineLength::in_pixels(const PixelSize& pixel, std::string_view what) cons
   if (in != Unit::pixels) {
     if (!pixel.millimetres) {
       throw Error(
-          fmt::format("{}: a length in {} needs a picture whose size in mm is known: "
-                      "expected --paper, or pixels",
+          fmt::format("{}: a length in {} needs a picture whose size in mm is known: expected "
+                      "--paper, --size in mm, --dpi with .png, or pixels",
                       what, in == Unit::points ? "pt" : "mm"));
     }
     const double millimetres = in == Unit::points ? value * kMillimetresOfPoint : value;
@@ -84,23 +84,19 @@ double LineLength::in_pixels(const PixelSize& pixel, std::string_view what) cons
   throw Error(fmt::format("{}: expected lengths above 0 and at most 1e6 pixels", what));
 }
 
-double line_width_of_option(const std::string& word, const PixelSize& pixel) {
-  const std::string what = "--line-width " + word;
+double length_of_option(std::string_view option, const std::string& word, const PixelSize& pixel) {
+  const std::string what = fmt::format("{} {}", option, word);
   const auto length = line_length_of(word);
   if (length) return length->in_pixels(pixel, what);
   throw Error(what +
-              ": expected a width, in pixels, in mm with --paper or --pens, or with a unit: "
+              ": expected a length, in pixels, in mm with --paper or --pens, or with a unit: "
               "0.35mm, 1pt or 2px");
 }
 
 double halo_of_option(const std::string& word, const PixelSize& pixel) {
-  const std::string what = "--halo " + word;
   const auto length = line_length_of(word);
-  if (length && length->value == 0.0) return 0.0;
-  if (length) return length->in_pixels(pixel, what);
-  throw Error(what +
-              ": expected a width, in pixels, in mm with --paper or --pens, or with a unit: 1mm, "
-              "3pt or 4px");
+  const bool is_none = length && length->value == 0.0;
+  return is_none ? 0.0 : length_of_option("--halo", word, pixel);
 }
 
 LineWords::LineWords(std::string_view text) : text_(text) {

@@ -27,9 +27,9 @@ struct LineLength {
   double in_pixels(const PixelSize& pixel, std::string_view what) const;
 };
 std::optional<LineLength> line_length_of(std::string_view word);
-/// The value of --line-width, in pixels. Throws Error, naming the option, for another word, and as
-/// in_pixels.
-double line_width_of_option(const std::string& word, const PixelSize& pixel);
+/// The value of an option such as --line-width, in pixels. Throws Error, naming the option, for
+/// another word, and as in_pixels.
+double length_of_option(std::string_view option, const std::string& word, const PixelSize& pixel);
 /// The value of --halo, likewise; it may be 0.
 double halo_of_option(const std::string& word, const PixelSize& pixel);
 

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "clip/base/error.h"
+#include "displayfile/files.h"
+#include "interp/draw/picture_formats.h"
 #include "interp/draw/size_on_paper.h"
 #include "programs/options/colour_word.h"
 #include "programs/options/number_in.h"
@@ -100,8 +102,8 @@ void PaperWords::add_to(CLI::App& command) {
   command
       .add_option(
           "--paper", paper,
-          "paper size, of which the picture takes the shape unless --size is set; an SVG or "
-          "PDF is drawn as large as fits: A0 to A6, letter, legal, tabloid, or WIDTHxHEIGHT "
+          "paper size, of which the picture takes the shape unless --size is set; an SVG, PDF "
+          "or EPS is drawn as large as fits: A0 to A6, letter, legal, tabloid, or WIDTHxHEIGHT "
           "in mm; with -portrait or -landscape appended, by default the picture's "
           "orientation; of a PNG with --dpi")
       ->type_name("PAPER")
@@ -186,6 +188,20 @@ bool PaperWords::read(DrawOptions& options, const PictureSizeWord& size, bool at
   const bool takes_papers = !size.is_set() && (options.vectors.paper || options.pens);
   if (takes_papers) take_shape_of_paper(options, at_scale);
   return takes_papers;
+}
+
+PixelSize pixel_size(const DrawOptions& options, const PictureSizeWord& size,
+                     const std::string& file) {
+  std::optional<Paper> sheet = options.vectors.paper;
+  if (!sheet && options.pens) sheet.emplace();
+  if (options.dpi) {
+    return {kMillimetresOfInch / *options.dpi, sheet || size.millimetres().has_value()};
+  }
+  if (sheet) return {fit_on_paper(*sheet, options.width, options.height).pixel, true};
+  const Destination to(file);
+  const bool has_format = !options.format.empty() || !to.extension().empty();
+  if (has_format && format_of(to, options).has_points()) return {1.0 / kPointsOfMillimetre};
+  return {};
 }
 
 }  // namespace displayfile

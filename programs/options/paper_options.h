@@ -5,6 +5,7 @@
 #include <string>
 
 #include "interp/draw/draw.h"
+#include "programs/options/line_words.h"
 #include "programs/options/picture_size.h"
 
 namespace displayfile {
@@ -25,5 +26,12 @@ struct PaperWords {
   /// paper fit in the picture; pixels are then up to a fiftieth larger or smaller than a point.
   bool read(DrawOptions& options, const PictureSizeWord& size, bool at_scale = false) const;
 };
+
+/// The size of a picture's pixels with these options, if it is known: on paper, with a density, and
+/// in PDF and EPS, where a pixel without either is a point. `file` is the picture's name. Numbers
+/// without a unit are millimetres on paper, and where --size is in millimetres. Throws Error for an
+/// unknown format.
+PixelSize pixel_size(const DrawOptions& options, const PictureSizeWord& size,
+                     const std::string& file);
 
 }  // namespace displayfile

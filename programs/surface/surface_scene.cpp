@@ -1,5 +1,7 @@
 #include "programs/surface/surface_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,6 +26,12 @@ constexpr double kLetterHeight = 0.026;  // of the picture's height, where that 
 const LineStyle kAxisStyle{LineStyle::Kind::solid, {0.15, 0.15, 0.15}, 1.0};
 const LineStyle kBoxStyle{LineStyle::Kind::solid, {0.6, 0.6, 0.6}, 0.75};
 const LineStyle kContourStyle{LineStyle::Kind::solid, {0.35, 0.35, 0.45}, 0.75};
+
+/// A style with the width that all lines have, if one is set.
+LineStyle with_width(LineStyle style, const SurfaceLook& look) {
+  if (look.line_width > 0.0) style.width = look.line_width;
+  return style;
+}
 
 /// The bounds of the surfaces.
 struct SurfaceBox {
@@ -104,8 +112,9 @@ constexpr double kLegendRoom = 0.24, kBarLeft = 0.14, kBarRight = 0.115, kNumber
 constexpr double kLetterWidth = 0.64 * kLetterHeight;  // about: fonts differ
 constexpr double kMostForTexts = 0.4;
 
-/// The room that the texts need beyond that.
-double room_for_texts(const Legend& legend) {
+/// The room that the texts need beyond that; it may be negative where letters have a set height,
+/// which leave no room to spare.
+double room_for_texts(const Legend& legend, const SurfaceLook& look) {
   const auto width = [](std::string_view text) {
     const auto letters = std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
@@ -116,7 +125,7 @@ double room_for_texts(const Legend& legend) {
   for (const double height : legend.heights()) {
     room = std::max(room, width(axis_number(height)) + kEdge - (kBarRight - kNumbers));
   }
-  return std::clamp(room, 0.0, kMostForTexts);
+  return std::clamp(room, look.letter_height ? kNumbers - kBarRight : 0.0, kMostForTexts);
 }
 
 /// Margins around the box, in parts of the picture's height: for numbers and names where there are
@@ -125,12 +134,34 @@ struct Margins {
   double left, right, bottom, top;
   double scale;  ///< of these, of letters and of the legend: less than 1 in a narrow picture
 };
+
+/// The scale that gives letters their height; throws Error if the margins that they need leave less
+/// than a fifth of the picture.
+double scale_of_letters(const Margins& margins, double letter_height, double aspect) {
+  constexpr double kMost = 0.8;
+  const double scale = letter_height / kLetterHeight;
+  const double most = kMost * std::min(aspect / (margins.left + margins.right),
+                                       1.0 / (margins.bottom + margins.top));
+  if (scale <= most) return scale;
+  throw Error(fmt::format(
+      "--text-size: letters of {:.3g} of the picture's height leave no room for the surface: "
+      "expected at most {:.3g}",
+      letter_height, std::floor(1000.0 * most * kLetterHeight) / 1000.0));
+}
+
 Margins margins_of(const SurfaceLook& look, const Legend& legend, double aspect) {
   constexpr double kBare = 0.03, kMostOfWidth = 2.0 / 3.0;
   Margins margins{kBare, kBare, kBare, kBare, 1.0};
   if (look.axes) margins = {0.14, 0.12, 0.09, kBare, 1.0};
-  if (look.coloured) margins.right += kLegendRoom + room_for_texts(legend);
-  const double s = std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
+  if (look.coloured) {
+    constexpr double kGap = 0.03;  // the smallest, between the surface's margin and the bar
+    margins.right += look.letter_height ? kBarLeft + kGap : kLegendRoom;
+    margins.right += room_for_texts(legend, look);
+  }
+  const bool has_letters = look.axes || look.coloured;
+  const double s = look.letter_height && has_letters
+                       ? scale_of_letters(margins, *look.letter_height, aspect)
+                       : std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
   return {s * margins.left, s * margins.right, s * margins.bottom, s * margins.top, s};
 }
 
@@ -167,7 +198,7 @@ void set_view_of_box(GraphicsSystem& system, const SurfaceBox& box, const Margin
 }
 
 /// The edges that end at the corner farthest from the viewer.
-void draw_box(GraphicsSystem& system, const SurfaceBox& box) {
+void draw_box(GraphicsSystem& system, const SurfaceBox& box, const LineStyle& style) {
   unsigned farthest = 0;
   double depth = std::numeric_limits<double>::infinity();
   for (unsigned k = 0; k < 8; ++k) {
@@ -176,7 +207,7 @@ void draw_box(GraphicsSystem& system, const SurfaceBox& box) {
     depth = at->z;
     farthest = k;
   }
-  system.set_line_style(kBoxStyle);
+  system.set_line_style(style);
   const auto draw = [&](unsigned from, unsigned to) {
     const Point3 a = corner_of_box(box, from), b = corner_of_box(box, to);
     system.move_abs_3(a.x, a.y, a.z);
@@ -203,9 +234,8 @@ FillStyle fill_of_surface(std::size_t surface, std::size_t surfaces) {
 /// Thinner, the closer the curves are.
 LineStyle curve_style(const SurfaceData& surface, const SurfaceLook& look) {
   const int most = std::max(surface.range.x_points, surface.range.y_points);
-  const double width =
-      look.curve_width > 0.0 ? look.curve_width : std::clamp(40.0 / most, 0.15, 0.8);
-  return {LineStyle::Kind::solid, {0.1, 0.1, 0.15}, width};
+  const double width = std::clamp(40.0 / most, 0.15, 0.8);
+  return with_width({LineStyle::Kind::solid, {0.1, 0.1, 0.15}, width}, look);
 }
 
 /// Each cell in the colour of its mean height.
@@ -233,7 +263,8 @@ void draw_coloured(GraphicsSystem& system, const SurfaceData& surface, double lo
 }
 
 /// A bar of all colours at the right, with the heights beside it.
-void draw_legend(GraphicsSystem& system, const Legend& legend, double scale) {
+void draw_legend(GraphicsSystem& system, const Legend& legend, const SurfaceLook& look,
+                 double scale) {
   system.create_transformation_3();
   system.set_view_reference_point({0, 0, 0});
   system.set_view_plane_normal({0, 0, -1});
@@ -245,7 +276,7 @@ void draw_legend(GraphicsSystem& system, const Legend& legend, double scale) {
   const double aspect = system.aspect_ratio();
   system.set_window(0, aspect, 0, 1);
   system.open_segment(2);
-  const double texts = room_for_texts(legend);
+  const double texts = room_for_texts(legend, look);
   const double left = aspect - (kBarLeft + texts) * scale;
   const double right = aspect - (kBarRight + texts) * scale;
   const double bottom = 0.25, top = 0.75, letter_height = kLetterHeight * scale;
@@ -257,7 +288,7 @@ void draw_legend(GraphicsSystem& system, const Legend& legend, double scale) {
     system.set_fill_style({FillStyle::Kind::solid, height_colour_of_step(step)});
     system.polygon_abs_3({{left, from, 0}, {right, from, 0}, {right, to, 0}, {left, to, 0}});
   }
-  system.set_line_style(kAxisStyle);
+  system.set_line_style(with_width(kAxisStyle, look));
   system.move_abs_3(left, bottom, 0);
   for (const Point2& p :
        {Point2{right, bottom}, Point2{right, top}, Point2{left, top}, Point2{left, bottom}}) {
@@ -290,14 +321,14 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
   system.set_surface_curves(look.curves);
   system.set_surface_sides(look.sides);
   system.open_segment(1);
-  if (look.box) draw_box(system, box);
+  if (look.box) draw_box(system, box, with_width(kBoxStyle, look));
   if (look.axes) {
-    system.set_line_style(kAxisStyle);
+    system.set_line_style(with_width(kAxisStyle, look));
     system.set_text_style({.size = kLetterHeight * margins.scale});
     axes_3(system, box.low, box.high, {look.names[0], look.names[1], look.names[2]});
   }
   if (look.contours > 0) {
-    system.set_line_style(kContourStyle);
+    system.set_line_style(with_width(kContourStyle, look));
     for (const SurfaceData& surface : surfaces) {
       for (const auto& [from, to] :
            contour_lines(surface.grid(), low, high, look.contours, box.low.z)) {
@@ -316,7 +347,7 @@ void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surface
     }
   }
   system.close_segment();
-  if (look.coloured) draw_legend(system, legend, margins.scale);
+  if (look.coloured) draw_legend(system, legend, look, margins.scale);
 }
 
 }  // namespace displayfile

@@ -22,11 +22,15 @@ struct SurfaceLook {
   int contours = 0;       ///< levels of lines at the base
   bool axes = true, box = true;
   std::array<std::string, 3> names{"x", "y", "z"};
-  double curve_width = 0.0;  ///< in pixels; 0: depending on the number of curves
+  /// Of all lines, in pixels; 0: that of curves depends on their number, others are fixed.
+  double line_width = 0.0;
+  /// Of the em of all letters, in parts of the picture's height; none: in proportion.
+  std::optional<double> letter_height;
 };
 
 /// Enters surfaces, their axes and other requested parts as a scene: segment 1 has the surfaces and
-/// the parts that they may hide, segment 2 the legend. Throws Error for an invalid view.
+/// the parts that they may hide, segment 2 the legend. Throws Error for an invalid view, and for
+/// letters that leave no room for the surfaces.
 void enter_surfaces(GraphicsSystem& system, std::span<const SurfaceData> surfaces,
                     const SurfaceLook& look);
 

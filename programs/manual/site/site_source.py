@@ -197,6 +197,8 @@ class Source:
                 size = ["--size", "2x2", "--samples", "1"]
             elif name == "exploded-pump":  # its list of parts needs room
                 size = ["--paper", "a4-landscape", "--dpi", "96"]
+            elif name == "exploded-view":  # so does this one
+                size = ["--size", "600x600"]
             self.draw("draw", program, "-o", self.out / "gallery" / f"{name}.png", *size)
             self.write(f"gallery/{name}.md", gallery_page(program, size, self.included(program)))
             index += gallery_figure(name)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -483,7 +484,7 @@ TEST_F(Command, WarnsOfWhatIsSeenEdgeOnOrSmallerThanAPixel) {
 
 TEST_F(Command, HelpNamesEveryFormatAndDevice) {
   ASSERT_EQ(run("draw --help"), 0);
-  const std::string help = out_;
+  const std::string help = std::regex_replace(out_, std::regex("\\s+"), " ");
   for (const auto& format : displayfile::picture_formats()) {
     EXPECT_NE(help.find(" " + std::string(format.name) + " ("), help.npos) << format.name;
   }

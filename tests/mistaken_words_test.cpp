@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 #include "tests/command_fixture.h"
@@ -27,6 +28,22 @@ TEST_F(Command, HelpInOtherWords) {
       << "the default scope";
   expect_error("help drew", "unknown command 'drew': did you mean 'draw'?");
   expect_error("help draw dump", "help: expected one command, such as displayfile help draw");
+}
+
+TEST_F(Command, HelpIsInLinesThatFit) {
+  for (const char* const command : {"", "draw", "surface", "sheet", "check", "bench"}) {
+    ASSERT_EQ(run(std::string(command) + " --help"), 0) << err_;
+    std::istringstream lines(out_);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_name = line.starts_with("  -") || line.starts_with("Usage");
+      EXPECT_TRUE(line.size() <= 100 || is_name) << line;
+      EXPECT_EQ(line.find("INT in ["), line.npos) << line;
+      EXPECT_EQ(line.find("REQUIRED"), line.npos) << line;
+    }
+  }
+  ASSERT_EQ(run("draw --help"), 0);
+  EXPECT_NE(out_.find("  --samples N "), std::string::npos) << out_;
+  EXPECT_NE(out_.find("; 1 to 16; 4 if not given"), std::string::npos) << out_;
 }
 
 /// A word that no option takes would be an input.

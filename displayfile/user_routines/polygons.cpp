@@ -164,11 +164,11 @@ std::size_t require_polygons(const ManyPolygons& many) {
     throw Error(fmt::format("{} corners: expected {}", corners,
                             many.sides.empty() ? "three per polygon" : std::to_string(of_all)));
   }
-  for (const std::uint32_t corner : many.corners) {
-    if (corner >= many.vertices.size()) {
-      throw Error(
-          fmt::format("vertex {} of {}: expected an index from 0", corner, many.vertices.size()));
-    }
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (many.corners[k] < many.vertices.size()) continue;
+    if (many.vertices.empty()) throw Error("corners of polygons, but no vertices");
+    throw Error(fmt::format("corner {}: vertex {}: there are {} vertices: expected 0 to {}", k,
+                            many.corners[k], many.vertices.size(), many.vertices.size() - 1));
   }
   return many.sides.empty() ? corners / 3 : many.sides.size();
 }

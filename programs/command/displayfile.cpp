@@ -35,6 +35,7 @@
 #include "programs/inputs/mistaken_words.h"
 #include "programs/inputs/picture_check.h"
 #include "programs/manual/asked_of_itself.h"
+#include "programs/manual/help_format.h"
 #include "programs/options/empty_values.h"
 #include "programs/options/named_values.h"
 #include "programs/options/work_limits.h"
@@ -174,6 +175,7 @@ int run(int count, char** as_given) {
   char** const argv = words.data();
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
+  app.formatter(std::make_shared<HelpFormat>());
   app.set_version_flag("--version", version, "Print the version and the libraries that were found");
   app.require_subcommand(1);
   app.footer("displayfile help COMMAND lists a command's options.");

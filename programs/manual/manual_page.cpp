@@ -114,32 +114,6 @@ std::string positional_text(const CLI::Option& option) {
                      takes_many(option) ? "..." : "");
 }
 
-/// "INT in [1 - 16]" as words.
-std::string range_text(std::string_view checked) {
-  const std::size_t begin = checked.find('['), middle = checked.find(" - "),
-                    end = checked.find(']');
-  if (begin == checked.npos || middle == checked.npos || end == checked.npos) {
-    return std::string(checked);
-  }
-  return fmt::format("{} to {}", checked.substr(begin + 1, middle - begin - 1),
-                     checked.substr(middle + 3, end - middle - 3));
-}
-
-/// The facts about an option that its description does not have.
-std::string option_facts(const CLI::Option& option) {
-  std::string facts;
-  const ValueName value = value_name(option);
-  if (!value.checked.empty()) facts += fmt::format("; {}", range_text(value.checked));
-  if (!option.get_default_str().empty()) {
-    facts += fmt::format("; {} if not given", option.get_default_str());
-  }
-  if (option.get_required()) facts += "; required";
-  for (const CLI::Option* other : option.get_excludes()) {
-    facts += fmt::format("; not with {}", other->get_name());
-  }
-  return facts;
-}
-
 void print_option(const CLI::Option& option, const std::string& head, std::ostream& out) {
   out << ".TP\n" << head << '\n';
   const std::string text = option.get_description() + option_facts(option);

@@ -1,5 +1,7 @@
 #include "programs/manual/value_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -51,6 +53,17 @@ void append_files(OfferedValues& offered, std::vector<std::string> extensions) {
   offered.files = true;
 }
 
+/// "INT in [1 - 16]" as words.
+std::string range_text(std::string_view checked) {
+  const std::size_t begin = checked.find('['), middle = checked.find(" - "),
+                    end = checked.find(']');
+  if (begin == checked.npos || middle == checked.npos || end == checked.npos) {
+    return std::string(checked);
+  }
+  return fmt::format("{} to {}", checked.substr(begin + 1, middle - begin - 1),
+                     checked.substr(middle + 3, end - middle - 3));
+}
+
 }  // namespace
 
 ValueName value_name(const CLI::Option& option) {
@@ -61,6 +74,20 @@ ValueName value_name(const CLI::Option& option) {
   const std::size_t colon = blank == name.npos ? name.npos : name.rfind(':', blank);
   if (colon == name.npos) return {name, ""};
   return {name.substr(0, colon), name.substr(colon + 1)};
+}
+
+std::string option_facts(const CLI::Option& option) {
+  std::string facts;
+  const ValueName value = value_name(option);
+  if (!value.checked.empty()) facts += fmt::format("; {}", range_text(value.checked));
+  if (!option.get_default_str().empty()) {
+    facts += fmt::format("; {} if not given", option.get_default_str());
+  }
+  if (option.get_required()) facts += "; required";
+  for (const CLI::Option* other : option.get_excludes()) {
+    facts += fmt::format("; not with {}", other->get_name());
+  }
+  return facts;
 }
 
 OfferedValues offered_values(std::string_view value_name, std::span<const NamedValues> named) {

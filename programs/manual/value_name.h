@@ -41,6 +41,10 @@ struct ValueName {
 };
 ValueName value_name(const CLI::Option& option);
 
+/// The facts about an option that its description does not have, each after "; ": its range, its
+/// default, whether it is required.
+std::string option_facts(const CLI::Option& option);
+
 OfferedValues offered_values(std::string_view value_name, std::span<const NamedValues> named);
 
 }  // namespace displayfile

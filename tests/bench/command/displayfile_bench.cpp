@@ -10,6 +10,7 @@
 #include "clip/system/descriptors.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "programs/manual/asked_of_itself.h"
+#include "programs/manual/help_format.h"
 #include "programs/options/empty_values.h"
 #include "programs/options/number_in.h"
 #include "programs/options/work_limits.h"
@@ -28,6 +29,7 @@ constexpr std::array kNamedValues{NamedValues{"METHOD", bench::method_names, nul
 int run(int argc, char** argv) {
   CLI::App app("A display-file, retained-mode 3D graphics system in the textbook style.",
                "displayfile");
+  app.formatter(std::make_shared<HelpFormat>());
   app.require_subcommand(1);
   BenchCommand bench;
   auto* command = app.add_subcommand("bench", kBenchDescription);

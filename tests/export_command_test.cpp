@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,19 @@ double volume(const std::vector<Facet>& facets) {
            a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
   return six / 6.0;
+}
+
+/// Of the facets, whichever way they face: a lid over a hole has one, and no volume.
+double area_of_facets(const std::vector<Facet>& facets) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : facets) {
+    const Corner u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const Corner v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]) /
+           2.0;
+  }
+  return sum;
 }
 
 /// True if each side is used as often in one direction as in the other.
@@ -160,6 +174,26 @@ TEST_F(ExportCommand, CombinedSolidsAreClosed) {
   exported("drilled.draw -o a.stl");
   EXPECT_TRUE(is_closed(stl("a.stl")));
   EXPECT_NEAR(volume(stl("a.stl")), 4.0 - hole, 1e-6);
+}
+
+/// Faces in two parts and faces with holes have no lids.
+TEST_F(ExportCommand, HolesAndGapsOfFacesAreOpen) {
+  const std::string box = "difference\nbox-3 0 4  0 2  0 2\n";
+  const std::tuple<std::string, double, double> solids[] = {
+      {box + "box-3 1.5 2.5  0.5 1.5  -1 3\n", 46.0, 14.0},
+      {box + "box-3 1.5 2.5  -1 3  1 3\n", 42.0, 14.0},
+      {box + "box-3 0.5 1  0.5 1.5  -1 3\nbox-3 3 3.5  0.5 1.5  -1 3\n", 50.0, 14.0},
+      {"union\nbox-3 0 4  0 2  0 2\nbox-3 1 2  -1 3  0.5 1\n", 46.0, 17.0},
+  };
+  for (const auto& [solid, area, bulk] : solids) {
+    SCOPED_TRACE(solid);
+    write("s.draw", "open-segment 1\nbegin-solid " + solid + "end-solid\nclose-segment\n");
+    if (!can_run("export s.draw -o s.stl", "CGAL")) GTEST_SKIP() << err_;
+    const std::vector<Facet> facets = stl("s.stl");
+    EXPECT_TRUE(is_closed(facets));
+    EXPECT_NEAR(area_of_facets(facets), area, 1e-5);
+    EXPECT_NEAR(volume(facets), bulk, 1e-5);
+  }
 }
 
 TEST_F(ExportCommand, NamesAndColoursAreKept) {

@@ -34,12 +34,18 @@ class EarCutting {
   std::size_t looks_ = 0;
 };
 
+/// The successor of a corner that no loop has.
+constexpr std::uint32_t kInNoLoop = 0xFFFFFFFFu;
+
 /// Appends triangles that tile a polygon of at least three corners, in n log n
 /// (hidden/triangles/triangulation.md): two fewer than its corners, none with the opposite
 /// orientation, each of its sides a side of one of them. Signs are exact. Triangles without area
-/// are made only where the polygon repeats a point or touches itself. False, appending nothing, if
-/// the polygon crosses itself, or touches itself in a way that the sweep does not resolve. (Hertel
-/// and Mehlhorn, Fast triangulation of simple polygons, 1983.)
-bool sweep_triangles(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles);
+/// are made only where the polygon repeats a point or touches itself. `next`, if not empty, makes
+/// it a region of several loops, outlines counterclockwise and holes clockwise: of each corner the
+/// one that follows in its loop, or kInNoLoop. False, appending nothing, if the polygon crosses
+/// itself, or touches itself in a way that the sweep does not resolve. (Hertel and Mehlhorn, Fast
+/// triangulation of simple polygons, 1983.)
+bool sweep_triangles(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles,
+                     std::span<const std::uint32_t> next = {});
 
 }  // namespace displayfile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 #include "clip/geometry/corners.h"
@@ -25,18 +26,53 @@ enum class Kind { both_below, one_below, both_above };
 struct Corner {
   Point2 at;
   VertexIndex of_polygon;
+  VertexIndex previous = kNone, next = kNone;  ///< in its loop
   Kind kind = Kind::one_below;
   int turn = 0;                  ///< 1 if the polygon is convex there
   Point2 left{0.0}, right{0.0};  ///< its neighbours, if they are on the same side of it
 };
+
+/// The corners of each loop: of one, the polygon's, if `next` is empty.
+std::vector<std::vector<VertexIndex>> loops_of(std::size_t corners,
+                                               std::span<const VertexIndex> next) {
+  std::vector<std::vector<VertexIndex>> loops;
+  if (next.empty()) {
+    loops.emplace_back(corners);
+    std::iota(loops.back().begin(), loops.back().end(), VertexIndex{0});
+    return loops;
+  }
+  std::vector<char> is_taken(corners, 0);
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (next[k] == kInNoLoop || is_taken[k] != 0) continue;
+    std::vector<VertexIndex>& loop = loops.emplace_back();
+    for (auto v = static_cast<VertexIndex>(k); is_taken[v] == 0; v = next[v]) {
+      is_taken[v] = 1;
+      loop.push_back(v);
+    }
+  }
+  return loops;
+}
+
+/// Twice the area, positive if the loop runs counterclockwise.
+double area_of(std::span<const Point2> polygon, std::span<const VertexIndex> loop) {
+  const Point2& origin = polygon[loop.front()];
+  double area = 0.0;
+  for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+    const Point2 p = polygon[loop[k]] - origin, q = polygon[loop[k + 1]] - origin;
+    area += p.x * q.y - q.x * p.y;
+  }
+  return area;
+}
 
 class Sweep {
  public:
   Sweep(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles)
       : polygon_(polygon), triangles_(triangles), order_(RightSideIsLeftOf{this}) {}
 
-  bool run() {
-    drop_repeated_points();
+  bool run(std::span<const VertexIndex> next) {
+    for (const std::vector<VertexIndex>& loop : loops_of(polygon_.size(), next)) {
+      if (!enter_loop(loop)) return false;
+    }
     if (corners_.size() < 3) return false;
     turn_counterclockwise();
     find_kinds();
@@ -72,7 +108,7 @@ class Sweep {
   using Order = std::multiset<VertexIndex, RightSideIsLeftOf>;
 
   VertexIndex size() const { return static_cast<VertexIndex>(corners_.size()); }
-  void drop_repeated_points();
+  bool enter_loop(std::span<const VertexIndex> loop);
   void turn_counterclockwise();
   void find_kinds();
   void put_in_order();
@@ -119,7 +155,7 @@ class Sweep {
 
   std::span<const Point2> polygon_;
   std::vector<CornerTriple>& triangles_;
-  std::vector<Corner> corners_;            // without successive equal points
+  std::vector<Corner> corners_;            // of all loops, without successive equal points
   std::vector<VertexIndex> sequence_;      // of corners, in order of visits
   std::vector<VertexIndex> rank_;          // per corner, its position in the sequence
   std::vector<VertexIndex> slab_of_side_;  // side i runs from corner i to the next
@@ -129,20 +165,29 @@ class Sweep {
   std::vector<Order::iterator> places_;  // per slab
 };
 
-/// Cuts off a corner that repeats the previous point: its triangle has no area.
-void Sweep::drop_repeated_points() {
-  const auto n = static_cast<VertexIndex>(polygon_.size());
-  VertexIndex first = 0;  // so that a run of equal points does not begin at the polygon's end
-  while (first < n && polygon_[first] == polygon_[previous_corner(first, n)]) ++first;
-  if (first == n) return;
-  for (VertexIndex k = 0; k < n; ++k) {
-    const VertexIndex v = first + k < n ? first + k : first + k - n;
-    if (corners_.empty() || polygon_[v] != corners_.back().at) {
-      corners_.push_back({polygon_[v], v});
+/// Cuts off a corner that repeats the previous point: its triangle has no area. False if all
+/// corners of the loop are at one point.
+bool Sweep::enter_loop(std::span<const VertexIndex> loop) {
+  const auto n = static_cast<VertexIndex>(loop.size());
+  const auto at = [&](VertexIndex k) { return polygon_[loop[k]]; };
+  VertexIndex first = 0;  // so that a run of equal points does not begin at the loop's end
+  while (first < n && at(first) == at(previous_corner(first, n))) ++first;
+  if (first == n) return false;
+  const VertexIndex begin = size();
+  for (VertexIndex i = 0; i < n; ++i) {
+    const VertexIndex k = first + i < n ? first + i : first + i - n;
+    if (begin == size() || at(k) != corners_.back().at) {
+      corners_.push_back({at(k), loop[k]});
     } else {
-      triangles_.push_back({corners_.back().of_polygon, v, next_corner(v, n)});
+      triangles_.push_back({corners_.back().of_polygon, loop[k], loop[next_corner(k, n)]});
     }
   }
+  const VertexIndex corners = size() - begin;
+  for (VertexIndex k = 0; k < corners; ++k) {
+    corners_[begin + k].previous = begin + previous_corner(k, corners);
+    corners_[begin + k].next = begin + next_corner(k, corners);
+  }
+  return true;
 }
 
 /// Exchanges x and y if the polygon runs clockwise: rounded Newell's sums may misjudge its
@@ -153,17 +198,16 @@ void Sweep::turn_counterclockwise() {
     if (is_below(corners_[v].at, corners_[lowest].at)) lowest = v;
   }
   const auto at = [&](VertexIndex v) { return corners_[v].at; };
-  if (orientation(at(previous_corner(lowest, size())), at(lowest),
-                  at(next_corner(lowest, size()))) >= 0)
-    return;
-  for (Corner& corner : corners_) std::swap(corner.at.x, corner.at.y);
+  const Corner& corner = corners_[lowest];
+  if (orientation(at(corner.previous), corner.at, at(corner.next)) >= 0) return;
+  for (Corner& each : corners_) std::swap(each.at.x, each.at.y);
 }
 
 void Sweep::find_kinds() {
   for (VertexIndex v = 0; v < size(); ++v) {
     Corner& corner = corners_[v];
-    const Point2& p = corners_[previous_corner(v, size())].at;
-    const Point2& q = corners_[next_corner(v, size())].at;
+    const Point2& p = corners_[corner.previous].at;
+    const Point2& q = corners_[corner.next].at;
     corner.turn = orientation(p, corner.at, q);
     const bool p_below = is_below(p, corner.at), q_below = is_below(q, corner.at);
     if (p_below != q_below) continue;
@@ -199,7 +243,7 @@ void Sweep::put_in_order() {
 /// If the corner is on the side, its neighbours decide; if these are on it too, the result is
 /// `if_on_it`.
 bool Sweep::is_right_of(const Corner& corner, VertexIndex side, bool if_on_it) const {
-  const VertexIndex next = next_corner(side, size());
+  const VertexIndex next = corners_[side].next;
   const bool rises = rank_[side] < rank_[next];
   const Point2 &low = corners_[rises ? side : next].at, &high = corners_[rises ? next : side].at;
   if (const int of_corner = orientation(low, high, corner.at)) return of_corner < 0;
@@ -232,15 +276,15 @@ bool Sweep::meet(VertexIndex v) {
     case Kind::both_below: return end_or_merge(v);
     case Kind::one_below: break;
   }
-  const bool falls = rank_[previous_corner(v, size())] > rank_[v];
+  const bool falls = rank_[corners_[v].previous] > rank_[v];
   bend(v, falls);
   return true;
 }
 
 /// Handles a corner where a side ends and the next continues.
 void Sweep::bend(VertexIndex v, bool on_the_left) {
-  const VertexIndex ended = on_the_left ? v : previous_corner(v, size());
-  const VertexIndex begun = on_the_left ? previous_corner(v, size()) : v;
+  const VertexIndex ended = on_the_left ? v : corners_[v].previous;
+  const VertexIndex begun = on_the_left ? corners_[v].previous : v;
   const VertexIndex s = slab_of_side_[begun] = slab_of_side_[ended];
   assert(s != kNone);  // the ended side's lower end was met
   Slab& slab = slabs_[s];
@@ -258,7 +302,7 @@ void Sweep::bend(VertexIndex v, bool on_the_left) {
 /// Outside, starts a slab; inside, splits the slab, whose peak is visible from the corner.
 bool Sweep::start_or_split(VertexIndex v) {
   const Corner& corner = corners_[v];
-  const VertexIndex falling = previous_corner(v, size()), rising = v;
+  const VertexIndex falling = corner.previous, rising = v;
   const auto at = order_.lower_bound(corner);
   const bool inside =
       at != order_.end() && is_right_of(corner, slabs_[*at].left_side, corner.turn <= 0);
@@ -287,7 +331,7 @@ bool Sweep::start_or_split(VertexIndex v) {
 
 /// Ends the slab between both sides, or the gap between two slabs, which are merged.
 bool Sweep::end_or_merge(VertexIndex v) {
-  const VertexIndex s = slab_of_side_[previous_corner(v, size())], t = slab_of_side_[v];
+  const VertexIndex s = slab_of_side_[corners_[v].previous], t = slab_of_side_[v];
   assert(s != kNone && t != kNone);  // both sides' lower ends were met
   Slab &left = slabs_[s], &right = slabs_[t];
   const int turn = corners_[v].turn;
@@ -306,13 +350,28 @@ bool Sweep::end_or_merge(VertexIndex v) {
   return true;
 }
 
+/// The number of triangles of a tiling: two fewer than corners, and for each hole two more than
+/// its corners.
+std::size_t triangles_of_loops(std::span<const Point2> polygon, std::span<const VertexIndex> next) {
+  if (next.empty()) return polygon.size() - 2;
+  std::size_t corners = 0;
+  std::ptrdiff_t outlines = 0, holes = 0;
+  for (const std::vector<VertexIndex>& loop : loops_of(polygon.size(), next)) {
+    corners += loop.size();
+    ++(area_of(polygon, loop) > 0.0 ? outlines : holes);
+  }
+  const std::ptrdiff_t more = 2 * (holes - outlines);
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(corners) + more);
+}
+
 }  // namespace
 
-bool sweep_triangles(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles) {
+bool sweep_triangles(std::span<const Point2> polygon, std::vector<CornerTriple>& triangles,
+                     std::span<const std::uint32_t> next) {
   assert(polygon.size() >= 3);
   const std::size_t before = triangles.size();
-  const bool all =
-      Sweep(polygon, triangles).run() && triangles.size() - before == polygon.size() - 2;
+  const bool all = Sweep(polygon, triangles).run(next) &&
+                   triangles.size() - before == triangles_of_loops(polygon, next);
   if (!all) triangles.resize(before);
   return all;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "clip/geometry/back_face.h"
 #include "clip/geometry/corners.h"
@@ -28,13 +29,27 @@ void Triangulation::flatten(std::span<const Point3> polygon, const Point3& along
   for (const Point3& p : polygon) flattened_.push_back(along_axis(p, along));
 }
 
-void Triangulation::find_corners() {
+void Triangulation::find_corners_of_one_loop() {
   corners_.clear();
+  is_by_loops_ = false;
   if (flattened_.size() <= kMostForEars) {
     ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
   } else if (!sweep_triangles(flattened_, corners_)) {
     ears_.cut(flattened_, kLooksPerCorner * flattened_.size(), corners_);
   }
+}
+
+/// Bridges within the polygon's inside disturb nothing. With others, and where a hole has the
+/// direction of the outline, only the loops can be tiled.
+void Triangulation::find_corners() {
+  find_corners_of_one_loop();
+  if (!bridged_.find(flattened_)) return;
+  bridged_.turn(flattened_);
+  if (tiles() && !bridged_.any_turned()) return;
+  std::vector<CornerTriple> of_loops;
+  if (!sweep_triangles(flattened_, of_loops, bridged_.next())) return;
+  corners_ = std::move(of_loops);
+  is_by_loops_ = true;
 }
 
 /// True if no triangle is reversed: together they then wind around each point as often as the
@@ -47,12 +62,13 @@ bool Triangulation::tiles() const {
   });
 }
 
-/// The triangles with marked sides: a polygon's side joins successive vertices, all others are
-/// diagonals.
+/// The triangles with marked sides: a polygon's side joins successive vertices, or those of a loop;
+/// all others are diagonals.
 std::span<const Triangulation::Triangle> Triangulation::with_sides() {
   const auto sides = static_cast<std::uint32_t>(flattened_.size());
+  const auto next = bridged_.next();
   const auto is_side = [&](std::uint32_t from, std::uint32_t to) {
-    return static_cast<std::uint8_t>(next_corner(from, sides) == to);
+    return static_cast<std::uint8_t>((is_by_loops_ ? next[from] : next_corner(from, sides)) == to);
   };
   triangles_.clear();
   for (const auto& [a, b, c] : corners_) {
@@ -78,6 +94,7 @@ std::span<const Triangulation::Triangle> Triangulation::triangulate_by_ears(
     std::span<const Point3> polygon) {
   flatten(polygon, newell_normal(polygon));
   corners_.clear();
+  is_by_loops_ = false;
   ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
   return with_sides();
 }

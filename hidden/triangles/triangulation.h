@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "hidden/triangles/bridged_loops.h"
 #include "hidden/triangles/ear_cutting.h"
 
 namespace displayfile {
@@ -32,8 +33,11 @@ class Triangulation {
 
   /// Triangles that tile the polygon (at least three vertices, any coordinates in space), two fewer
   /// than its vertices, as seen along an axis; each has the polygon's orientation, and each side of
-  /// the polygon is a side of one of them. In n log n. A self-crossing polygon has no such tiling;
-  /// it is cut where ears are found, and fanned from there. Valid until the next call.
+  /// the polygon is a side of one of them. In n log n. A polygon of several loops that bridges
+  /// join, sides that it follows there and back, is tiled by the even-odd rule wherever its bridges
+  /// lead: if they leave its inside they are sides of no triangle, and there may be fewer
+  /// triangles. A self-crossing polygon has no such tiling; it is cut where ears are found, and
+  /// fanned from there. Valid until the next call.
   std::span<const Triangle> triangulate(std::span<const Point3> polygon,
                                         SeenAlong along = SeenAlong::nearest_axis);
 
@@ -43,6 +47,7 @@ class Triangulation {
  private:
   void flatten(std::span<const Point3> polygon, const Point3& along);
   void find_corners();
+  void find_corners_of_one_loop();
   bool tiles() const;
   std::span<const Triangle> with_sides();
 
@@ -50,6 +55,8 @@ class Triangulation {
   std::vector<CornerTriple> corners_;
   std::vector<Triangle> triangles_;
   EarCutting ears_;
+  BridgedLoops bridged_;
+  bool is_by_loops_ = false;  // the last polygon's triangles are those of its loops
 };
 
 }  // namespace displayfile

@@ -159,9 +159,9 @@ Margins margins_of(const SurfaceLook& look, const Legend& legend, double aspect)
     margins.right += room_for_texts(legend, look);
   }
   const bool has_letters = look.axes || look.coloured;
-  const double s = look.letter_height && has_letters
-                       ? scale_of_letters(margins, *look.letter_height, aspect)
-                       : std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
+  const double usual = std::min(1.0, kMostOfWidth * aspect / (margins.left + margins.right));
+  const bool is_set = look.letter_height && has_letters;
+  const double s = is_set ? scale_of_letters(margins, *look.letter_height, aspect) : usual;
   return {s * margins.left, s * margins.right, s * margins.bottom, s * margins.top, s};
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "clip/point.h"
+
+namespace displayfile {
+
+/// The loops of an even-odd polygon that goes from loop to loop over bridges: sides that it follows
+/// there and back, as polygons with holes do (hidden/triangles/triangulation.md).
+class BridgedLoops {
+ public:
+  /// With fewer corners a polygon has no second loop.
+  static constexpr std::size_t kFewestCorners = 8;
+
+  /// Leaves the bridges out. False if there are none.
+  bool find(std::span<const Point2> polygon);
+
+  /// Turns outlines counterclockwise and holes clockwise. A loop is a hole if an odd number of
+  /// others is around it.
+  void turn(std::span<const Point2> polygon);
+
+  /// Of each corner the one that follows in its loop; kInNoLoop where a bridge ends.
+  std::span<const std::uint32_t> next() const { return next_; }
+  /// True if turn reversed a loop.
+  bool any_turned() const { return any_turned_; }
+
+ private:
+  void match_sides(std::span<const Point2> polygon);
+  bool has_odd_around(std::span<const Point2> polygon, std::uint32_t corner) const;
+
+  std::vector<std::uint32_t> sides_;    // sorted, so that those with the same ends are successive
+  std::vector<std::uint32_t> partner_;  // per side, the one that leads back
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> loop_of_;  // per corner
+  bool any_turned_ = false;
+};
+
+}  // namespace displayfile

@@ -68,9 +68,10 @@ TEST_F(PageOfFigures, IsMadeByOneCommand) {
     write("R.md", block("reasons", ""));
     ASSERT_EQ(figures("page/report.json --readme R.md"), 0) << err_;
     const std::string reasons = read(folder_ / "R.md");
-    EXPECT_NE(reasons.find("\n1. **Exact.** On ordinary scenes the exact z-buffer gets 0 % of the "
-                           "pixels wrong, OSMesa "),
-              reasons.npos)
+    EXPECT_NE(
+        reasons.find("\n1. **Exact.** Pixels that show the wrong polygon: on ordinary scenes 0 %, "
+                     "by OSMesa "),
+        reasons.npos)
         << reasons;
     EXPECT_NE(reasons.find(" 16 x 16 to 24 x 24 pixels, made so that rounding decides, 0 % and "),
               reasons.npos);

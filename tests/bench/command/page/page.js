@@ -23,7 +23,7 @@ function frontPlot(figures) {
   });
   return plot({
     title: "All methods and peers: below and left is better",
-    xLabel: `time of a picture / time of the exact z-buffer, ${found.scenes} scenes`,
+    xLabel: `time of a picture / time of the exact z-buffer, ${plural(found.scenes, "scene")}`,
     yLabel: `wrong pixels, without ties, of ${hard ? `${hard} stress scenes, ${figures.sizesOfHardCases}` : "these scenes"}, %`,
     curves, zeros: 84, width: 980, height: 600, front: found.front.map((one) => ({x: one.time, y: one.percent})),
     xRange: [found.all[0].time, 1.6 * found.all.at(-1).time],  // room for the label of the slowest

@@ -35,7 +35,7 @@ function costOfMap(figures) {
   const larger = more.map((pair) => `${shortName(pair.scene)}${pair.scene === "soup" ? " (random triangles)" : ""} has ` +
     `${times(pair.map / pair.written)} times as many`).join(", ");
   if (!slower && !larger) return first.trimEnd();
-  return `${first}But ${[slower && `on ${slow.length} of ${pairs.length} scenes${slower}`, larger].filter(Boolean).join(", and ")}.`;
+  return `${first}But ${[slower && `on ${slow.length} of ${plural(pairs.length, "scene")}${slower}`, larger].filter(Boolean).join(", and ")}.`;
 }
 
 const summaryMakers = {
@@ -151,10 +151,10 @@ const summaryMakers = {
     if (!exact || !osmesa || !figures.hardCases.length) return null;
     const rounded = figures.beside.filter((b) => b.other === "without exact stages" && b.what === "z-buffer" && b.times_faster);
     const saved = rounded.length ? Math.round(100 * (1 - geometricMean(rounded.map((b) => b.times_faster.median)))) : 0;
-    const texts = [`**Exact.** On ordinary scenes the exact z-buffer gets ${general(exact.timed.percent)} % of the pixels wrong, OSMesa ${general(osmesa.timed.percent)} %; on ` +
-      `${figures.hardCases.length} stress scenes of ${figures.sizesOfHardCases} pixels, made so that rounding decides, ` +
-      `${general(exact.stress.percent)} % and ${general(osmesa.stress.percent)} % (ties do not count: [below](#compared)). Polygons ` +
-      "that touch need no offset: a rug in the plane of a floor does not flicker."];
+    const texts = [`**Exact.** Pixels that show the wrong polygon: on ordinary scenes ${general(exact.timed.percent)} %, by OSMesa ` +
+      `${general(osmesa.timed.percent)} %; on ${figures.hardCases.length} scenes of ${figures.sizesOfHardCases} pixels, made so that rounding decides, ` +
+      `${general(exact.stress.percent)} % and ${general(osmesa.stress.percent)} % ([compared](#compared)). ` +
+      "Polygons that touch need no offset: a rug on a floor does not flicker."];
     const cost = costOfMap(figures);
     if (cost) texts.push(`**Small vector files.** ${cost}`);
     texts.push(`**Fast without a GPU.** The exact z-buffer takes ${general(exact.anew / osmesa.anew, 2)} of OSMesa's time on one thread` +
@@ -320,7 +320,7 @@ const summaryMakers = {
   auto(figures) {
     const bounds = figures.auto;
     return bounds && {title: "The method that picks itself", text: "--hidden auto draws pixels by the z-buffer, whatever " +
-      `the scene. Over ${bounds.scenes} scenes it takes ${bounds.total_over_best_fixed} times what the best fixed method ` +
+      `the scene. Over ${plural(bounds.scenes, "scene")} it takes ${bounds.total_over_best_fixed} times what the best fixed method ` +
       `takes in total (${bounds.best_fixed}); at worst it takes ${bounds.worst_over_best} times the best method on a ` +
       `scene (${bounds.worst_scene}, where ${bounds.best_there} is best). --explain prints its choice, for vectors too.`};
   },
@@ -425,7 +425,7 @@ function methodsTable(figures, title, wanted) {
   const hard = figures.hardCases.length > 0, advised = advice(figures), {scenes} = found;
   const {date} = figures.environment;
   const text = `${date ? `Measured on ${date}. ` : ""}Times of a picture relative to ${figures.reference}, geometric ` +
-    `means over the ${scenes.length} scenes from which no method was left out ` +
+    `means over the ${plural(scenes.length, "scene")} from which no method was left out ` +
     `(${scenes.map((row) => shortName(row.name)).join(", ")}): anew, from the display file; and ` +
     "the same picture again. Peers are warm, and have the polygons in their own form. gl2ps sorts, and draws " +
     "no pixels; culled, it leaves out hidden pieces. Wrong pixels are percentages of all: of the scenes timed" +
@@ -561,7 +561,7 @@ function thinSheets(figures) {
   });
   return {purpose: "A stack of thin sheets: depths 1e-9 apart and less", use: best.name,
           reason: `the exact methods have ${figures.wrong(rows, best).wrong} wrong pixels there; time: ${firstOf(all)}`,
-          why: [`Wrong pixels in a hundred over ${rows.length} scenes whose gap is 1e-9 to 1e-13, of the exact methods: ` +
+          why: [`Wrong pixels in a hundred over ${plural(rows.length, "scene")} whose gap is 1e-9 to 1e-13, of the exact methods: ` +
                 `${there.filter((column) => column.exact).map(named).join("; ")}.`, `Of the others: ${others.join("; ")}.`,
                 `Time of the exact methods there, in reference times (geometric mean): ${listed(all)}. These are small ` +
                 `pictures, of ${rows[0].pixels} pixels.`]};

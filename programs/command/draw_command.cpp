@@ -19,6 +19,7 @@
 #include "clip/base/parallel.h"
 #include "hidden/exact/predicate_counts.h"
 #include "interp/raster/antialias.h"
+#include "programs/command/drawn_again.h"
 #include "programs/command/turntable_command.h"
 #include "programs/inputs/drawing_statistics.h"
 #include "programs/inputs/drawn_inputs.h"
@@ -101,6 +102,11 @@ void DrawCommand::add_output_options(CLI::App& command) {
                   "format of the picture, overriding the file's extension; on standard output png "
                   "by default, or ppm without libpng")
       ->type_name(picture_format_words())
+      ->group(kOutputOptions);
+  command
+      .add_flag("--check", check,
+                "writes nothing: draws to compare with the files that are there, prints those that "
+                "differ or are missing, and exits with 1 if any does")
       ->group(kOutputOptions);
   command
       .add_option("--ids", options.ids,
@@ -439,27 +445,81 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
                 names.size(), static_cast<std::size_t>(useful_threads(drawing.surfaces.threads))))
           : 1;
   MadeFolders folders;
+  std::optional<DrawnAgain> again;
+  if (check) again.emplace();
+  std::vector<std::string> differing(names.size());
   std::vector<std::string> bad;
   for_each_input(
       names, at_a_time, fmt::format("drawing {} pictures", names.size()),
       [&](std::size_t k) {
         DrawOptions of_one = drawing;
         of_one.surfaces.threads = std::max(1, drawing.surfaces.threads / at_a_time);
-        of_one.ids = outputs[k].ids.string();
-        of_one.depth = outputs[k].depth.string();
-        return draw_into(figures_[k], outputs[k].picture, of_one, &folders, left_out);
+        const Outputs& there = outputs[k];
+        const Outputs drawn = again ? placed(*again, k, there) : there;
+        of_one.ids = drawn.ids.string();
+        of_one.depth = drawn.depth.string();
+        const std::string text =
+            draw_into(figures_[k], drawn.picture, of_one, again ? nullptr : &folders, left_out);
+        if (again) differing[k] = differences(*again, there, drawn);
+        return text;
       },
       [&](std::size_t k, const InputResult& result) {
-        if (!quiet) std::cerr << result.warnings;
+        if (!quiet && !again) std::cerr << result.warnings;
         if (!result.text.empty()) std::cout << names[k] << ":\n" << result.text;
+        std::cout << differing[k];
         if (result.error.empty()) return;
         if (!quiet) std::cerr << "displayfile: " << result.error << '\n';
         bad.push_back(quiet ? result.error : input_name(names[k]));
       });
-  if (bad.empty()) return 0;
+  const bool any_differs = std::ranges::any_of(differing, [](auto& text) { return !text.empty(); });
+  if (bad.empty()) return any_differs ? 1 : 0;
   std::cerr << fmt::format("displayfile: {} of {} inputs not drawn:\n  {}\n", bad.size(),
                            names.size(), fmt::join(bad, "\n  "));
   return 2;
+}
+
+DrawCommand::Outputs DrawCommand::placed(const DrawnAgain& again, std::size_t k,
+                                         const Outputs& there) {
+  return {again.place(k, there.picture), again.place(k, there.ids), again.place(k, there.depth)};
+}
+
+std::string DrawCommand::differences(const DrawnAgain& again, const Outputs& there,
+                                     const Outputs& drawn) const {
+  std::string text;
+  for (const auto file : {&Outputs::picture, &Outputs::ids, &Outputs::depth}) {
+    const std::vector<std::string> all = files_written(there.*file);
+    const std::vector<std::string> anew = files_written(drawn.*file);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].empty()) continue;
+      const std::string how = again.difference(all[k], anew[k]);
+      if (!how.empty()) text += how + '\n';
+    }
+  }
+  return text;
+}
+
+std::string DrawCommand::draw_one(const DrawOptions& drawing, NotInPicture& left_out) const {
+  std::ostringstream unheard;
+  std::optional<CollectedWarnings> collected;
+  if (quiet) collected.emplace(unheard);
+  const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
+  left_out.warn(output);
+  return text;
+}
+
+int DrawCommand::check_one(const DrawOptions& drawing, NotInPicture& left_out) const {
+  require_drawable(output, drawing);
+  const DrawnAgain again;
+  const Outputs there{output, drawing.ids, drawing.depth}, drawn = placed(again, 0, there);
+  DrawOptions anew = drawing;
+  anew.ids = drawn.ids.string();
+  anew.depth = drawn.depth.string();
+  std::ostringstream unheard;
+  const CollectedWarnings collected(unheard);
+  std::cout << draw_into(inputs, drawn.picture, anew, nullptr, left_out);
+  const std::string text = differences(again, there, drawn);
+  std::cout << text;
+  return text.empty() ? 0 : 1;
 }
 
 /// The view of the options is fitted once, before any picture is drawn.
@@ -485,6 +545,9 @@ int DrawCommand::run() {
   if (!is_name_pattern(output)) figures = {inputs_of(figures)};
   figures_ = with_common(with, std::move(figures));
   inputs = inputs_of(figures_);
+  if (check && output == "-") {
+    throw Error("--check: standard output is no file to compare with: expected -o FILE");
+  }
   const DrawOptions drawing = all_options();
   entering_ = entering(drawing);
   starts_with_ = starting_shading();
@@ -498,7 +561,7 @@ int DrawCommand::run() {
   fit_to_all(drawing);
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);
-    if (!quiet) left_out.warn(output);
+    if (!quiet && !check) left_out.warn(output);
     return status;
   }
   for (const auto& file : {drawing.ids, drawing.depth}) {
@@ -512,12 +575,8 @@ int DrawCommand::run() {
     std::ranges::move(files_written(file), std::back_inserter(written));
   }
   require_files_of_their_own(written, inputs, lists_);
-  std::ostringstream unheard;
-  std::optional<CollectedWarnings> collected;
-  if (quiet) collected.emplace(unheard);
-  const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
-  left_out.warn(output);
-  collected.reset();
+  if (check) return check_one(drawing, left_out);
+  const std::string text = draw_one(drawing, left_out);
   (output == "-" ? std::cerr : std::cout) << text;
   return 0;
 }

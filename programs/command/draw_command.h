@@ -24,6 +24,8 @@
 
 namespace displayfile {
 
+class DrawnAgain;
+
 /// `displayfile draw`. Like the other subcommands it adds itself to the command line, and run()
 /// returns the exit status, 0 or 1 (a difference was found), or throws Error, with nothing written,
 /// if its input, an option or an output is wrong.
@@ -41,6 +43,7 @@ struct DrawCommand {
   MeshWords meshes;
   bool stats = false;
   bool quiet = false;                     ///< no warnings; inputs not drawn are listed at the end
+  bool check = false;                     ///< compares with the files that are there
   bool explain = false;                   ///< the choice of `auto`, and the reason
   std::optional<std::string> line_width;  ///< in words (programs/options/line_words.h)
   std::optional<std::string> line_order;  ///< entry or depth
@@ -77,6 +80,14 @@ struct DrawCommand {
   std::vector<std::string> files_written(const std::filesystem::path& file) const;
   std::vector<Outputs> outputs_of_each(const DrawOptions& drawing) const;
   int draw_each(const DrawOptions& drawing, NotInPicture& left_out) const;
+  /// Draws the one picture. Returns the text of the printing options.
+  std::string draw_one(const DrawOptions& drawing, NotInPicture& left_out) const;
+  /// Draws it to compare, and prints what differs.
+  int check_one(const DrawOptions& drawing, NotInPicture& left_out) const;
+  static Outputs placed(const DrawnAgain& again, std::size_t k, const Outputs& there);
+  /// A line for each file that differs from the one drawn anew.
+  std::string differences(const DrawnAgain& again, const Outputs& there,
+                          const Outputs& drawn) const;
 
   std::vector<Figure> figures_;     ///< of each picture, with their common program
   std::vector<std::string> lists_;  ///< of inputs, as files (input_lists)

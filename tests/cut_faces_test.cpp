@@ -18,6 +18,7 @@
 #include "clip/geometry/back_face.h"
 #include "displayfile/files.h"
 #include "displayfile/mesh/section.h"
+#include "displayfile/segments/display_file.h"
 #include "interp/draw/draw.h"
 #include "tests/error_of.h"
 #include "tests/random_views.h"
@@ -417,6 +418,40 @@ TEST(CutFaces, RecordedAndReplayedTheyAreTheSame) {
     EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
     EXPECT_NE(program.str().find("set-cut-faces hatched 0.05 30\n"), std::string::npos);
   }
+}
+
+TEST(CutFaces, HatchingOfABareMeshIsRecordedAndTakenBackAfterIt) {
+  const Mesh mesh = Entered([](GraphicsSystem& g) { sphere_3(g, {0, 0, 0}, 1, 20); }).mesh();
+  std::ostringstream program;
+  Recorder recorder(program);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  g.set_cutting_plane(1, 0, 0, -1, 0.2);
+  g.set_cut_faces({Kind::hatched});
+  const auto lines = [&] {
+    std::size_t all = 0;
+    for (const Segment& segment : g.display_file().segments()) all += segment.lines();
+    return all;
+  };
+  enter_meshes(std::span(&mesh, 1), g);
+  const std::size_t hatching = lines();
+  EXPECT_GT(hatching, 10u);
+  EXPECT_TRUE(g.looks().attributes.line.of_kinds.empty());
+  EXPECT_EQ(g.looks().attributes.line.kind, LineStyle::Kind::solid);
+  GraphicsSystem again;
+  replay(program.str(), "recorded", again);
+  EXPECT_EQ(dump(again.display_file()), dump(g.display_file()));
+  // A style that was set stays, and hatches a mesh by itself.
+  g.set_line_kind_style(StyledLines::hatch, {.width = 3.0});
+  enter_meshes(std::span(&mesh, 1), g);
+  EXPECT_EQ(lines(), 2 * hatching);
+  EXPECT_EQ(g.looks().attributes.line.of_kinds.of(StyledLines::hatch),
+            (LineKindStyle{.width = 3.0}));
+  // Without cut faces, or with a line style that is none, there is none.
+  g.set_line_kind_style(StyledLines::hatch, {});
+  g.set_line_style({LineStyle::Kind::none});
+  enter_meshes(std::span(&mesh, 1), g);
+  EXPECT_EQ(lines(), 2 * hatching);
 }
 
 /// The angle too where the spacing is the default.

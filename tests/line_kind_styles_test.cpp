@@ -148,9 +148,10 @@ TEST(LineKindStyles, WrongWordsAreRefusedWithTheirPlace) {
   EXPECT_EQ(error("crease wide").substr(0, 16), "scene.draw:1:28:");
   for (const char* const bad : {"", "crease", "crease 1 2", "crease 1 solid 3 1", "crease 1 2 3",
                                 "crease 1 dashed 3", "crease 1 1 2 3 4"}) {
-    EXPECT_NE(error(bad).find("outline|boundary|crease|material|intersection|all|hidden width|same "
-                              "[solid|dashed [dash gap]] [r g b]"),
-              std::string::npos)
+    EXPECT_NE(
+        error(bad).find("outline|boundary|crease|material|intersection|all|hidden|hatch width|same "
+                        "[solid|dashed [dash gap]] [r g b]"),
+        std::string::npos)
         << bad << ": " << error(bad);
   }
   EXPECT_NE(error("crease 0").find("expected more than 0 pixels"), std::string::npos);

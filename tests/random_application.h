@@ -138,7 +138,7 @@ class RandomApplication {
     if (chance(50)) style.kind = chance(50) ? dashed : solid;
     if (chance(20)) style.dash = style.gap = uniform(-0.1, 5);
     if (chance(30)) style.colour = Colour(uniform(0, 1), uniform(0, 1), uniform(-0.05, 1));
-    system_.set_line_kind_style(static_cast<StyledLines>(below(7)), style);
+    system_.set_line_kind_style(static_cast<StyledLines>(below(8)), style);
   }
   void lower_line_style() {
     if (chance(40)) return system_.set_lower_line_style(std::nullopt);

@@ -18,6 +18,7 @@ constexpr Word<StyledLines> kStyledLines[] = {
     {StyledLines::intersection, "intersection"},
     {StyledLines::all, "all"},
     {StyledLines::hidden, "hidden"},
+    {StyledLines::hatch, "hatch"},
 };
 
 std::size_t index_of(StyledLines lines) { return static_cast<std::size_t>(lines); }
@@ -85,6 +86,16 @@ LineStyle hidden_line_style(const LineStyle& line) {
   hidden.gap *= std::max(1.0, hidden.width);
   apply(own, hidden);
   return hidden;
+}
+
+LineStyle hatching_line_style(const LineStyle& line) {
+  const LineKindStyle& own = line.of_kinds.of(StyledLines::hatch);
+  LineStyle hatching = line;
+  if (line.kind == LineStyle::Kind::none && own != LineKindStyle{}) {
+    hatching.kind = LineStyle::Kind::solid;
+  }
+  if (hatching.kind != LineStyle::Kind::none) apply(own, hatching);
+  return hatching;
 }
 
 }  // namespace displayfile

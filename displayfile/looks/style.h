@@ -39,7 +39,7 @@ struct FillStyle {
 };
 
 /// Lines that may have a style of their own: a kind of lines (displayfile/segments/line_kinds.md),
-/// or the hidden parts of lines.
+/// the hidden parts of lines, or the hatching of cut faces.
 enum class StyledLines : std::uint8_t {
   outline,
   boundary,
@@ -48,9 +48,10 @@ enum class StyledLines : std::uint8_t {
   intersection,
   all,
   hidden,
+  hatch,
 };
 
-/// Reads the name of a kind of lines, or `hidden`; throws Error for anything else.
+/// Reads the name of a kind of lines, `hidden` or `hatch`; throws Error for anything else.
 StyledLines styled_lines(std::string_view text);
 std::string_view name_of(StyledLines lines);
 
@@ -99,6 +100,10 @@ LineStyle side_line_style(const LineStyle& line, LineKinds kinds);
 /// drafting practice, dashed, half as wide but at least half a pixel, in the line's colour. Dashes
 /// have the lengths of `line`, scaled by the width if that is more than a pixel.
 LineStyle hidden_line_style(const LineStyle& line);
+
+/// The style of hatching lines on cut faces: `line`, overridden by that of `hatch`. Where `line` is
+/// none they are drawn if `hatch` has a style, solid and black unless that says otherwise.
+LineStyle hatching_line_style(const LineStyle& line);
 
 /// How texts are drawn: in the system's "sans-serif" font and the line style's colour, black if the
 /// line style is none.

@@ -247,6 +247,10 @@ void bring_light(GraphicsSystem& system) {
                            [&] { system.set_light(over_left_shoulder(system), kAmbient); });
 }
 
+const LineKindStyle& style_of_hatching(const Attributes& attributes) {
+  return attributes.line.of_kinds.of(StyledLines::hatch);
+}
+
 void bring_styles(GraphicsSystem& system, const MeshOptions& options) {
   SystemInside::by_default(system, Setting::fill_style,
                            [&] { system.set_fill_style(solid(kNeutral)); });
@@ -256,6 +260,11 @@ void bring_styles(GraphicsSystem& system, const MeshOptions& options) {
       options.sides_drawn || shows_lines || system.explicit_settings().contains(Setting::lines);
   SystemInside::by_default(system, Setting::line_style, [&] {
     system.set_line_style({sides_drawn ? LineStyle::Kind::solid : LineStyle::Kind::none});
+    // Hatching that is set is drawn on a mesh whose sides are not.
+    if (!sides_drawn && system.looks().cut_faces.kind == CutFaces::Kind::hatched &&
+        style_of_hatching(system.looks().attributes) == LineKindStyle{}) {
+      system.set_line_kind_style(StyledLines::hatch, {.kind = LineStyle::Kind::solid});
+    }
   });
 }
 
@@ -264,6 +273,9 @@ void restore_styles(GraphicsSystem& system, const Attributes& before) {
                            [&] { system.set_fill_style(before.fill); });
   SystemInside::by_default(system, Setting::line_style,
                            [&] { system.set_line_style(before.line); });
+  if (style_of_hatching(system.looks().attributes) != style_of_hatching(before)) {
+    system.set_line_kind_style(StyledLines::hatch, style_of_hatching(before));
+  }
 }
 
 /// Sets the defaults of settings that the application has not set.

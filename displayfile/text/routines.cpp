@@ -140,10 +140,12 @@ constexpr auto kAttributes = std::to_array<Routine>({
                         "dash and gap are in pixels."),
     varying<line_kind_style>(
         "set-line-kind-style",
-        "outline|boundary|crease|material|intersection|all|hidden width|same [solid|dashed [dash "
-        "gap]] [r g b]",
-        "Style of polygon sides of one kind of set-lines, or of hidden lines (kind hidden), in "
-        "place of the line style, for primitives that follow. Lengths are in pixels; same alone "
+        "outline|boundary|crease|material|intersection|all|hidden|hatch width|same [solid|dashed "
+        "[dash gap]] [r g b]",
+        "Style of polygon sides of one kind of set-lines, of hidden lines (kind hidden), or of the "
+        "hatching of cut faces (kind hatch), in place of the line style, for primitives that "
+        "follow. Hatching with a style is drawn where the line style is none, too. Lengths are in "
+        "pixels; same alone "
         "restores the default [same; hidden: dashed and half as wide, at least 0.5]."),
     varying<text_style>("set-text-style", "size [left|centre|right] [always]",
                         "Size of the letters of texts that follow, as a fraction of the picture's "

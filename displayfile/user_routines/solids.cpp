@@ -277,12 +277,22 @@ struct DirectionsInPlane {
 
 }  // namespace
 
-/// Enters lines within the loops of a cut face, filled even-odd, in the line style in force: a
+/// The style of hatching lines; the width that replaces those of line styles is theirs, too, unless
+/// `hatch` has its own.
+LineStyle GraphicsSystem::State::hatching_style() const {
+  const LineStyle& line = looks_.attributes.line;
+  LineStyle style = hatching_line_style(line);
+  if (!line.of_kinds.of(StyledLines::hatch).width) replace_width(style);
+  return style;
+}
+
+/// Enters lines within the loops of a cut face, filled even-odd, in the style of hatching: a
 /// millionth of the solid's size in front of it, so that rounding does not hide them behind it, and
 /// ending slightly inside its outline, so that none sticks out when seen from the side.
 void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t face,
                                            const Hatching& hatching) {
-  if (looks_.attributes.line.kind == LineStyle::Kind::none) return;
+  const LineStyle style = hatching_style();
+  if (style.kind == LineStyle::Kind::none) return;
   has_hatching_ = true;
   constexpr double kBefore = 1e-6;
   const auto [inward, offset] = cutting_planes_.unit_plane(solid.faces[face].cut_by);
@@ -303,14 +313,26 @@ void GraphicsSystem::State::enter_hatching(const SolidFaces& solid, std::size_t 
   const Point3 origin = -(offset + before) * inward;
   const auto [sine, cosine] = sine_cosine_of_degrees(looks_.cut_faces.angle);
   const Point3 along = cosine * in_plane.right + sine * in_plane.up;
-  for (const auto& [from, to] :
-       hatched_loops(loops, WithinLoops::odd, hatching.spacing, {cosine, sine})) {
-    const Point3 a = origin + from.x * in_plane.right + from.y * in_plane.up;
-    const Point3 b = origin + to.x * in_plane.right + to.y * in_plane.up;
-    if (glm::distance(a, b) > 2.0 * short_of) {
-      enter_world_line(a + short_of * along, b - short_of * along, hatching.is_there);
+  const LineStyle in_force = std::exchange(looks_.attributes.line, style);
+  attributes_changed();
+  const auto restore = [&] {
+    looks_.attributes.line = in_force;
+    attributes_changed();
+  };
+  try {
+    for (const auto& [from, to] :
+         hatched_loops(loops, WithinLoops::odd, hatching.spacing, {cosine, sine})) {
+      const Point3 a = origin + from.x * in_plane.right + from.y * in_plane.up;
+      const Point3 b = origin + to.x * in_plane.right + to.y * in_plane.up;
+      if (glm::distance(a, b) > 2.0 * short_of) {
+        enter_world_line(a + short_of * along, b - short_of * along, hatching.is_there);
+      }
     }
+  } catch (...) {
+    restore();
+    throw;
   }
+  restore();
 }
 
 }  // namespace displayfile

@@ -83,6 +83,7 @@ struct GraphicsSystem::State {
     double spacing;
     bool is_there;  ///< its face is in the view
   };
+  LineStyle hatching_style() const;
   void enter_hatching(const SolidFaces& solid, std::size_t face, const Hatching& hatching);
   void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
   double hatching_spacing(const SolidFaces& solid) const;

@@ -64,7 +64,7 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
   add_output_options(command);
   add_picture_options(command);
   meshes.add_to(command, true);
-  hidden_surfaces.add_to(command);
+  hidden_surfaces.add_to(command, LineWords::Takes::styles);
   vectors.add_to(command);
   command
       .add_flag("--crumbs", options.crumbs,

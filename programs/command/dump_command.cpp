@@ -23,7 +23,7 @@ CLI::App& DumpCommand::add_to(CLI::App& app) {
   add_inputs(command, "INPUT", inputs, "drawing programs and meshes");
   command.add_option("-o,--output", output, "output file; standard output by default")
       ->type_name("OUT.txt");
-  hidden_surfaces.add_to(command);
+  hidden_surfaces.add_to(command, LineWords::Takes::styles);
   size.add_to(command);
   meshes.add_to(command);
   return command;

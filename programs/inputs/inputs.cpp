@@ -382,6 +382,19 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   return together != nullptr ? together->upright : read.upright.upright();
 }
 
+/// The style that --lines sets for hatching has no effect if no cut face is hatched.
+void warn_of_style_of_no_hatching(std::span<const std::string> inputs, const GraphicsSystem& system,
+                                  const MeshWords& meshes) {
+  const auto is_of_hatching = [](const StyleOfKind& of) { return of.lines == StyledLines::hatch; };
+  if (system.counts().has_hatching || std::ranges::none_of(meshes.line_styles, is_of_hatching)) {
+    return;
+  }
+  warnings() << fmt::format(
+      "{}: --lines hatch= has no effect: no cut face is hatched: expected set-cut-faces hatched "
+      "and a cutting plane before what is cut\n",
+      inputs.back());
+}
+
 std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSystem& system,
                                  const MeshOptions& options,
                                  const std::optional<LineSelection>& lines_of_meshes,
@@ -428,6 +441,7 @@ std::optional<Upright> enter_inputs(std::span<const std::string> inputs, Graphic
   }
   const std::optional<Upright> fitted = enter_all(inputs, system, options, meshes.lines_of_meshes,
                                                   meshes.together.get(), meshes.fits_each());
+  warn_of_style_of_no_hatching(inputs, system, meshes);
   constexpr double kTraceOfWidth = 0.5;
   if (exploded) SystemInside::enter_segment_of_lines(system, exploded->traces, kTraceOfWidth);
   meshes.require_fitted(fitted.has_value());

@@ -13,7 +13,31 @@
 
 namespace displayfile {
 
-void HiddenSurfaceWords::add_to(CLI::App& command) {
+namespace {
+
+void add_lines_option(CLI::App& command, std::optional<LineWords>& lines, LineWords::Takes taken) {
+  const bool with_styles = taken == LineWords::Takes::styles;
+  const auto read = [taken](const std::string& words) { return LineWords(words, taken); };
+  std::string description =
+      "kinds of polygon sides drawn as lines, overriding programs, for every method; separated by "
+      "commas: all (those that the line style shows), outline, boundary (sides of one polygon), "
+      "crease or crease=DEGREES (sides between polygons that meet at a greater angle; 30), "
+      "intersection, material (sides between different fills)";
+  if (with_styles) {
+    description +=
+        ", and hidden (hidden parts of lines). KIND=WIDTH sets a width, in pixels, in mm with "
+        "--paper, or with a unit (0.35mm, 1pt, 2px); after it, separated by blanks, solid or "
+        "dashed [DASH GAP], and a colour: outline=0.5,hidden='0.13 dashed'. hatch=WIDTH is the "
+        "style of hatched cut faces. crease=NUMBER is a width below 5";
+  }
+  add_word_option(command, "--lines", lines, read, description)
+      ->type_name(with_styles ? "STYLED-KIND,..." : "KIND,...")
+      ->group(kHiddenSurfaceOptions);
+}
+
+}  // namespace
+
+void HiddenSurfaceWords::add_to(CLI::App& command, LineWords::Takes lines_taken) {
   std::string methods;
   for (const auto& entry : hidden_methods()) {
     methods.append(" ").append(entry.name);
@@ -39,17 +63,7 @@ void HiddenSurfaceWords::add_to(CLI::App& command) {
                   "precision of the methods [exact, unless a program sets another]")
       ->type_name("exact|roundoff[=EPS]")
       ->group(kHiddenSurfaceOptions);
-  add_word_option(
-      command, "--lines", lines, [](const std::string& words) { return LineWords(words); },
-      "kinds of polygon sides drawn as lines, overriding programs, for every method; separated "
-      "by commas: all (those that the line style shows), outline, boundary (sides of one "
-      "polygon), crease or crease=DEGREES (sides between polygons that meet at a greater "
-      "angle; 30), intersection, material (sides between different fills), and hidden (hidden "
-      "parts of lines). KIND=WIDTH sets a width, in pixels, in mm with --paper, or with a unit "
-      "(0.35mm, 1pt, 2px); after it, separated by blanks, solid or dashed [DASH GAP], and a "
-      "colour: outline=0.5,hidden='0.13 dashed'. crease=NUMBER is a width below 5")
-      ->type_name("KIND,...")
-      ->group(kHiddenSurfaceOptions);
+  add_lines_option(command, lines, lines_taken);
   add_word_option(command, "--hidden-lines", surfaces.hidden_lines, hidden_lines,
                   "draw hidden parts of lines dashed; for methods that find lines, and over fills")
       ->type_name("none|dashed")

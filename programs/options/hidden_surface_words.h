@@ -19,7 +19,8 @@ struct HiddenSurfaceWords {
   std::optional<LineWords> lines;    ///< none: programs select lines
   std::optional<Touching> touching;  ///< none: programs set it
 
-  void add_to(CLI::App& command);
+  /// `lines_taken`: by --lines.
+  void add_to(CLI::App& command, LineWords::Takes lines_taken = LineWords::Takes::kinds);
   /// Throws Error if --lines and --hidden-lines contradict each other.
   HiddenSurfaceOptions options() const;
   /// The selection of --lines, for commands that give kinds no styles of their own: throws Error

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "clip/base/error.h"
+#include "clip/base/words.h"
 #include "programs/options/colour_word.h"
 
 namespace displayfile {
@@ -33,6 +34,18 @@ std::string_view part_before(std::string_view& rest, char separator) {
       "[DASH GAP], and a colour, #rrggbb, black or white, such as hidden=0.13 dashed; lengths are "
       "in pixels, in mm with --paper, or have a unit: px, mm or pt",
       item));
+}
+
+/// Refuses what is no kind that --lines knows, with all that it knows.
+void require_known(std::string_view name, std::string_view word, LineWords::Takes takes) {
+  std::vector<std::string_view> known;
+  for (const LineKindEntry& kind : line_kinds()) known.push_back(kind.name);
+  if (std::ranges::find(known, name) != known.end()) return;
+  if (takes == LineWords::Takes::styles) {
+    known.push_back(name_of(StyledLines::hidden));
+    known.emplace_back("hatch=WIDTH");
+  }
+  refuse_word(word, known, "--lines: expected");
 }
 
 /// True if the value after crease= is an angle: a number without a unit, unless it can only be a
@@ -99,12 +112,13 @@ double halo_of_option(const std::string& word, const PixelSize& pixel) {
   return is_none ? 0.0 : length_of_option("--halo", word, pixel);
 }
 
-LineWords::LineWords(std::string_view text) : text_(text) {
+LineWords::LineWords(std::string_view text, Takes takes) : takes_(takes), text_(text) {
   if (text.empty() || text.ends_with(',')) select(text.empty() ? text : "");
   for (std::string_view rest = text; !rest.empty();) read(part_before(rest, ','));
 }
 
 void LineWords::select(std::string_view word) {
+  require_known(word.substr(0, word.find('=')), word, takes_);
   try {
     LineSelection selection = selection_.value_or(LineSelection{.kinds = 0});
     add_line_kind(word, selection);
@@ -119,13 +133,19 @@ void LineWords::read(std::string_view item) {
   const std::string_view name = part_before(rest, '=');
   const bool has_style = name.size() < item.size();
   const bool is_hidden = name == name_of(StyledLines::hidden);
+  const bool is_hatching = name == name_of(StyledLines::hatch);
+  if (is_hatching && !has_style) {
+    throw Error(
+        "--lines hatch: hatching is drawn by set-cut-faces hatched of a program: expected "
+        "hatch=WIDTH, its style");
+  }
   if (name == name_of(StyledLines::crease) && has_style && is_angle(rest)) {
     const bool has_unit = rest.ends_with("deg");
     return select(item.substr(0, item.size() - (has_unit ? 3 : 0)));
   }
   if (is_hidden) {
     draws_hidden_ = true;
-  } else {
+  } else if (!is_hatching) {
     select(name);
   }
   if (!has_style) return;

@@ -42,14 +42,19 @@ struct StyleOfKind {
 /// The value of --lines: which kinds of lines are drawn, and in which styles.
 class LineWords {
  public:
-  /// Reads KIND, KIND=STYLE or crease=DEGREES, one or more, separated by commas. A number after
+  /// Reads KIND, KIND=STYLE or crease=DEGREES, one or more, separated by commas; `hatch`, that of
+  /// cut faces, only with a style. A number after
   /// crease= is a width if it is above 0 and below kLeastDegrees, or has a unit of length. Throws
   /// Error, naming the option, for anything else.
-  explicit LineWords(std::string_view text);
+  ///
+  /// Where styles are not taken, they are refused by selection_of (hidden_surface_words.h); the
+  /// message of an unknown kind lists those that are taken.
+  enum class Takes { kinds, styles };
+  explicit LineWords(std::string_view text, Takes takes = Takes::kinds);
 
   static constexpr double kLeastDegrees = 5.0;
 
-  /// None: no kind is named, except hidden.
+  /// None: no kind is named, except hidden and hatch.
   const std::optional<LineSelection>& selection() const { return selection_; }
   const std::string& text() const { return text_; }
   bool has_styles() const { return !styles_.empty(); }
@@ -68,6 +73,7 @@ class LineWords {
   void read(std::string_view item);
   void select(std::string_view word);
 
+  Takes takes_;
   std::string text_;
   std::optional<LineSelection> selection_;
   std::vector<Style> styles_;

@@ -1,10 +1,13 @@
 #include "programs/options/named_values.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 #include <vector>
 
 #include "clip/surfaces.h"
+#include "displayfile/looks/style.h"
 #include "displayfile/mesh/mesh_file.h"
 #include "interp/device/picture.h"
 #include "interp/steps/steps.h"
@@ -42,6 +45,14 @@ std::vector<std::string> line_kind_words() {
   return words;
 }
 
+/// With those that have a style alone.
+std::vector<std::string> styled_kind_words() {
+  std::vector<std::string> words = line_kind_words();
+  words.emplace_back(name_of(StyledLines::hidden));
+  words.emplace_back(fmt::format("{}=", name_of(StyledLines::hatch)));
+  return words;
+}
+
 std::vector<std::string> stepped_method_words() {
   std::vector<std::string> words;
   for (const HiddenMethod method : methods_with_steps()) words.emplace_back(name_of(method));
@@ -53,6 +64,7 @@ constexpr std::array kNamedValues{NamedValues{"METHOD", method_words, nullptr},
                                   NamedValues{"STEPPED-METHOD", stepped_method_words, nullptr},
                                   NamedValues{"LINE-METHOD", line_method_words, nullptr},
                                   NamedValues{"KIND", line_kind_words, nullptr},
+                                  NamedValues{"STYLED-KIND", styled_kind_words, nullptr},
                                   NamedValues{"PAPER", sheet_names, nullptr},
                                   NamedValues{"MESH", nullptr, mesh_extensions}};
 

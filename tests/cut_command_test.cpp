@@ -1,0 +1,119 @@
+// Cutting planes before meshes and programs, as the command's users meet them: hatching, its style,
+// planes without effect, and the view that is fitted.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/command_fixture.h"
+
+namespace {
+
+class CutCommand : public Command {
+ protected:
+  void SetUp() override {
+    Command::SetUp();
+    write("cube.obj", box(-1, 1));
+    write("high.obj", box(3, 5));
+    write("open.obj", box(-1, 1, "f 1 2 3 4\n"));
+    write("cut.draw", kCut);
+  }
+  static inline const std::string kCut = "set-cutting-plane 1 0 -1 0 0\nset-cut-faces hatched\n";
+
+  /// A box from -1 to 1 and from low to high in y; by default with all faces.
+  static std::string box(int low, int high, const std::string& last = "f 5 6 7 8\nf 1 4 3 2\n") {
+    std::string text;
+    for (const int y : {low, high}) {
+      for (const char* const xz : {"-1 {} -1", "-1 {} 1", "1 {} 1", "1 {} -1"}) {
+        std::string vertex = xz;
+        text += "v " + vertex.replace(vertex.find("{}"), 2, std::to_string(y)) + "\n";
+      }
+    }
+    return text + "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n" + last;
+  }
+  /// The line styles in which a dump has lines, each once, sorted.
+  std::vector<std::string> styles(const std::string& arguments) {
+    EXPECT_EQ(run("dump " + arguments), 0) << err_;
+    std::vector<std::string> found;
+    std::istringstream all(out_);
+    std::string style;
+    for (std::string line; std::getline(all, line);) {
+      if (line.starts_with("line-style ")) style = line.substr(11);
+      if (line.starts_with("polygon ")) {
+        for (int sides = std::stoi(line.substr(8)); sides > 0; --sides) std::getline(all, line);
+      } else if (line.starts_with("line ")) {
+        found.push_back(style);
+      }
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+  std::string warning(const std::string& arguments) {
+    EXPECT_EQ(run("draw " + arguments + " -o a.ppm --size 32x32"), 0) << err_;
+    return err_;
+  }
+};
+
+using Styles = std::vector<std::string>;
+
+TEST_F(CutCommand, HatchingOfABareMeshIsDrawn) {
+  EXPECT_EQ(styles("cube.obj"), Styles{});
+  EXPECT_EQ(styles("cut.draw cube.obj"), (Styles{"solid 0 0 0 1"}));
+  EXPECT_EQ(err_, "");
+  write("none.draw", kCut + "set-line-style none\n");
+  EXPECT_EQ(styles("none.draw cube.obj"), Styles{});
+  write("red.draw", kCut + "set-line-style solid 1 0 0 2\n");
+  EXPECT_EQ(styles("red.draw cube.obj"), (Styles{"solid 1 0 0 2"}));
+  // Only the hatching: no side of the mesh is drawn, and none of a program that follows.
+  ASSERT_EQ(run("draw cut.draw cube.obj -o a.svg"), 0) << err_;
+  const std::string svg = read(folder_ / "a.svg");
+  EXPECT_NE(svg.find("<path class=\"l"), std::string::npos);
+  ASSERT_EQ(run("draw cut.draw cube.obj -o b.svg --line-width 3"), 0) << err_;
+  EXPECT_NE(read(folder_ / "b.svg").find("stroke-width:3"), std::string::npos);
+}
+
+TEST_F(CutCommand, HatchingHasAStyleOfItsOwn) {
+  const Styles own{"dashed 1 0 0 0.25 3 2"};
+  EXPECT_EQ(styles("cut.draw cube.obj --lines 'hatch=0.25 dashed 3 2 #ff0000'"), own);
+  EXPECT_EQ(err_, "");
+  write("own.draw", kCut + "set-line-kind-style hatch 0.25 dashed 3 2 1 0 0\n");
+  EXPECT_EQ(styles("own.draw cube.obj"), own);
+  // Where the line style is none, too; and beside sides of a style of theirs.
+  write("alone.draw", kCut + "set-line-style none\nset-line-kind-style hatch 0.25\n");
+  EXPECT_EQ(styles("alone.draw cube.obj"), (Styles{"solid 0 0 0 0.25"}));
+  EXPECT_EQ(styles("own.draw cube.obj --lines hatch=2"), (Styles{"solid 0 0 0 2"}));
+  ASSERT_EQ(run("draw cut.draw cube.obj -o a.svg --hidden franklin "
+                "--lines outline=2,crease=1,hatch=0.5 --line-width 7"),
+            0)
+      << err_;
+  const std::string svg = read(folder_ / "a.svg");
+  for (const char* const width : {"stroke-width:2", "stroke-width:1", "stroke-width:0.5"}) {
+    EXPECT_NE(svg.find(width), std::string::npos) << width;
+  }
+  EXPECT_EQ(svg.find("stroke-width:7"), std::string::npos);
+}
+
+TEST_F(CutCommand, AStyleOfNoHatchingIsTold) {
+  const std::string words = "--lines hatch= has no effect: no cut face is hatched";
+  EXPECT_NE(warning("cube.obj --lines hatch=2").find("cube.obj: " + words), std::string::npos)
+      << err_;
+  write("closed.draw", "set-cutting-plane 1 0 -1 0 0\nset-cut-faces closed\n");
+  EXPECT_NE(warning("closed.draw cube.obj --lines hatch=2").find(words), std::string::npos) << err_;
+  EXPECT_EQ(warning("cut.draw cube.obj --lines hatch=2"), "");
+  expect_error("draw cut.draw cube.obj -o a.svg --lines outline,hatch", "expected hatch=WIDTH");
+  expect_error("draw cut.draw cube.obj -o a.svg --lines hatch=", "expected KIND=WIDTH");
+}
+
+TEST_F(CutCommand, LinesListsAllKindsThatItKnows) {
+  expect_error("draw cube.obj -o a.svg --lines edges",
+               "--lines: expected outline, boundary, crease, material, intersection, all, hidden "
+               "or hatch=WIDTH, not 'edges'");
+  expect_error("sheet cube.obj -o a.svg --lines edges",
+               "--lines: expected outline, boundary, crease, material, intersection or all, not "
+               "'edges'");
+  expect_error("draw cube.obj -o a.svg --lines hiden", "did you mean 'hidden'?");
+}
+
+}  // namespace

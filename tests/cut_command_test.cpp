@@ -116,4 +116,105 @@ TEST_F(CutCommand, LinesListsAllKindsThatItKnows) {
   expect_error("draw cube.obj -o a.svg --lines hiden", "did you mean 'hidden'?");
 }
 
+TEST_F(CutCommand, CutFacesOfAMeshThatIsNotClosedAreTold) {
+  EXPECT_EQ(warning("cut.draw open.obj"),
+            "open.obj: set-cut-faces hatched has no effect: not closed\n");
+  write("two.obj", "o a\n" + box(-1, 1, "f 1 2 3 4\n") + "o b\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n" +
+                       "f 4 1 5 8\nf 5 6 7 8\nf 1 4 3 2\n");
+  EXPECT_EQ(warning("cut.draw two.obj"),
+            "two.obj: set-cut-faces hatched has no effect on 1 of 2 objects: not closed\n");
+  write("far.draw", "set-cutting-plane 1 0 -1 0 9\nset-cut-faces hatched\n");
+  EXPECT_EQ(warning("far.draw open.obj").find("not closed"), std::string::npos) << err_;
+  write("faces.draw", "set-cutting-plane 1 0 -1 0 0\n");
+  EXPECT_EQ(warning("faces.draw open.obj"), "");
+}
+
+TEST_F(CutCommand, APlaneThatCutsNothingIsToldOnceByName) {
+  write("far.draw", "set-cutting-plane 2 0 -1 0 2.5\n");
+  const std::string of_cube = "far.draw: set-cutting-plane 2 0 -1 0 2.5 cuts nothing of cube.obj\n";
+  EXPECT_EQ(warning("far.draw cube.obj"), of_cube);
+  EXPECT_EQ(warning("far.draw cube.obj cube.obj"),
+            "far.draw: set-cutting-plane 2 0 -1 0 2.5 cuts nothing of cube.obj and cube.obj\n");
+  EXPECT_EQ(warning("far.draw cube.obj high.obj").find("far.draw: set-cutting-plane 2 0 -1 0 2.5"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(warning("cut.draw cube.obj"), "");
+  // By every command that enters inputs.
+  ASSERT_EQ(run("dump far.draw cube.obj"), 0);
+  EXPECT_EQ(err_, of_cube);
+  ASSERT_EQ(run("export far.draw cube.obj -o e.obj"), 0);
+  EXPECT_EQ(err_, of_cube);
+  ASSERT_EQ(run("sheet far.draw cube.obj -o s.svg"), 0);
+  EXPECT_EQ(err_, of_cube);
+}
+
+TEST_F(CutCommand, OfManyPicturesThoseThatAreNotCutAreNamed) {
+  write("far.draw", "set-cutting-plane 1 0 -1 0 2.5\n");
+  ASSERT_EQ(run("draw --with far.draw cube.obj high.obj -o '{name}.ppm' --size 32x32"), 0) << err_;
+  EXPECT_NE(err_.find("far.draw: set-cutting-plane 1 0 -1 0 2.5 cuts nothing of cube.obj"),
+            std::string::npos)
+      << err_;
+  EXPECT_NE(err_.find("far.draw: set-cutting-plane 1 0 -1 0 2.5 cuts away all of high.obj"),
+            std::string::npos)
+      << err_;
+}
+
+TEST_F(CutCommand, APlaneThatCutsEverythingAwayIsTold) {
+  write("all.draw", "set-cutting-plane 1 0 1 0 -2\n");
+  EXPECT_NE(warning("all.draw cube.obj")
+                .find("all.draw: set-cutting-plane 1 0 1 0 -2 cuts away all of cube.obj\n"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(warning("all.draw cube.obj high.obj"), "");
+}
+
+TEST_F(CutCommand, PlanesOfProgramsCountForAllThatIsEnteredWhileTheyAreSet) {
+  const std::string begin = "set-window -9 9 -9 9\nset-view-depth -9 9\n";
+  const auto box_at = [](int name, int y) {
+    return "open-segment " + std::to_string(name) + "\nbox-3 -1 1 " + std::to_string(y) + " " +
+           std::to_string(y + 1) + " -1 1\nclose-segment\n";
+  };
+  const auto told = [&](const std::string& program) {
+    write("p.draw", begin + program);
+    return warning("p.draw");
+  };
+  const std::string plane = "set-cutting-plane 1 0 -1 0 2.5\n";  // cuts away what is above 2.5
+  const std::string nothing =
+      "p.draw: set-cutting-plane 1 0 -1 0 2.5 cuts nothing of what is entered after it\n";
+  EXPECT_EQ(told(plane + box_at(1, 0)), nothing);
+  EXPECT_EQ(told(plane + box_at(1, 0) + "set-cutting-plane 1 off\n" + box_at(2, 2)), nothing);
+  EXPECT_EQ(told(plane + box_at(1, 0) + box_at(2, 2)), "");
+  EXPECT_EQ(told(plane + box_at(1, 0) + box_at(2, 3)), "");
+  EXPECT_EQ(told(plane), "p.draw: nothing is seen: no polygon or line was entered\n") << err_;
+  EXPECT_EQ(told(plane + "set-cutting-plane 1 off\n" + box_at(1, 0)), "");
+  EXPECT_EQ(told(plane + plane + box_at(1, 2)), "");
+  EXPECT_EQ(told(box_at(1, 2) + plane +
+                 "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 3 0\n"
+                 "close-segment\n"),
+            "");
+  EXPECT_EQ(told(box_at(1, 2) + plane +
+                 "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 1 0\n"
+                 "close-segment\n"),
+            nothing);
+  EXPECT_EQ(told(box_at(1, 2) + plane +
+                 "open-segment 2\nmove-abs-3 0 4 0\ntext \"a\"\n"
+                 "move-abs-3 0 1 0\ntext \"b\"\nclose-segment\n"),
+            "");
+  // A face in the plane: it stays without cut faces, and is a cut face with them.
+  const std::string flush = "set-cutting-plane 1 0 -1 0 1\n";
+  EXPECT_NE(told(flush + box_at(1, 0)), "");
+  EXPECT_EQ(told("set-cut-faces closed\n" + flush + box_at(1, 0)), "");
+  EXPECT_NE(told("set-cut-faces closed\n" + plane + box_at(1, 0)), "");
+}
+
+TEST_F(CutCommand, AnExplodedViewIsCutAsItIsSeen) {
+  // Exploded, the upper box is moved up into the plane; assembled, the plane cuts nothing.
+  write("pair.draw",
+        "set-window -9 9 -9 9\nset-view-depth -9 9\nset-cutting-plane 1 0 -1 0 2.5\n"
+        "open-segment 1\nbox-3 -1 1 0 1 -1 1\nclose-segment\n"
+        "open-segment 2\nbox-3 -1 1 1 2 -1 1\nclose-segment\n");
+  EXPECT_NE(warning("pair.draw").find("cuts nothing"), std::string::npos) << err_;
+  EXPECT_EQ(warning("pair.draw --explode y=1"), "");
+}
+
 }  // namespace

@@ -35,6 +35,7 @@ class CuttingPlanes {
   void set_off(int n);
 
   bool any() const { return on_ != 0; }
+  unsigned on() const { return on_; }  ///< the planes that are on, one bit each, as in outcode
   bool is_on(int n) const {
     assert(1 <= n && n <= kMost);
     return (on_ >> (n - 1) & 1u) != 0;

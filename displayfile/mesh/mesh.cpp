@@ -12,6 +12,7 @@
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/geometry/bounds.h"
+#include "clip/pipeline/cutting_planes.h"
 #include "clip/surfaces.h"
 #include "clip/view/view_volume.h"
 #include "displayfile/mesh/fitted_view.h"
@@ -290,7 +291,28 @@ void bring_defaults(GraphicsSystem& system, const MeshOptions& options) {
   });
 }
 
+/// True if a cutting plane cuts away a part of the object.
+bool is_cut(const Mesh& mesh, const Mesh::Object& object, const GraphicsSystem& system) {
+  const CuttingPlanes& planes = SystemInside::cutting_planes(system);
+  for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+    for (const std::uint32_t corner : mesh.face(i)) {
+      const Point3 world = system.modelling_transformation().apply(mesh.vertices[corner]);
+      if (planes.outcode(world) != 0) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+std::size_t objects_cut_open(const Mesh& mesh, const GraphicsSystem& system) {
+  const RoundToNearest nearest;
+  if (!SystemInside::takes_whole_solids(system) || !SystemInside::places(system).empty()) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(mesh.objects, [&](const Mesh::Object& object) {
+        return is_cut(mesh, object, system) && !is_closed(mesh, object);
+      }));
+}
 
 Point3 mesh_light(const GraphicsSystem& system) {
   const RoundToNearest nearest;

@@ -213,6 +213,11 @@ void enter_mesh(const Mesh& mesh, GraphicsSystem& system, int first_segment_name
 void enter_meshes(std::span<const Mesh> meshes, GraphicsSystem& system,
                   const MeshOptions& options = {});
 
+/// The number of objects of the mesh that a cutting plane cuts, with cut faces to be closed, and
+/// that stay open, as they are not closed. The transformation and planes in force are those with
+/// which it was entered; where segments are placed apart, none are counted.
+std::size_t objects_cut_open(const Mesh& mesh, const GraphicsSystem& system);
+
 /// The direction of the default light for meshes in the view in force, over the viewer's left
 /// shoulder, as it is passed to set_light: of any length.
 Point3 mesh_light(const GraphicsSystem& system);

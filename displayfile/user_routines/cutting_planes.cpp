@@ -12,11 +12,13 @@ namespace displayfile {
 void GraphicsSystem::set_cutting_plane(int n, double a, double b, double c, double d) {
   const RoundToNearest nearest;
   state_->cutting_planes_.set(n, a, b, c, d);
+  state_->plane_uses_.set(n, {a, b, c, d});
   state_->record("set-cutting-plane", {n, a, b, c, d});
 }
 
 void GraphicsSystem::set_cutting_plane_off(int n) {
   state_->cutting_planes_.set_off(n);
+  state_->plane_uses_.set_off(n);
   state_->record("set-cutting-plane", {n, false});
 }
 
@@ -25,7 +27,7 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
 /// interpolated over triangles. A polygon that no plane cuts is entered as without planes; the
 /// points where others are cut count as entered, under the same modelling transformation.
 void GraphicsSystem::State::enter_cut(const WorldPolygon& polygon) {
-  if (!cutting_planes_.cut_some(polygon.vertices)) return enter_whole(polygon);
+  if (!are_cut(polygon.vertices)) return enter_whole(polygon);
   const CutPolygon cut = cutting_planes_.cut(
       polygon.vertices.row(), polygon.edge_visible, polygon.vertex_normals,
       polygon.modelling == nullptr ? std::span<const Point3>() : polygon.entered.row());

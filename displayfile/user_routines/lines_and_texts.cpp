@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "displayfile/text/characters.h"
@@ -19,7 +21,9 @@ void GraphicsSystem::State::line_to(const Point3& object) {
   require_no_solid("a line");
   const Pen end{object, to_world(object)};
   Point3 from = pen_.world, to = end.world;
-  if (looks_.attributes.line.kind != LineStyle::Kind::none && cutting_planes_.cut_line(from, to)) {
+  if (looks_.attributes.line.kind != LineStyle::Kind::none &&
+      (!cutting_planes_.any() || !are_cut(std::array{from, to}) ||
+       cutting_planes_.cut_line(from, to))) {
     enter_world_line(from, to);
   }
   pen_ = end;
@@ -98,7 +102,7 @@ void GraphicsSystem::text(std::string_view characters) {
   state_->require_open();
   state_->require_no_solid("a text");
   require_characters(characters);
-  if (!characters.empty() && state_->cutting_planes_.outcode(state_->pen_.world) == 0) {
+  if (!characters.empty() && !state_->are_cut(std::array{state_->pen_.world})) {
     if (RetainedScene* scene = state_->retaining()) {
       scene->enter_text(state_->pen_.world, characters, state_->looks_.attributes);
     }

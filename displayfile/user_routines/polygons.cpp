@@ -331,7 +331,7 @@ void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& sh
                              std::span<const Point3>(entered),
                              shared.modelling};
   if (!solids_.empty()) return enter(polygon);
-  if (cutting && cutting_planes_.cut_some(vertices)) return enter_cut(polygon);
+  if (cutting && are_cut(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, looks_.attributes);
   if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, looks_.attributes, segment);
 }

@@ -143,7 +143,8 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .modelling = modelling_,
           .looks = looks_,
           .vertex_normals = vertex_normals_,
-          .cutting_planes = cutting_planes_};
+          .cutting_planes = cutting_planes_,
+          .plane_uses = plane_uses_};
 }
 
 void GraphicsSystem::State::take_back(const Entered& before) {
@@ -167,6 +168,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   looks_ = before.looks;
   vertex_normals_ = before.vertex_normals;
   cutting_planes_ = before.cutting_planes;
+  plane_uses_ = before.plane_uses;
 }
 
 void GraphicsSystem::enter_segments(const std::function<void()>& enter) {

@@ -187,6 +187,19 @@ double GraphicsSystem::State::hatching_spacing(const SolidFaces& solid) const {
   return spacing;
 }
 
+/// A face in a plane counts as cut away, as in cut_solid: it becomes a cut face.
+void GraphicsSystem::State::note_planes_met(const SolidFaces& solid) {
+  for (int n = 1; n <= CuttingPlanes::kMost; ++n) {
+    if (!cutting_planes_.is_on(n)) continue;
+    const auto is_cut_away = [&](const SolidFaces::Corner& corner) {
+      return !(cutting_planes_.distance(n, solid.vertices[corner.vertex]) > 0.0);
+    };
+    const unsigned bit = 1u << (n - 1);
+    plane_uses_.met(bit, std::ranges::any_of(solid.corners, is_cut_away) ? bit : 0u,
+                    std::ranges::all_of(solid.corners, is_cut_away) ? bit : 0u);
+  }
+}
+
 /// Cuts the solid if its cut faces are to be closed, and enters its polygons, each with its own
 /// attributes; then restores those in force.
 void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing) {
@@ -199,6 +212,7 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
   const SolidFaces* solid = &whole;
   SolidFaces cut;
   if (is_cut) {
+    note_planes_met(whole);
     cut = cut_solid(whole, cutting_planes_, static_cast<std::uint32_t>(whole.attributes.size()));
     cut.attributes.push_back(in_force);
     solid = &cut;

@@ -15,6 +15,7 @@
 namespace displayfile {
 
 class CuttingPlanes;
+class PlaneUses;
 
 /// Parts of a GraphicsSystem that are not in the application API: for meshes and shapes, which
 /// enter polygons with their own defaults, and for commands and bindings, whose options override a
@@ -61,6 +62,8 @@ class SystemInside {
   static const std::optional<ExactScale>& scale(const GraphicsSystem& system);
 
   static const CuttingPlanes& cutting_planes(const GraphicsSystem& system);
+  /// Which cutting planes had an effect, since the system was made.
+  static const PlaneUses& plane_uses(const GraphicsSystem& system);
 
   /// Moves the segments opened from now on by these offsets in world coordinates, in order of
   /// opening, regardless of their modelling transformations; those after the last are not moved.

@@ -67,6 +67,10 @@ const CuttingPlanes& SystemInside::cutting_planes(const GraphicsSystem& system) 
   return system.state_->cutting_planes_;
 }
 
+const PlaneUses& SystemInside::plane_uses(const GraphicsSystem& system) {
+  return system.state_->plane_uses_;
+}
+
 bool SystemInside::is_all_in_view(const GraphicsSystem& system) {
   return system.state_->is_all_in_view_;
 }

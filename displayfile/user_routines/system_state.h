@@ -18,6 +18,7 @@
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/retained_scene.h"
 #include "displayfile/solids/open_solids.h"
+#include "displayfile/user_routines/plane_uses.h"
 #include "displayfile/views/picture_windows.h"
 #include "hidden/sort/hidden_surface_sort.h"
 #include "hidden/triangles/triangulation.h"
@@ -45,6 +46,7 @@ struct GraphicsSystem::State {
     Looks looks;
     std::vector<Point3> vertex_normals;
     CuttingPlanes cutting_planes;
+    PlaneUses plane_uses;
   };
   struct AnnotationEntry;
   Entered entered() const;
@@ -77,6 +79,19 @@ struct GraphicsSystem::State {
   void polygon(std::span<const Point3> object);
   void enter(const WorldPolygon& polygon);
   void enter_cut(const WorldPolygon& polygon);
+  /// True if a cutting plane cuts away a part of a primitive with these vertices, which is noted.
+  template <class Points>
+  bool are_cut(const Points& world) {
+    unsigned some = 0, all = ~0u;
+    for (const Point3& p : world) {
+      const unsigned code = cutting_planes_.outcode(p);
+      some |= code;
+      all &= code;
+    }
+    plane_uses_.met(cutting_planes_.on(), some, all);
+    return some != 0;
+  }
+  void note_planes_met(const SolidFaces& solid);
   void enter_solid(const SolidFaces& whole, double spacing);
   void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
   struct Hatching {
@@ -140,6 +155,7 @@ struct GraphicsSystem::State {
   Looks looks_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
   CuttingPlanes cutting_planes_;
+  PlaneUses plane_uses_;
   OpenSolids solids_;
   struct BeforeSolid {
     Pen pen;

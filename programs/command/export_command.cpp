@@ -142,6 +142,7 @@ int ExportCommand::run() {
   SolidTriangles solid;
   {
     const AssembledInputs assembled(inputs, import.limits());
+    assembled.planes.warn(inputs, assembled.system);
     const Progress progress("finding the triangles of " + inputs.front());
     const Mesh mesh = filled_polygons(assembled, left_out);
     if (mesh.faces() == 0) {

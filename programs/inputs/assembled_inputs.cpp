@@ -16,7 +16,10 @@ AssembledInputs::AssembledInputs(std::span<const std::string> inputs, const Impo
   for (const std::string& input : inputs) require_no_folder_or_pattern(input);
   SystemInside::retain_alone(system, scene);
   system.set_aspect_ratio(aspect);
-  for (std::size_t i = 0; i < inputs.size(); ++i) enter(inputs[i], i, limits);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    enter(inputs[i], i, limits);
+    planes.entered(i, system);
+  }
 }
 
 void AssembledInputs::enter(const std::string& input, std::size_t number,

@@ -8,6 +8,7 @@
 #include "displayfile/graphics_system.h"
 #include "displayfile/mesh/mesh.h"
 #include "displayfile/segments/retained_scene.h"
+#include "programs/inputs/planes_of_inputs.h"
 
 namespace displayfile {
 
@@ -21,6 +22,7 @@ struct AssembledInputs {
   };
   RetainedScene scene;
   GraphicsSystem system;
+  PlanesOfInputs planes;
   std::vector<Opening> openings;  ///< of segments, in the order in which they are opened
 
   /// For pictures of an aspect ratio. Throws Error, naming the file and the position.

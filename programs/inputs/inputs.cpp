@@ -25,6 +25,7 @@
 #include "interp/draw/picture_checks.h"
 #include "programs/inputs/exploded_parts.h"
 #include "programs/inputs/mistaken_words.h"
+#include "programs/inputs/planes_of_inputs.h"
 #include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -327,7 +328,8 @@ void fit_window(std::span<const std::string> programs, std::span<const std::stri
   });
 }
 
-void replay_each(std::span<const std::string> inputs, GraphicsSystem& system, bool fitted) {
+void replay_each(std::span<const std::string> inputs, GraphicsSystem& system, bool fitted,
+                 PlanesOfInputs& planes) {
   std::vector<std::string> programs;
   if (fitted) {
     for (const std::string& input : inputs) programs.push_back(read_text_file(input));
@@ -337,16 +339,29 @@ void replay_each(std::span<const std::string> inputs, GraphicsSystem& system, bo
     Progress progress("replaying " + inputs[k]);
     const ToldOfClosing told(system, progress);
     replay_beside(fitted ? programs[k] : read_text_file(inputs[k]), input_name(inputs[k]), system);
+    planes.entered(k, system);
   }
+}
+
+/// Cut faces are closed on closed objects alone.
+void warn_of_cut_meshes_left_open(const std::string& input, const Mesh& mesh,
+                                  const GraphicsSystem& system) {
+  const std::size_t open = objects_cut_open(mesh, system);
+  if (open == 0) return;
+  const std::size_t all = mesh.objects.size();
+  warnings() << fmt::format("{}: set-cut-faces {} has no effect{}: not closed\n", input,
+                            name_of(system.looks().cut_faces.kind),
+                            all == 1 ? "" : fmt::format(" on {} of {} objects", open, all));
 }
 
 std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsSystem& system,
                                   const MeshOptions& options,
                                   const std::optional<LineSelection>& lines_of_meshes,
-                                  const ViewOfAll* together, bool fit_programs) {
+                                  const ViewOfAll* together, bool fit_programs,
+                                  PlanesOfInputs& planes) {
   if (std::ranges::all_of(inputs, is_drawing_program)) {
     if (together != nullptr) throw Error(kNothingToFit);
-    replay_each(inputs, system, fit_programs);
+    replay_each(inputs, system, fit_programs, planes);
     return std::nullopt;
   }
   InputsRead read = read_inputs(inputs, system, options);
@@ -365,7 +380,8 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
   std::span<const Mesh> meshes = read.meshes;
   for (std::size_t i = 0; i < inputs.size();) {
     if (is_drawing_program(inputs[i])) {
-      replay_beside(*program++, input_name(inputs[i++]), system);
+      replay_beside(*program++, input_name(inputs[i]), system);
+      planes.entered(i++, system);
       continue;
     }
     const std::size_t begin = i;
@@ -373,7 +389,9 @@ std::optional<Upright> enter_each(std::span<const std::string> inputs, GraphicsS
     naming_mesh(inputs[begin], [&] {
       enter_meshes_with_lines(meshes.first(i - begin), system, options, lines_of_meshes);
     });
+    planes.entered(i - 1, system);
     for (std::size_t k = begin; k < i; ++k) {
+      warn_of_cut_meshes_left_open(inputs[k], meshes[k - begin], system);
       report_skipped(inputs.subspan(k, 1), std::span(&meshes[k - begin].skipped, 1));
     }
     meshes = meshes.subspan(i - begin);
@@ -401,8 +419,10 @@ std::optional<Upright> enter_all(std::span<const std::string> inputs, GraphicsSy
                                  const ViewOfAll* together, bool fit_programs) {
   for (const std::string& input : inputs) require_no_folder_or_pattern(input);
   const std::int64_t empty_before = system.counts().empty_solids;
+  PlanesOfInputs planes;
   const std::optional<Upright> upright =
-      enter_each(inputs, system, options, lines_of_meshes, together, fit_programs);
+      enter_each(inputs, system, options, lines_of_meshes, together, fit_programs, planes);
+  planes.warn(inputs, system);
   if (const std::int64_t empty = system.counts().empty_solids - empty_before; empty > 0) {
     warnings() << fmt::format("{}: nothing is left of {} combined solid{}\n", inputs.front(), empty,
                               empty == 1 ? "" : "s");

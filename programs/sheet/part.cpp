@@ -21,6 +21,7 @@
 #include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"
+#include "programs/inputs/planes_of_inputs.h"
 #include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -182,6 +183,7 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
   GraphicsSystem system;
   SegmentOrigins origins;
   SystemInside::retain_alone(system, scene);
+  PlanesOfInputs planes;
   std::optional<Upright> standing;
   if (!up.empty()) standing = upright(up);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -197,8 +199,10 @@ Part read_part(std::span<const std::string> inputs, const std::string& up,
     } else {
       of_input = enter_mesh_file(input, limits, i, system, origins);
     }
+    planes.entered(i, system);
     if (!standing) standing = of_input;
   }
+  planes.warn(inputs, system);
   Part part = polygons_of(scene, system.display_file(), origins, inputs);
   if (part.mesh.faces() == 0) {
     throw Error(fmt::format("{}: no polygons: expected a part to draw", inputs.front()));

@@ -217,4 +217,26 @@ TEST_F(CutCommand, AnExplodedViewIsCutAsItIsSeen) {
   EXPECT_EQ(warning("pair.draw --explode y=1"), "");
 }
 
+TEST_F(CutCommand, TheViewIsFittedToWhatIsLeft) {
+  write("half.obj", box(-1, 0));
+  write("closed.draw", "set-cutting-plane 1 0 -1 0 0\nset-cut-faces closed\n");
+  write("open.draw", "set-cutting-plane 1 0 -1 0 0\n");
+  write("low.draw", "set-cutting-plane 1 0 -1 0 1\n");
+  const auto drawn = [&](const std::string& inputs) {
+    EXPECT_EQ(run("draw " + inputs + " -o a.ppm --size 64x64"), 0) << err_;
+    return read(folder_ / "a.ppm");
+  };
+  for (const std::string options : {"", " --eye 0,90", " --parallel", " --fov 30", " --fit each"}) {
+    EXPECT_TRUE(drawn("closed.draw cube.obj" + options) == drawn("half.obj" + options)) << options;
+    EXPECT_FALSE(drawn("open.draw cube.obj" + options) == drawn("cube.obj" + options)) << options;
+  }
+  // Of several meshes what is left; of one that is cut away nothing, unless all are.
+  EXPECT_TRUE(drawn("low.draw cube.obj high.obj") == drawn("cube.obj"));
+  EXPECT_TRUE(drawn("low.draw high.obj cube.obj") == drawn("cube.obj"));
+  EXPECT_EQ(run("draw low.draw high.obj -o a.ppm --size 64x64"), 0) << err_;
+  ASSERT_EQ(run("draw --with closed.draw cube.obj -o '{name}.ppm' --size 64x64 --fit all"), 0);
+  const std::string of_cut = read(folder_ / "cube.ppm");
+  EXPECT_TRUE(of_cut == drawn("half.obj"));
+}
+
 }  // namespace

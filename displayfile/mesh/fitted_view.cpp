@@ -14,6 +14,7 @@
 #include "clip/base/error.h"
 #include "clip/base/round_to_nearest.h"
 #include "clip/geometry/bounds.h"
+#include "clip/pipeline/cutting_planes.h"
 #include "clip/view/view_volume.h"
 #include "clip/view/window_fit.h"
 #include "displayfile/segments/display_file.h"
@@ -412,6 +413,31 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
   }
 }
 
+void append_corners_left(const Mesh& mesh, const Mesh::Object& object,
+                         const ModellingTransformation& modelling, const CuttingPlanes& planes,
+                         std::vector<Point3>& world) {
+  CuttingPlanes cutting = planes;
+  std::vector<Point3> face;
+  for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
+    face.clear();
+    for (const std::uint32_t corner : mesh.face(i)) {
+      face.push_back(modelling.apply(mesh.vertices[corner]));
+    }
+    const CutPolygon left = cutting.cut(face, {}, {});
+    world.insert(world.end(), left.vertices.begin(), left.vertices.end());
+  }
+}
+
+void append_vertices_left(const Mesh& mesh, const GraphicsSystem& system,
+                          std::vector<Point3>& world) {
+  const ModellingTransformation& modelling = system.modelling_transformation();
+  const CuttingPlanes& planes = SystemInside::cutting_planes(system);
+  if (!planes.any()) return append_used_vertices(mesh, modelling, world);
+  for (const Mesh::Object& object : mesh.objects) {
+    append_corners_left(mesh, object, modelling, planes, world);
+  }
+}
+
 namespace {
 
 /// The texts with their letters in heights of the viewport.
@@ -480,8 +506,11 @@ CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system, con
   std::vector<Point3> world;
   CommonUpright common(camera);
   for (const Mesh& mesh : meshes) {
-    append_used_vertices(mesh, modelling, world);
+    append_vertices_left(mesh, system, world);
     common.add(mesh, modelling);
+  }
+  if (world.empty()) {
+    for (const Mesh& mesh : meshes) append_used_vertices(mesh, modelling, world);
   }
   fit_view(world, system, common.camera());
   return common;

@@ -12,8 +12,18 @@
 
 namespace displayfile {
 
+class CuttingPlanes;
+
 /// Appends the vertices used by faces, each once, in world coordinates.
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
+                          std::vector<Point3>& world);
+/// Appends the corners of an object's faces as cutting planes leave them, in world coordinates.
+void append_corners_left(const Mesh& mesh, const Mesh::Object& object,
+                         const ModellingTransformation& modelling, const CuttingPlanes& planes,
+                         std::vector<Point3>& world);
+/// Appends the vertices of what the cutting planes in force leave of a mesh, under the modelling
+/// transformation in force.
+void append_vertices_left(const Mesh& mesh, const GraphicsSystem& system,
                           std::vector<Point3>& world);
 
 /// The application's view settings before a mesh is viewed.
@@ -50,8 +60,8 @@ std::optional<View> fitted_view(std::span<const Point3> world, const GraphicsSys
                                 std::span<const PlacedText> texts = {});
 /// Sets the view, except for the parts that the application has set.
 void set_fitted_view(const View& view, GraphicsSystem& system, const CameraAsSet& set);
-/// The same for meshes, with the modelling transformation in force and the meshes' up axis where
-/// the camera has none.
+/// The same for meshes, with the modelling transformation and the cutting planes in force, and the
+/// meshes' up axis where the camera has none. Where the planes leave nothing: for the whole meshes.
 CommonUpright fit_view(std::span<const Mesh> meshes, GraphicsSystem& system,
                        const Camera& camera = {});
 

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -110,23 +111,18 @@ void enter_ahead(const Mesh& mesh, GraphicsSystem& ahead) {
   }
 }
 
-/// The vertices of a mesh whose segments were opened last, in world coordinates, moved as they are.
+/// The vertices of a mesh whose segments were opened last, in world coordinates, moved and cut as
+/// they are.
 void append_placed_vertices(const Mesh& mesh, const GraphicsSystem& ahead,
                             std::vector<Point3>& world) {
   const std::vector<Point3>& places = SystemInside::places(ahead);
-  if (places.empty()) {
-    return append_used_vertices(mesh, ahead.modelling_transformation(), world);
-  }
+  if (places.empty()) return append_vertices_left(mesh, ahead, world);
   ModellingTransformation placed = ahead.modelling_transformation();
   std::size_t opened = SystemInside::segments_opened(ahead) - mesh.objects.size();
   for (const Mesh::Object& object : mesh.objects) {
     placed.place(opened < places.size() ? places[opened] : Point3(0.0));
     ++opened;
-    for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
-      for (const std::uint32_t corner : mesh.face(i)) {
-        world.push_back(placed.apply(mesh.vertices[corner]));
-      }
-    }
+    append_corners_left(mesh, object, placed, SystemInside::cutting_planes(ahead), world);
   }
 }
 
@@ -158,7 +154,8 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
   const bool crease_is_set = system.explicit_settings().contains(Setting::crease_angle);
   const auto set_crease = [&] { ahead.set_crease_angle(system.looks().crease_degrees); };
   crease_is_set ? set_crease() : SystemInside::by_default(ahead, Setting::crease_angle, set_crease);
-  bool any_smooth = false;
+  bool any_smooth = false, any_bare = false;
+  std::vector<Point3> cut_away;  // of meshes, as long as the planes leave nothing
   for (const std::string& input : inputs) {
     const Progress progress("reading " + input);
     if (is_drawing_program(input)) {
@@ -175,10 +172,13 @@ InputsRead read_inputs(std::span<const std::string> inputs, const GraphicsSystem
     const GraphicsSystem& before = system.explicit_settings().contains_view() ? system : ahead;
     const CameraAsSet as_set{before.view(), before.explicit_settings(), has_camera};
     if (!takes_fitted_view(as_set)) continue;
-    if (read.bare.empty()) read.before = as_set;
+    if (!any_bare) read.before = as_set;
+    any_bare = true;
     append_placed_vertices(mesh, ahead, read.bare);
+    if (read.bare.empty()) append_used_vertices(mesh, ahead.modelling_transformation(), cut_away);
     read.upright.add(mesh, ahead.modelling_transformation());
   }
+  if (read.bare.empty()) read.bare = std::move(cut_away);
   if (crease_is_set && !read.meshes.empty() && !any_smooth) {
     read.meshes.front().skipped.warnings.emplace_back(
         "--crease has no effect: shading is flat where meshes are entered");

@@ -166,6 +166,9 @@ TEST_F(CutCommand, APlaneThatCutsEverythingAwayIsTold) {
             std::string::npos)
       << err_;
   EXPECT_EQ(warning("all.draw cube.obj high.obj"), "");
+  // With a face in the plane, too.
+  write("flush.draw", "set-cutting-plane 1 0 1 0 -1\n");
+  EXPECT_NE(warning("flush.draw cube.obj").find("cuts away all of cube.obj"), std::string::npos);
 }
 
 TEST_F(CutCommand, PlanesOfProgramsCountForAllThatIsEnteredWhileTheyAreSet) {

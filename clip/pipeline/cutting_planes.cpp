@@ -43,7 +43,8 @@ void CuttingPlanes::set(int n, double a, double b, double c, double d) {
     throw Error(plane_in_words() + " is too far from the origin: expected at most 1e100");
   }
   const auto k = static_cast<std::size_t>(n - 1);
-  planes_[k] = {{scaled(a), scaled(b), scaled(c)}, scaled(d)};
+  const Point3 normal(scaled(a), scaled(b), scaled(c));
+  planes_[k] = {normal, scaled(d), glm::length(normal)};
   on_ |= 1u << k;
 }
 
@@ -52,12 +53,17 @@ void CuttingPlanes::set_off(int n) {
   on_ &= ~(1u << (n - 1));
 }
 
-unsigned CuttingPlanes::outcode(const Point3& world) const {
-  unsigned code = 0;
+unsigned CuttingPlanes::outcode(const Point3& world) const { return sides(world).outside; }
+
+CuttingPlanes::Sides CuttingPlanes::sides(const Point3& world) const {
+  Sides of_point;
   for (unsigned k = 0; k < kMost; ++k) {
-    if ((on_ >> k & 1u) != 0 && !(planes_[k].distance(world) >= 0.0)) code |= 1u << k;
+    if ((on_ >> k & 1u) == 0) continue;
+    const double from_plane = distance(planes_[k], world);
+    if (from_plane > 0.0) of_point.inside |= 1u << k;
+    if (!(from_plane >= 0.0)) of_point.outside |= 1u << k;
   }
-  return code;
+  return of_point;
 }
 
 /// Moves a point that is on the plane except for rounding exactly onto it, if the plane is
@@ -70,15 +76,14 @@ void CuttingPlanes::Plane::snap(Point3& p) const {
 
 CuttingPlanes::UnitPlane CuttingPlanes::unit_plane(int n) const {
   const Plane& by = plane(n);
-  const double length = std::sqrt(glm::dot(by.normal, by.normal));
-  return {by.normal / length, by.d / length};
+  return {by.normal / by.length, by.d / by.length};
 }
 
 CuttingPlanes::Place CuttingPlanes::crossing(int n, const Place& inside,
                                              const Place& outside) const {
   const Plane& by = plane(n);
-  const double d_in = std::max(by.distance(inside.position), 0.0);
-  const double d_out = by.distance(outside.position);
+  const double d_in = std::max(distance(by, inside.position), 0.0);
+  const double d_out = distance(by, outside.position);
   if (d_out == 0.0) return outside;
   assert(d_out < 0.0);
   const double t = d_in / (d_in - d_out);
@@ -110,23 +115,24 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
   assert(edge_visible.empty() || edge_visible.size() == world.size());
   assert(normals.empty() || normals.size() == world.size());
   assert(entered.empty() || entered.size() == world.size());
-  unsigned any = 0, all = ~0u;
+  Sides of_all;
   in_.clear();
   for (std::size_t i = 0; i < world.size(); ++i) {
+    const Sides of_point = sides(world[i]);
+    of_all.include(of_point);
     in_.push_back({{world[i], normals.empty() ? Point3(0.0) : unit_normal(normals[i]),
                     entered.empty() ? Point3(0.0) : entered[i]},
-                   outcode(world[i]),
+                   of_point.outside,
                    edge_visible.empty() ? std::uint8_t{1} : edge_visible[i]});
-    any |= in_.back().outcode;
-    all &= in_.back().outcode;
   }
+  unsigned any = of_all.outside;
   if (any == 0) return {world, edge_visible, normals, entered};
-  if (all != 0) return {};
+  if (of_all.leave_nothing()) return {};
   for (int k = 0; k < kMost; ++k) {
     if ((any >> k & 1u) == 0) continue;
     const Plane& by = planes_[static_cast<std::size_t>(k)];
     clip_stage(
-        1u << k, in_, out_, [&](const Vertex& v) { return by.distance(v.place.position) <= 0.0; },
+        1u << k, in_, out_, [&](const Vertex& v) { return distance(by, v.place.position) <= 0.0; },
         [&](const Vertex& inside, const Vertex& outside) { return cut_edge(inside, outside, k); });
     any = 0;
     for (const Vertex& v : in_) any |= v.outcode;
@@ -146,8 +152,11 @@ CutPolygon CuttingPlanes::cut(std::span<const Point3> world,
 }
 
 bool CuttingPlanes::cut_line(Point3& a, Point3& b) const {
-  Vertex from{{a, Point3(0.0), {}}, outcode(a), 1}, to{{b, Point3(0.0), {}}, outcode(b), 1};
+  Sides of_both = sides(a);
+  Vertex from{{a, Point3(0.0), {}}, of_both.outside, 1}, to{{b, Point3(0.0), {}}, outcode(b), 1};
   if ((from.outcode | to.outcode) == 0) return true;
+  of_both.include(sides(b));
+  if (of_both.leave_nothing()) return false;
   for (int k = 0; k < kMost; ++k) {
     if ((from.outcode & to.outcode) != 0) return false;
     if ((from.outcode >> k & 1u) != 0) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,6 +36,13 @@ class CuttingPlanes {
   /// Throws Error for an n outside of 1 to 6.
   void set_off(int n);
 
+  /// How far from a plane a point still lies in it: `length`, or `of_terms` times the sum of the
+  /// magnitudes of a x, b y, c z and d over the length of (a, b, c), whichever is farther. [0, 0]
+  struct Reach {
+    double length = 0.0, of_terms = 0.0;
+  };
+  void set_reach(const Reach& reach) { reach_ = reach; }
+
   bool any() const { return on_ != 0; }
   unsigned on() const { return on_; }  ///< the planes that are on, one bit each, as in outcode
   bool is_on(int n) const {
@@ -41,32 +50,36 @@ class CuttingPlanes {
     return (on_ >> (n - 1) & 1u) != 0;
   }
 
-  /// The planes that cut the point away, one bit each. A point on a plane stays.
-  unsigned outcode(const Point3& world) const;
-  /// True if a plane cuts some of these points away.
-  template <class Points>
-  bool cut_some(const Points& world) const {
-    for (const Point3& p : world) {
-      if (outcode(p) != 0) return true;
+  /// The planes that points lie outside and inside of, one bit each.
+  struct Sides {
+    unsigned outside = 0, inside = 0;
+    void include(const Sides& other) {
+      outside |= other.outside;
+      inside |= other.inside;
     }
-    return false;
-  }
+    /// True if a plane leaves nothing but what may lie in it.
+    bool leave_nothing() const { return (outside & ~inside) != 0; }
+  };
+  Sides sides(const Point3& world) const;
+  /// The planes that cut the point away, one bit each. A point in a plane stays.
+  unsigned outcode(const Point3& world) const;
 
   /// Cuts a polygon; edge_visible empty for "all sides", normals one per vertex or none. Where an
-  /// edge is cut, the normal is interpolated linearly between normals of length 1. `entered` are
+  /// edge is cut, the normal is interpolated linearly between normals of length 1. A polygon of
+  /// which nothing lies inside of a plane, and not all in it, is cut away. `entered` are
   /// the vertices before the modelling transformation, or none; they are cut at the same places. An
   /// uncut polygon is returned unchanged. Valid until the next call.
   CutPolygon cut(std::span<const Point3> world, std::span<const std::uint8_t> edge_visible,
                  std::span<const Point3> normals, std::span<const Point3> entered = {});
-  /// Cuts the line from a to b in place; false if nothing is left. From b to a it gives the same
-  /// two ends, bit for bit.
+  /// Cuts the line from a to b in place; false if nothing is left, or a single point in a plane.
+  /// From b to a it gives the same two ends, bit for bit.
   bool cut_line(Point3& a, Point3& b) const;
 
   // For cutting a whole solid plane by plane (displayfile/solids/solid_faces.h). Plane n is on.
 
   /// The signed distance times a positive factor of at most 2 and a power of two: below 0 where the
-  /// plane cuts away.
-  double distance(int n, const Point3& world) const { return plane(n).distance(world); }
+  /// plane cuts away, 0 within reach of the plane.
+  double distance(int n, const Point3& world) const { return distance(plane(n), world); }
   /// The unit normal toward the side that is kept; the plane is normal . p = -offset.
   struct UnitPlane {
     Point3 normal;
@@ -80,7 +93,7 @@ class CuttingPlanes {
     Point3 entered{0.0};  ///< before the modelling transformation, if needed
   };
   /// The point where the edge crosses plane n, between a vertex inside and one outside or on it:
-  /// the one that `cut` makes there, bit for bit.
+  /// the one that `cut` makes there, bit for bit. An end that lies in the plane is that point.
   Place crossing(int n, const Place& inside, const Place& outside) const;
 
  private:
@@ -88,11 +101,17 @@ class CuttingPlanes {
   struct Plane {
     Point3 normal{0.0};
     double d = 0.0;
-    double distance(const Point3& p) const {
-      return normal.x * p.x + normal.y * p.y + normal.z * p.z + d;
-    }
+    double length = 0.0;  ///< of the normal
     void snap(Point3& p) const;
   };
+  double distance(const Plane& by, const Point3& p) const {
+    const Point3 terms(by.normal.x * p.x, by.normal.y * p.y, by.normal.z * p.z);
+    const double value = terms.x + terms.y + terms.z + by.d;
+    const double of_terms =
+        std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z) + std::abs(by.d);
+    const double reach = std::max(reach_.length * by.length, reach_.of_terms * of_terms);
+    return std::abs(value) <= reach ? 0.0 : value;
+  }
   const Plane& plane(int n) const {
     assert(is_on(n));
     return planes_[static_cast<std::size_t>(n - 1)];
@@ -106,6 +125,7 @@ class CuttingPlanes {
   Vertex cut_edge(const Vertex& inside, const Vertex& outside, int plane) const;
 
   std::array<Plane, kMost> planes_{};
+  Reach reach_;
   unsigned on_ = 0;
   std::vector<Vertex> in_, out_;
   std::vector<Point3> vertices_, normals_, entered_;

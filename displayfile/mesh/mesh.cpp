@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -123,15 +124,17 @@ void enter_one_by_one(const Mesh& mesh, const Mesh::Object& object,
   }
 }
 
-/// True if each side of the object's faces is used equally often in both directions.
-bool is_closed(const Mesh& mesh, const Mesh::Object& object) {
+/// The volume of an object (displayfile/solids/solid_faces.h); none unless each side of its faces
+/// is used equally often in both directions.
+std::optional<double> volume_if_closed(const Mesh& mesh, const Mesh::Object& object) {
   std::vector<std::uint32_t> corners, sides;
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     const auto face = mesh.face(i);
     corners.insert(corners.end(), face.begin(), face.end());
     sides.push_back(static_cast<std::uint32_t>(face.size()));
   }
-  return !open_side(mesh.vertices, corners, sides);
+  if (open_side(mesh.vertices, corners, sides)) return std::nullopt;
+  return enclosed_volume(mesh.vertices, corners, sides);
 }
 
 /// Enters the polygons in one call, with the range of vertices from the object's first to its last.
@@ -147,8 +150,12 @@ void enter_object(const Mesh& mesh, const Mesh::Object& object, std::span<const 
     const auto enter = [&] {
       SystemInside::keep_fill_style(system, [&] { enter_one_by_one(mesh, object, fills, system); });
     };
-    const bool is_solid = SystemInside::takes_whole_solids(system) && is_closed(mesh, object);
-    return is_solid ? SystemInside::as_solid(system, enter) : enter();
+    const bool is_cut = SystemInside::cutting_planes(system).any();
+    const bool may_be_solid = is_cut || SystemInside::takes_whole_solids(system);
+    const auto volume = may_be_solid ? volume_if_closed(mesh, object) : std::nullopt;
+    if (!volume) return enter();
+    const bool mirrors = system.modelling_transformation().mirrors();
+    return SystemInside::as_solid(system, enter, mirrors ? -*volume : *volume);
   }
   std::vector<std::uint32_t> from_low;
   if (low > 0) {
@@ -307,10 +314,11 @@ bool is_cut(const Mesh& mesh, const Mesh::Object& object, const GraphicsSystem& 
 
 std::size_t objects_cut_open(const Mesh& mesh, const GraphicsSystem& system) {
   const RoundToNearest nearest;
-  if (!SystemInside::takes_whole_solids(system) || !SystemInside::places(system).empty()) return 0;
+  if (system.looks().cut_faces.kind == CutFaces::Kind::open) return 0;
+  if (!SystemInside::places(system).empty()) return 0;
   return static_cast<std::size_t>(
       std::ranges::count_if(mesh.objects, [&](const Mesh::Object& object) {
-        return is_cut(mesh, object, system) && !is_closed(mesh, object);
+        return is_cut(mesh, object, system) && !volume_if_closed(mesh, object);
       }));
 }
 

@@ -28,8 +28,12 @@ namespace {
 /// normal . p - distance: its sign is exact, its value accurate to about 30 digits of its terms.
 class CuttingPlane {
  public:
-  explicit CuttingPlane(const SectionPlane& plane) : plane_(plane) {}
+  /// Points within reach lie in the plane.
+  CuttingPlane(const SectionPlane& plane, double reach)
+      : plane_(plane), reach_(reach * glm::length(plane.normal)) {}
 
+  bool is_in_reach(const Point3& p) const { return std::abs(value(p).high) <= reach_; }
+  bool is_before(const Point3& p) const { return is_in_reach(p) || side(p) >= 0; }
   int side(const Point3& p) const {
     const double value = glm::dot(plane_.normal, p) - plane_.distance;
     const double bound =
@@ -56,6 +60,7 @@ class CuttingPlane {
 
  private:
   SectionPlane plane_;
+  double reach_;
 };
 
 /// Where an edge meets the plane, to twice the digits of a double.
@@ -66,7 +71,7 @@ CutPoint cut_point(const CuttingPlane& plane, const Point3& behind, const Point3
   CutPoint point;
   for (int k = 0; k < 3; ++k) {
     DoubleDouble& coordinate = point[static_cast<std::size_t>(k)];
-    if (v1.high == 0.0) {
+    if (v1.high == 0.0 || plane.is_in_reach(before)) {
       coordinate = {before[k], 0.0};
     } else {
       coordinate =
@@ -261,7 +266,7 @@ class Cutter {
  public:
   Cutter(const CuttingPlane& plane, const WeldedFaces& faces, double reach)
       : faces_(faces), face_cutter_(edges, is_before_), edges(plane, faces, is_before_, reach) {
-    for (const Point3& p : faces.vertices) is_before_.push_back(plane.side(p) >= 0);
+    for (const Point3& p : faces.vertices) is_before_.push_back(plane.is_before(p));
     behind.vertices = faces.vertices;
     behind.first_corner.push_back(0);
   }
@@ -547,8 +552,8 @@ void require_plane(const SectionPlane& plane) {
 Section section(const Mesh& mesh, const SectionPlane& plane) {
   const RoundToNearest nearest;
   require_plane(plane);
-  const CuttingPlane cutting(plane);
   const double reach = entered_reach(mesh);
+  const CuttingPlane cutting(plane, reach);
   const WeldedFaces faces = weld(mesh, reach);
   Cutter cutter(cutting, faces, reach);
   const Mesh::Object whole{"", 0, mesh.faces()};

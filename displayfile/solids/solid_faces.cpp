@@ -1,7 +1,11 @@
 #include "displayfile/solids/solid_faces.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <vector>
 
+#include "clip/geometry/back_face.h"
 #include "clip/geometry/equal_points.h"
 
 namespace displayfile {
@@ -118,6 +122,56 @@ std::optional<OpenSide> open_side(const SolidFaces& solid, std::size_t first_fac
     }
   }
   return open_side(all, points);
+}
+
+namespace {
+
+/// Sums the volumes between polygons and a point.
+class VolumeSum {
+ public:
+  void add(std::span<const Point3> polygon) {
+    if (polygon.empty()) return;
+    if (!origin_) origin_ = polygon.front();
+    sum_ += glm::dot(polygon.front() - *origin_, newell_normal(polygon));
+  }
+  double sum() const { return sum_; }
+
+ private:
+  std::optional<Point3> origin_;
+  double sum_ = 0.0;
+};
+
+}  // namespace
+
+double enclosed_volume(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
+                       std::span<const std::uint32_t> sides) {
+  VolumeSum volume;
+  std::vector<Point3> polygon;
+  const std::size_t polygons = sides.empty() ? corners.size() / 3 : sides.size();
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < polygons; ++i) {
+    const std::size_t n = sides.empty() ? 3 : sides[i];
+    polygon.clear();
+    for (const std::uint32_t corner : corners.subspan(first, n)) {
+      polygon.push_back(vertices[corner]);
+    }
+    volume.add(polygon);
+    first += n;
+  }
+  return volume.sum();
+}
+
+double enclosed_volume(const SolidFaces& solid) {
+  VolumeSum volume;
+  std::vector<Point3> polygon;
+  for (std::size_t i = 0; i < solid.end_corner.size(); ++i) {
+    polygon.clear();
+    for (const SolidFaces::Corner& corner : solid.loop(i)) {
+      polygon.push_back(solid.vertices[corner.vertex]);
+    }
+    volume.add(polygon);
+  }
+  return volume.sum();
 }
 
 }  // namespace displayfile

@@ -71,9 +71,15 @@ std::optional<OpenSide> open_side(std::span<const Point3> vertices,
 std::optional<OpenSide> open_side(const SolidFaces& solid, std::size_t first_face,
                                   std::size_t end_face);
 
+/// Six times the volume that closed polygons enclose, as in open_side: above 0 if their light faces
+/// are outward.
+double enclosed_volume(std::span<const Point3> vertices, std::span<const std::uint32_t> corners,
+                       std::span<const std::uint32_t> sides);
+double enclosed_volume(const SolidFaces& solid);
+
 /// Cuts a closed solid by cutting planes and closes it by cut faces (cut_solid.md): their `cut_by`
 /// is the plane's number, and `attributes` their attributes. Vertices of the solid with equal
-/// positions need not be shared. A vertex on a plane counts as cut away.
+/// positions need not be shared. A vertex in a plane, or within its reach, counts as cut away.
 SolidFaces cut_solid(const SolidFaces& solid, const CuttingPlanes& planes,
                      std::uint32_t attributes);
 

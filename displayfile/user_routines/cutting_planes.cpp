@@ -1,7 +1,11 @@
 #include "clip/pipeline/cutting_planes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "clip/base/round_to_nearest.h"
 #include "displayfile/looks/gouraud.h"
@@ -22,11 +26,39 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
   state_->record("set-cutting-plane", {n, false});
 }
 
+/// What lies within reach of a plane lies in it, as what is within reach of a polygon's plane does.
+void GraphicsSystem::State::set_reach_of_planes() {
+  const Touching& touching = surfaces_.touching;
+  CuttingPlanes::Reach reach;
+  if (touching.kind == Touching::Kind::automatic) {
+    reach.of_terms = entered_reach(touching, 1.0);
+  } else {
+    reach.length = entered_reach(touching, 0.0);
+    if (const glm::dmat4x3* const modelling = modelling_matrix()) {
+      reach.length *= std::max({glm::length((*modelling)[0]), glm::length((*modelling)[1]),
+                                glm::length((*modelling)[2])});
+    }
+  }
+  cutting_planes_.set_reach(reach);
+}
+
+void GraphicsSystem::State::as_faces_of_solid(double volume, const std::function<void()>& enter) {
+  const double before = std::exchange(volume_of_faces_, volume);
+  try {
+    enter();
+  } catch (...) {
+    volume_of_faces_ = before;
+    throw;
+  }
+  volume_of_faces_ = before;
+}
+
 /// Enters the part of a polygon that the cutting planes leave. A triangle whose normals differ
 /// stays one, or becomes several about its first vertex, with invisible diagonals: normals are
 /// interpolated over triangles. A polygon that no plane cuts is entered as without planes; the
 /// points where others are cut count as entered, under the same modelling transformation.
 void GraphicsSystem::State::enter_cut(const WorldPolygon& polygon) {
+  if (is_face_of_cut_away(polygon.vertices)) return;
   if (!are_cut(polygon.vertices)) return enter_whole(polygon);
   const CutPolygon cut = cutting_planes_.cut(
       polygon.vertices.row(), polygon.edge_visible, polygon.vertex_normals,

@@ -224,7 +224,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   ask_budget();  // before anything is entered; the next check is after everything is
   Segment& segment = state_->display_file_.segment(*state_->open_);
   const std::size_t styles = state_->looks_.attributes.light ? polygons : fills.size();
-  bool is_solid = SystemInside::takes_whole_solids(*this);
+  bool is_solid = !state_->solids_.empty() || state_->cutting_planes_.any();
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
           styles * sizeof(Colour),
@@ -232,7 +232,8 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
       [&] {
         const std::span<const Point3> of_all = state_->shared_world(vertices);
         is_solid = is_solid && !open_side(of_all, corners, sides);
-        if (!is_solid && state_->solids_.empty() && normals.empty()) {
+        const bool is_whole = is_solid && state_->takes_whole_solids();
+        if (!is_whole && state_->solids_.empty() && normals.empty()) {
           state_->make_room_for_shared({of_all, vertices, state_->modelling_matrix()}, polygons,
                                        corners.size(), styles);
         }
@@ -270,7 +271,9 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   };
   try {
     if (is_solid) {
-      SystemInside::as_solid(*this, [&] { SystemInside::keep_fill_style(*this, enter_all); });
+      SystemInside::as_solid(
+          *this, [&] { SystemInside::keep_fill_style(*this, enter_all); },
+          enclosed_volume(world, corners, sides));
     } else {
       SystemInside::keep_fill_style(*this, enter_all);
     }
@@ -331,6 +334,7 @@ void GraphicsSystem::State::enter_shared(const RetainedScene::SharedVertices& sh
                              std::span<const Point3>(entered),
                              shared.modelling};
   if (!solids_.empty()) return enter(polygon);
+  if (cutting && is_face_of_cut_away(vertices)) return;
   if (cutting && are_cut(vertices)) return enter_cut(polygon);
   if (RetainedScene* scene = retaining()) scene->enter_shared(corners, polygon, looks_.attributes);
   if (!is_viewed_later()) view_stage_->enter_shared(corners, polygon, looks_.attributes, segment);

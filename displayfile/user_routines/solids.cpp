@@ -92,13 +92,17 @@ void GraphicsSystem::State::discard_solid() {
 void GraphicsSystem::discard_solid() { state_->discard_solid(); }
 
 bool SystemInside::takes_whole_solids(const GraphicsSystem& system) {
-  const GraphicsSystem::State& s = *system.state_;
-  return !s.solids_.empty() ||
-         (s.looks_.cut_faces.kind != CutFaces::Kind::open && s.cutting_planes_.any());
+  return system.state_->takes_whole_solids();
 }
 
-void SystemInside::as_solid(GraphicsSystem& system, const std::function<void()>& enter) {
-  if (!takes_whole_solids(system)) return enter();
+bool GraphicsSystem::State::takes_whole_solids() const {
+  const bool is_cut_open = looks_.cut_faces.kind == CutFaces::Kind::open;
+  return !solids_.empty() || (cutting_planes_.any() && (!is_cut_open || recorder_ != nullptr));
+}
+
+void SystemInside::as_solid(GraphicsSystem& system, const std::function<void()>& enter,
+                            double volume) {
+  if (!system.state_->takes_whole_solids()) return system.state_->as_faces_of_solid(volume, enter);
   const std::size_t depth = system.counts().solids_open;
   system.begin_solid();
   try {
@@ -212,6 +216,7 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
   const SolidFaces* solid = &whole;
   SolidFaces cut;
   if (is_cut) {
+    set_reach_of_planes();
     note_planes_met(whole);
     cut = cut_solid(whole, cutting_planes_, static_cast<std::uint32_t>(whole.attributes.size()));
     cut.attributes.push_back(in_force);
@@ -225,12 +230,17 @@ void GraphicsSystem::State::enter_solid(const SolidFaces& whole, double spacing)
   // scene has both for other views.
   const Segment& segment = display_file_.segment(*open_);
   std::vector<bool> is_there;
-  try {
+  const auto enter_faces = [&] {
     for (std::size_t i = 0; i < solid->faces.size(); ++i) {
       const std::size_t before = segment.polygons();
       enter_face(*solid, i, !is_cut);
       is_there.push_back(segment.polygons() > before);
     }
+  };
+  const bool is_closed =
+      !is_cut && cutting_planes_.any() && !open_side(whole, 0, whole.faces.size());
+  try {
+    is_closed ? as_faces_of_solid(enclosed_volume(whole), enter_faces) : enter_faces();
   } catch (...) {
     restore();
     throw;

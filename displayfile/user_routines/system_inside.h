@@ -37,7 +37,10 @@ class SystemInside {
   static bool takes_whole_solids(const GraphicsSystem& system);
   /// Calls enter(), which enters the polygons of a closed solid; if takes_whole_solids(), as a
   /// solid of one part, which is discarded if enter() or end_solid() throws.
-  static void as_solid(GraphicsSystem& system, const std::function<void()>& enter);
+  /// `volume` is below 0 if its light faces are inward. Where cutting planes are on and the
+  /// routines are recorded it is processed as a whole, too, so that a replay knows its faces.
+  static void as_solid(GraphicsSystem& system, const std::function<void()>& enter,
+                       double volume = 1.0);
 
   /// Polygons that are not planar are cut into triangles that tile them as seen along the z axis of
   /// world coordinates, where they do not cross themselves so: for a scene that is seen along it.

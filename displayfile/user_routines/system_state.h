@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <glm/geometric.hpp>
 #include <glm/mat4x3.hpp>
 #include <initializer_list>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clip/geometry/back_face.h"
 #include "clip/geometry/crease_angle.h"
 #include "clip/pipeline/cutting_planes.h"
 #include "clip/view/transformation.h"
@@ -82,16 +85,37 @@ struct GraphicsSystem::State {
   /// True if a cutting plane cuts away a part of a primitive with these vertices, which is noted.
   template <class Points>
   bool are_cut(const Points& world) {
-    unsigned some = 0, all = ~0u;
-    for (const Point3& p : world) {
-      const unsigned code = cutting_planes_.outcode(p);
-      some |= code;
-      all &= code;
-    }
-    plane_uses_.met(cutting_planes_.on(), some, all);
-    return some != 0;
+    set_reach_of_planes();
+    CuttingPlanes::Sides sides;
+    for (const Point3& p : world) sides.include(cutting_planes_.sides(p));
+    plane_uses_.met(cutting_planes_.on(), sides.outside, sides.outside & ~sides.inside);
+    return sides.outside != 0;
   }
   void note_planes_met(const SolidFaces& solid);
+  void set_reach_of_planes();
+  /// Calls enter(), which enters the polygons of a closed solid of this volume, below 0 if their
+  /// light faces are inward: faces in a cutting plane whose solid is cut away are omitted.
+  void as_faces_of_solid(double volume, const std::function<void()>& enter);
+  /// True if such a polygon lies in a cutting plane that cuts away the solid behind it.
+  template <class Points>
+  bool is_face_of_cut_away(const Points& world) {
+    if (volume_of_faces_ == 0.0 || !cutting_planes_.any()) return false;
+    set_reach_of_planes();
+    for (int n = 1; n <= CuttingPlanes::kMost; ++n) {
+      if (!cutting_planes_.is_on(n)) continue;
+      bool is_in_plane = true;
+      for (const Point3& p : world) {
+        is_in_plane = is_in_plane && cutting_planes_.distance(n, p) == 0.0;
+      }
+      if (!is_in_plane) continue;
+      const double light = glm::dot(newell_normal(world), cutting_planes_.unit_plane(n).normal);
+      if (!(volume_of_faces_ > 0.0 ? light > 0.0 : light < 0.0)) continue;
+      const unsigned bit = 1u << (n - 1);
+      plane_uses_.met(bit, bit, bit);
+      return true;
+    }
+    return false;
+  }
   void enter_solid(const SolidFaces& whole, double spacing);
   void enter_face(const SolidFaces& solid, std::size_t i, bool is_to_be_cut);
   struct Hatching {
@@ -103,6 +127,7 @@ struct GraphicsSystem::State {
   void enter_world_line(const Point3& from, const Point3& to, bool is_there = true);
   double hatching_spacing(const SolidFaces& solid) const;
   bool hatches_cut_faces() const;
+  bool takes_whole_solids() const;
   void require_no_solid(std::string_view what) const;
   void enter_whole(const WorldPolygon& polygon);
   std::span<const Point3> shared_world(std::span<const Point3> vertices);
@@ -156,6 +181,7 @@ struct GraphicsSystem::State {
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
   CuttingPlanes cutting_planes_;
   PlaneUses plane_uses_;
+  double volume_of_faces_ = 0.0;  // in as_faces_of_solid
   OpenSolids solids_;
   struct BeforeSolid {
     Pen pen;

@@ -233,6 +233,17 @@ TEST_F(CutCommand, TheViewIsFittedToWhatIsLeft) {
     EXPECT_TRUE(drawn("closed.draw cube.obj" + options) == drawn("half.obj" + options)) << options;
     EXPECT_FALSE(drawn("open.draw cube.obj" + options) == drawn("cube.obj" + options)) << options;
   }
+  // A ledge in the plane whose solid is cut away is not seen.
+  write("step.obj",
+        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+        "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\nf 6 5 4 3 2 1\n"
+        "f 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\n"
+        "f 6 1 7 12\n");
+  write("upper.obj",
+        "v 0 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  write("ledge.draw", "set-cutting-plane 1 0 1 0 -1\nset-cut-faces closed\n");
+  EXPECT_TRUE(drawn("ledge.draw step.obj") == drawn("upper.obj"));
   // Of several meshes what is left; of one that is cut away nothing, unless all are.
   EXPECT_TRUE(drawn("low.draw cube.obj high.obj") == drawn("cube.obj"));
   EXPECT_TRUE(drawn("low.draw high.obj cube.obj") == drawn("cube.obj"));

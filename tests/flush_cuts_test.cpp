@@ -139,7 +139,7 @@ constexpr Expected kExpected[] = {{0, 1, 3, 14, 14, 2}, {1, 1, 1, 6, 5, 1},
 
 constexpr double kNear = 1e-4;
 
-/// What is left of the step, entered by `enter`.
+/// Expects of the step, entered by `enter`, the parts that are kept, whole, and nothing else.
 template <class Enter>
 void expect_no_rags(const Placed& placed, const Enter& enter, const std::string& what) {
   for (const Expected& expected : kExpected) {
@@ -312,7 +312,7 @@ TEST(FlushCuts, OfSectionsLeaveNoRags) {
   for (const Placed& placed : places()) {
     const Mesh mesh = step(placed);
     for (const Expected& expected : kExpected) {
-      // What is behind a section is kept, against its normal.
+      // The part behind a section is kept, against its normal.
       const Point3 normal = static_cast<double>(-expected.kept) * (placed.turn * Point3(0, 0, 1));
       const Point3 at = placed.turn * Point3(0, 0, expected.level) + placed.offset;
       const Section cut = section(mesh, {normal, glm::dot(normal, at)});

@@ -413,19 +413,47 @@ void append_used_vertices(const Mesh& mesh, const ModellingTransformation& model
   }
 }
 
+namespace {
+
+/// Appends the vertices of a cut polygon, except those that lie in a plane between two others that
+/// do: they are between these, or ends of what the cut left of no area.
+void append_outermost(std::span<const Point3> vertices, const CuttingPlanes& planes,
+                      std::vector<Point3>& points) {
+  const auto planes_at = [&](std::size_t k) {
+    return planes.on() & ~planes.sides(vertices[k % vertices.size()]).inside;
+  };
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const unsigned here = planes_at(k);
+    if (here != 0 && (here & planes_at(k + vertices.size() - 1) & planes_at(k + 1)) != 0) continue;
+    points.push_back(vertices[k]);
+  }
+}
+
+}  // namespace
+
 void append_corners_left(const Mesh& mesh, const Mesh::Object& object,
                          const ModellingTransformation& modelling, const CuttingPlanes& planes,
                          std::vector<Point3>& world) {
+  const glm::dmat4x3& columns = modelling.affine();
   CuttingPlanes cutting = planes;
-  std::vector<Point3> face;
+  cutting.set_reach(
+      {entered_reach(mesh) *
+           std::max({glm::length(columns[0]), glm::length(columns[1]), glm::length(columns[2])}),
+       entered_reach(kUnlessSet, 1.0)});
+  std::vector<Point3> face, in_planes;
+  const std::size_t before = world.size();
   for (std::size_t i = object.first_face; i < object.first_face + object.faces; ++i) {
     face.clear();
     for (const std::uint32_t corner : mesh.face(i)) {
       face.push_back(modelling.apply(mesh.vertices[corner]));
     }
     const CutPolygon left = cutting.cut(face, {}, {});
-    world.insert(world.end(), left.vertices.begin(), left.vertices.end());
+    const std::size_t before_face = world.size();
+    append_outermost(left.vertices, cutting, world);
+    if (world.size() > before_face) continue;
+    in_planes.insert(in_planes.end(), left.vertices.begin(), left.vertices.end());
   }
+  if (world.size() == before) world.insert(world.end(), in_planes.begin(), in_planes.end());
 }
 
 void append_vertices_left(const Mesh& mesh, const GraphicsSystem& system,

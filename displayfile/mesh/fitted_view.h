@@ -17,7 +17,8 @@ class CuttingPlanes;
 /// Appends the vertices used by faces, each once, in world coordinates.
 void append_used_vertices(const Mesh& mesh, const ModellingTransformation& modelling,
                           std::vector<Point3>& world);
-/// Appends the corners of an object's faces as cutting planes leave them, in world coordinates.
+/// Appends the corners of an object's faces as cutting planes leave them, in world coordinates;
+/// of faces that lie in a plane only if nothing else is left, as other faces have these corners.
 void append_corners_left(const Mesh& mesh, const Mesh::Object& object,
                          const ModellingTransformation& modelling, const CuttingPlanes& planes,
                          std::vector<Point3>& world);

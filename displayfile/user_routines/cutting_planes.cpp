@@ -26,7 +26,7 @@ void GraphicsSystem::set_cutting_plane_off(int n) {
   state_->record("set-cutting-plane", {n, false});
 }
 
-/// What lies within reach of a plane lies in it, as what is within reach of a polygon's plane does.
+/// Points within reach of a plane lie in it, as those within reach of a polygon's plane do.
 void GraphicsSystem::State::set_reach_of_planes() {
   const Touching& touching = surfaces_.touching;
   CuttingPlanes::Reach reach;

@@ -10,6 +10,7 @@ from matplotlib.path import Path
 from . import _matplotlib_private as private
 from ._matplotlib_artists import Attributes, Lines, Polygons, Styles, joined
 from ._matplotlib_ends import ended
+from ._matplotlib_seams import Rings, closed_paths, extensions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,13 +18,11 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from mpl_toolkits.mplot3d import Axes3D
 
+    from ._matplotlib_seams import Seen
+
     Bools = npt.NDArray[np.bool_]
     Floats = npt.NDArray[np.float64]
     Indices = npt.NDArray[np.int64]
-
-_SEAM = 0.4
-"""Points: the width of strokes that close the seams between pieces of an opaque polygon."""
-
 
 class Paths:
     """Paths in the order in which they are drawn, with all that each has."""
@@ -50,24 +49,17 @@ def add_pieces(
     cuts: Bools,
     styles: Styles,
     paths: Paths,
+    seen: Seen,
 ) -> None:
     """Pieces in their order: those of one polygon that follow one another are one path. After the
-    polygons' items come those of segments, whose ends are cut if cuts, (n, 2), are True."""
+    polygons' items come those of segments, whose ends are cut if cuts, (n, 2), are True. `seen`
+    returns the parts of segments that no polygon hides, and the segment of each."""
     assert polygons.attributes is not None
     count = len(polygons.sides)
     first = pieces.first.astype(np.int64)
     item = pieces.item.astype(np.int64)
     lengths = np.diff(first)
     is_line = item >= count
-
-    # Each piece with its first point once more, which closes it.
-    closed_first = first[:-1] + np.arange(len(item))
-    source = np.arange(first[-1] + len(item)) - np.repeat(np.arange(len(item)), lengths + 1)
-    source[closed_first + lengths] = first[:-1]
-    xy = pieces.points[source, :2]
-    codes = np.full(len(xy), Path.LINETO, Path.code_type)
-    codes[closed_first] = Path.MOVETO
-    codes[closed_first + lengths] = Path.CLOSEPOLY
 
     run = np.flatnonzero(np.concatenate([[True], item[1:] != item[:-1]]))
     run_end = np.append(run[1:], len(item))
@@ -81,48 +73,41 @@ def add_pieces(
     a = polygons.attributes.of(np.where(line_run, 0, of_run))
     face, edge, width = a.face.copy(), a.edge.copy(), a.width.copy()
     has_edge = (edge[:, 3] > 0.0) & (width > 0.0)
-    like_face = (edge == face).all(axis=1)
     is_opaque = face[:, 3] >= 1.0
     cut = ~is_whole & ~line_run
-    # Strokes in the face's own colour close the seams between pieces of opaque polygons.
-    one_path = cut & is_opaque & like_face & has_edge
-    edged = cut & has_edge & ~one_path
-    seamed = cut & is_opaque & ~one_path & a.antialiased
+    edged = cut & has_edge
     dash = np.where(cut, 0, a.dash)
-    edge[cut & ~one_path] = 0.0
-    width[one_path] = np.maximum(width[one_path], _SEAM)
+    edge[cut] = 0.0
 
-    begin = closed_first[run]
-    end = (closed_first + lengths + 1)[run_end - 1]
-    made = private.paths(xy, codes, begin, end)
-    extra_of: list[int] = []
-    is_seam: list[bool] = []
-    edges: list[Path] = []
     is_side = ~_on_bridges(pieces, first, item, polygons)
     is_own = pieces.sides > 0
-    for wanted, drawn, seam in ((seamed, is_side & ~is_own, True), (edged, is_side & is_own, False)):
-        if not wanted.any():
-            continue
-        points, side_codes, begins = _sides(pieces, first, drawn)
-        b, e = begins[run], begins[run_end]
-        chosen = np.flatnonzero(wanted & (b < e))
-        extra_of += chosen.tolist()
-        is_seam += [seam] * len(chosen)
-        edges += private.paths(points, side_codes, b[chosen], e[chosen])
+    run_of = np.repeat(np.arange(len(run)), run_end - run)
+    is_joined = np.repeat((cut & is_opaque)[run_of], lengths)
+    pixels = np.append(_pixels(ax), 1.0)
+    rings = Rings(pieces.points * pixels, first, item, run_of)
+
+    def parts_seen(segments: Floats) -> tuple[Floats, Indices]:
+        parts, of = seen(segments / pixels)
+        return parts * pixels, of
+
+    extended = extensions(rings, is_joined & ~(is_own & is_side), parts_seen)
+    extended = extended._replace(points=extended.points / pixels[:2])
+    xy, closed_first, closed_end = closed_paths(pieces.points[:, :2], first, extended)
+    codes = np.full(len(xy), Path.LINETO, Path.code_type)
+    codes[closed_first] = Path.MOVETO
+    codes[closed_end - 1] = Path.CLOSEPOLY
+    made = private.paths(xy, codes, closed_first[run], closed_end[run_end - 1])
 
     looks = Attributes(face, edge, width, a.antialiased, dash, a.style)
     place = np.arange(len(made), dtype=float)
-    if edges:
-        extra, seam_too = np.array(extra_of), np.array(is_seam)
-        own = a.of(extra)
-        own = own._replace(
-            face=np.zeros((len(extra), 4)),
-            edge=np.where(seam_too[:, None], own.face, own.edge),
-            width=np.where(seam_too, _SEAM, own.width),
-            dash=np.where(seam_too, 0, own.dash),
-            style=styles.unhatched(own.style),
-        )
-        looks, made, place = joined([looks, own]), made + edges, np.append(place, extra + 0.5)
+    if edged.any():
+        points, side_codes, begins = _sides(pieces, first, is_side & is_own)
+        edge_begin, edge_end = begins[run], begins[run_end]
+        chosen = np.flatnonzero(edged & (edge_begin < edge_end))
+        own = a.of(chosen)
+        own = own._replace(face=np.zeros((len(chosen), 4)), style=styles.unhatched(own.style))
+        made += private.paths(points, side_codes, edge_begin[chosen], edge_end[chosen])
+        looks, place = joined([looks, own]), np.append(place, chosen + 0.5)
     if line_run.any():
         kept = np.append(~line_run, np.ones(len(made) - len(line_run), bool))
         made = [path for path, keep in zip(made, kept.tolist()) if keep]
@@ -131,10 +116,16 @@ def add_pieces(
     if len(which):
         of_piece = cuts[item[which] - count]
         drawn, of_drawn, own = _line_pieces(ax, pieces, which, of_item, of_piece, lines, styles)
-        run_of = np.searchsorted(run, which[of_drawn], side="right") - 1
-        made, looks, place = made + drawn, joined([looks, own]), np.append(place, run_of)
+        made, looks = made + drawn, joined([looks, own])
+        place = np.append(place, run_of[which[of_drawn]])
     order = np.argsort(place, kind="stable")
     paths.add([made[k] for k in order.tolist()], *looks.of(order))
+
+
+def _pixels(ax: Axes3D) -> Floats:
+    """The pixels of a unit in x and y."""
+    corners = ax.transData.transform([(0.0, 0.0), (1.0, 1.0)])
+    return np.asarray(np.maximum(np.abs(corners[1] - corners[0]), 1e-300))
 
 
 def _line_pieces(

@@ -176,10 +176,16 @@ class Scene(Collection):  # type: ignore[misc]
             method=self._method,
             touching=touching,
         )
+
+        def beside(parts: Floats) -> tuple[Floats, Indices]:
+            nearer = np.array([0.0, 0.0, size[2] * _NEARER])
+            seen, of, _ = _parts_seen((polygons.points, polygons.sides), parts + nearer, touching)
+            return seen, of
+
         of_item = np.full(len(polygons.sides) + len(sorted_too), -1)
         of_item[len(polygons.sides) :] = item[sorted_too]
         add_pieces(
-            self.axes, polygons, pieces, lines, of_item, cuts[sorted_too], styles, paths
+            self.axes, polygons, pieces, lines, of_item, cuts[sorted_too], styles, paths, beside
         )
         is_marker = of_item[pieces.item] >= count
         if is_marker.any():

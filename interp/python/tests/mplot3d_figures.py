@@ -317,6 +317,27 @@ def filled_contours_on_walls(fig: Any, fine: int) -> None:
 
 
 @listed
+def patches_between_filled_contours(fig: Any, fine: int) -> None:
+    """Patches of 4 x 4 cells, which are not flat, translucent and with edges."""
+    x, y = grid(16 * fine + 1)
+    z = np.sin(x) * np.cos(y)
+    ax = axes(fig, 30, -60)
+    ax.plot_surface(x, y, z, rstride=4, cstride=4, edgecolor="royalblue", lw=0.5, alpha=0.3)
+    for wall, offset in (("z", -1.5), ("x", -3), ("y", 3)):
+        ax.contourf(x, y, z, zdir=wall, offset=offset, levels=8, cmap="coolwarm")
+    ax.set(xlim=(-3, 3), ylim=(-3, 3), zlim=(-1.5, 1.2))
+
+
+@listed
+def opaque_patches_through_a_plane(fig: Any, fine: int) -> None:
+    """From above: how patches are folded that are seen from the side is not defined."""
+    x, y = grid(12 * fine + 1)
+    ax = axes(fig, 75, 60)
+    ax.plot_surface(x, y, np.cos(x) * np.cos(y), rstride=3, cstride=3, color="tab:olive")
+    surface(ax, *grid(2), 0.1, color="lavender", shade=False)
+
+
+@listed
 def filled_contours_at_their_heights(fig: Any, fine: int) -> None:
     x, y = grid(14 * fine)
     axes(fig, 55, 30).contourf(x, y, np.sin(x) * np.cos(y), levels=6, cmap="viridis")

@@ -49,14 +49,15 @@ class Verdict(NamedTuple):
 
 
 def judge(ax: Any, picture: Array, tolerance: int = 2) -> Verdict:
-    """`picture`, (height, width, 3), of axes that are switched off, on white."""
+    """`picture`, (height, width, 3), of axes that are switched off, on white. A channel may differ by
+    the tolerance, and by one more for each translucent polygon before a pixel: each is rounded."""
     scene = _Scene(ax, *picture.shape[:2])
     expected, is_known = scene.colours()
     judged = is_known & scene.away_from_edges(expected) & scene.inside()
     strokes, is_line = scene.lines(expected)
     judged &= scene.clear
     off = np.abs(picture.astype(int) - expected).max(axis=2)
-    off = np.where(judged, off, 0)
+    off = np.where(judged, np.maximum(off - scene.translucent, 0), 0)
     line_off = np.abs(picture.astype(int) - strokes).max(axis=2)
     line_off = np.where(is_line & scene.inside(), line_off, 0)
     shown = judged & (scene.count > 0)
@@ -143,23 +144,24 @@ class _Scene:
         ways = [self.composed(way) for way in (0, 1)]
         self.deepest = np.maximum(ways[0][1], ways[1][1])
         self.nearest = np.minimum(ways[0][2], ways[1][2])
-        self.count = ways[0][3]
+        self.count, self.translucent = ways[0][3:]
         same = np.abs(ways[0][0] - ways[1][0]).max(axis=2) < 0.5
         return np.rint(ways[0][0]).astype(int), same
 
-    def composed(self, way: int) -> tuple[Array, Array, Array, Array]:
-        """The colours, the depth of the nearest opaque polygon, that of the nearest one, and how
-        many each ray meets. `way` is the diagonal of bent quadrilaterals."""
+    def composed(self, way: int) -> tuple[Array, Array, Array, Array, Array]:
+        """The colours, the depth of the nearest opaque polygon, that of the nearest one, how many
+        each ray meets, and how many translucent ones. Bent polygons bend in one `way` of two."""
         parts = [self.met(k, face, way) for k, face in enumerate(self.faces)]
         size = self.shape[0] * self.shape[1]
         colour = np.full((size, 3), 255.0)
         deepest, nearest = np.full(size, np.inf), np.full(size, np.inf)
-        count = np.zeros(size, int)
+        count = translucent = np.zeros(size, int)
         if parts:
             pixel, depth, face = (np.concatenate(column) for column in zip(*parts))
             count = np.bincount(pixel, minlength=size)
             rgba = np.array([f.colour for f in self.faces])[face]
             opaque = rgba[:, 3] >= 1.0
+            translucent = np.bincount(pixel[~opaque], minlength=size)
             np.minimum.at(nearest, pixel, depth)
             np.minimum.at(deepest, pixel[opaque], depth[opaque])
             order = np.lexsort((face, -np.rint(depth / TIE), pixel))
@@ -169,7 +171,7 @@ class _Scene:
                 at, over = pixel[rank == r], rgba[rank == r]
                 alpha = over[:, 3:]
                 colour[at] += alpha * (255 * over[:, :3] - colour[at])
-        maps = (values.reshape(self.shape) for values in (deepest, nearest, count))
+        maps = (values.reshape(self.shape) for values in (deepest, nearest, count, translucent))
         return colour.reshape(*self.shape, 3), *maps
 
     def met(self, number: int, face: Face, way: int) -> tuple[Array, Array, Array]:
@@ -183,18 +185,17 @@ class _Scene:
             v.ravel() for v in np.meshgrid(np.arange(low[0], high[0]), np.arange(low[1], high[1]))
         )
         x, y = column + 0.5, row + 0.5
-        pieces = [face.rings]
-        if not _is_flat(corners):
-            assert len(corners) == 4, "only quadrilaterals may bend"
-            quarters = ((0, 1, 2), (0, 2, 3)) if way == 0 else ((1, 2, 3), (1, 3, 0))
-            pieces = [[corners[list(three)]] for three in quarters]
         depth = np.full(len(x), np.inf)
-        for rings in pieces:
-            plane = _plane(np.concatenate(rings))
-            if plane is not None:
-                inside = _winding(rings, x, y) != 0
-                own = plane[0] * x + plane[1] * y + plane[2]
-                depth = np.minimum(depth, np.where(inside, own, np.inf))
+        for rings in _flat_parts(face.rings, way):
+            inside = _winding(rings, x, y) != 0
+            points = np.concatenate(rings)
+            plane = _plane(points)
+            if plane is None:
+                continue
+            own = plane[0] * x + plane[1] * y + plane[2]
+            if not _is_flat(points):
+                own = np.full(len(x), points[:, 2].min() if way == 0 else points[:, 2].max())
+            depth = np.minimum(depth, np.where(inside, own, np.inf))
         hit = np.isfinite(depth)
         pixel = row[hit] * self.shape[1] + column[hit]
         return pixel, depth[hit], np.full(len(pixel), number)
@@ -274,6 +275,16 @@ class _Scene:
         is_line = covered & (touched == 1) & self.clear
         self.clear &= touched == 0
         return colour, is_line
+
+
+def _flat_parts(rings: list[Array], way: int) -> list[list[Array]]:
+    """The triangles of a bent quadrilateral, by either diagonal. Of other bent polygons it is not
+    known how they bend, only between which depths."""
+    corners = np.concatenate(rings)
+    if len(corners) != 4 or _is_flat(corners):
+        return [rings]
+    triangles = ((0, 1, 2), (0, 2, 3)) if way == 0 else ((1, 2, 3), (1, 3, 0))
+    return [[corners[list(three)]] for three in triangles]
 
 
 def _is_flat(corners: Array) -> bool:

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     Floats = npt.NDArray[np.float64]
     Indices = npt.NDArray[np.int64]
 
+_CELLS = 64
+"""Of a grid over the picture, in each direction."""
 _MARKER = 1e-9
 _NEARER = 1e-6
 """Half the length of the line that stands for a marker, in widths of the scene."""
@@ -179,7 +181,8 @@ class Scene(Collection):  # type: ignore[misc]
 
         def beside(parts: Floats) -> tuple[Floats, Indices]:
             nearer = np.array([0.0, 0.0, size[2] * _NEARER])
-            seen, of, _ = _parts_seen((polygons.points, polygons.sides), parts + nearer, touching)
+            near = polygons.some(_near(polygons, parts[..., :2]))
+            seen, of, _ = _parts_seen(near, parts + nearer, touching)
             return seen, of
 
         of_item = np.full(len(polygons.sides) + len(sorted_too), -1)
@@ -317,6 +320,30 @@ def _unscaled(pattern: Any, scale: float) -> Any:
     if dashes is None:
         return "solid"
     return offset / scale, [d / scale for d in dashes]
+
+
+def _near(polygons: Polygons, segments: Floats) -> npt.NDArray[np.bool_]:
+    """Which polygons' extents meet those of segments, (n, 2, 2), on a grid of cells."""
+    if not len(segments):
+        return np.zeros(len(polygons.sides), bool)
+    first = np.cumsum(polygons.sides) - polygons.sides
+    xy = polygons.points[:, :2]
+    low, high = xy.min(axis=0), xy.max(axis=0)
+    scale = _CELLS / np.where(high > low, high - low, 1.0)
+
+    def cells(points: Floats) -> Indices:
+        return np.asarray(((points - low) * scale).clip(0, _CELLS - 1), np.int64)
+
+    changes = np.zeros((_CELLS + 1, _CELLS + 1), np.int64)
+    (x0, y0), (x1, y1) = cells(segments.min(axis=1)).T, cells(segments.max(axis=1)).T + 1
+    for x, y, sign in ((x0, y0, 1), (x1, y1, 1), (x0, y1, -1), (x1, y0, -1)):
+        np.add.at(changes, (x, y), sign)
+    is_met = changes.cumsum(axis=0).cumsum(axis=1)[:-1, :-1] > 0
+    sums = np.zeros((_CELLS + 1, _CELLS + 1), np.int64)
+    sums[1:, 1:] = is_met.cumsum(axis=0).cumsum(axis=1)
+    x0, y0 = cells(np.minimum.reduceat(xy, first)).T
+    x1, y1 = cells(np.maximum.reduceat(xy, first)).T + 1
+    return np.asarray(sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0] > 0)
 
 
 def _parts_seen(

@@ -83,13 +83,8 @@ def extensions(rings: Rings, is_cut: Bools, seen: Seen) -> Extensions:
     earlier, later = np.where(swapped, other, one), np.where(swapped, one, other)
     apart = run[earlier] < run[later]
     earlier, later = earlier[apart], later[apart]
-    first_across = np.full(len(rings.points), -1)
-    first_across[end[one]] = first_across[end[other]] = len(rings.run)
-    np.minimum.at(first_across, end[one], run[other])
-    np.minimum.at(first_across, end[other], run[one])
 
     beneath = sides.strips(end[earlier], end[later], piece[later], _BENEATH)
-    beneath = sides.round_corners(beneath, end[later], run[earlier], first_across)
     over = sides.strips(end[later], end[earlier], piece[earlier], _OVER)
     parts, of = seen(over.reached)
     all_strips = _joined(beneath, over.parts(parts, of))
@@ -230,18 +225,6 @@ class _Sides:
         z = (feet[..., 2] + rise).clip(self.low[piece, None], self.high[piece, None])
         reached = np.concatenate([feet[..., :2] + step, z[..., None]], axis=2)
         return _Strips(owner, length, along, np.where(inside, own_at, corner_at), feet, reached)
-
-    def round_corners(
-        self, strips: _Strips, across: Indices, run: Indices, first_across: Indices
-    ) -> _Strips:
-        """Strips round corners too at which a piece follows that is later again. first_across is the
-        first run of what lies across a side; -1 if nothing does."""
-        following = np.stack([self.following[across], self.preceding[across]], axis=1)
-        own = np.stack([strips.at[:, 0], strips.length - strips.at[:, 1]], axis=1) <= _APART
-        more = _BENEATH * ((first_across[following] > run[:, None]) & own) * (-1.0, 1.0)
-        reached = strips.reached.copy()
-        reached[..., :2] += more[..., None] * strips.along[:, None]
-        return strips._replace(reached=reached)
 
 
 def closed_paths(

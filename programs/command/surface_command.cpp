@@ -194,9 +194,10 @@ SurfaceLook SurfaceCommand::look(const DrawOptions& drawing) const {
   }
   if (text_size) {
     if (!axes && !look.coloured) {
-      throw Error(fmt::format("--text-size {}: expected axes or --colour height: nothing else has "
-                              "letters",
-                              *text_size));
+      throw Error(
+          fmt::format("--text-size {}: expected axes or --colour height: nothing else has "
+                      "letters",
+                      *text_size));
     }
     look.letter_height =
         length_of_option("--text-size", *text_size, pixel_size(drawing, size, output)) /

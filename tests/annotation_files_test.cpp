@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "interp/draw/draw.h"
 #include "interp/draw/renderer.h"
+#include "interp/draw/turntable_renderer.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "tests/replayed.h"
@@ -265,6 +267,88 @@ TEST(AnnotationFiles, WhatHasNoRoomIsWarnedOf) {
   EXPECT_NE(warnings_on(100.0).find("no room for the parts list, "), std::string::npos)
       << warnings_on(100.0);
   EXPECT_EQ(warnings_on(1000.0), "");
+}
+
+/// A leader to the right of a square, whose text leaves the picture, and a dimension below it.
+constexpr std::string_view kBeyond =
+    "set-line-style solid black\nset-annotation-size 3.5 mm\nopen-segment 1\n"
+    "polygon-abs-3 -.5 -.5 0  .5 -.5 0  .5 .5 0  -.5 .5 0\n"
+    "leader-3 .4 0 0 \"Hardened and ground\" 20 5\n"
+    "linear-dimension-3 x -.5 -.5 0  .5 -.5 0  0 -.7 0\n"
+    "linear-dimension-3 y -.5 -.5 0  -.5 .5 0  -.2 0 0\nclose-segment\n";
+constexpr std::string_view kCutOff =
+    "annotation reaches beyond the picture and is cut off: leader \"Hardened and ground\", "
+    "dimension 1: expected larger paper, a larger window or a smaller scale, or "
+    "set-annotation-placement auto";
+
+std::vector<std::string> annotation_warnings(const std::function<void(DrawOptions&)>& drawing) {
+  std::vector<std::string> all;
+  DrawOptions options{.width = 256, .height = 256, .samples = 1};
+  options.warn = [&](const DrawWarning& warning) {
+    if (warning.kind == DrawWarning::Kind::annotation) all.push_back(warning.text);
+  };
+  drawing(options);
+  return all;
+}
+
+TEST(AnnotationFiles, WhatIsCutOffIsNamedInEveryFormat) {
+  const GraphicsSystem g = replayed(kBeyond);
+  const std::vector<std::string> expected{std::string(kCutOff)};
+  for (const char* format : {"svg", "pdf", "eps", "png", "ppm"}) {
+    EXPECT_EQ(annotation_warnings([&](DrawOptions& o) { draw_as(g, format, o); }), expected)
+        << format;
+  }
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) { draw(g, o); }), expected);
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+              o.pens.emplace();
+              draw_as(g, "svg", o);
+            }),
+            (std::vector<std::string>{}))  // on A4, where 256 pixels are 190 mm
+      << "pens";
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+              o.pens.emplace();
+              o.vectors.paper = Paper{80.0, 80.0};
+              draw_as(g, "svg", o);
+            }),
+            expected);
+}
+
+/// Of a scene in another view too; of a turntable once.
+TEST(AnnotationFiles, WhatIsCutOffInAViewIsNamed) {
+  GraphicsSystem g;
+  g.retain();
+  replay(kBeyond, "scene.draw", g);
+  const std::vector<std::string> expected{std::string(kCutOff)};
+  for (const HiddenMethod method : {HiddenMethod::z_buffer, HiddenMethod::franklin}) {
+    EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+                o.surfaces.method = method;
+                Renderer renderer;
+                renderer.draw(in_view(g, g.view()), o);
+              }),
+              expected);
+  }
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+              TurntableRenderer turntable(g, *g.retained(), g.display_file(), {6}, o);
+              for (int k = 0; k < 6; ++k) turntable.give_back(turntable.draw(k));
+            }).size(),
+            1u);
+}
+
+/// A point at the picture's edge is not beyond it; what is beyond with its figure is cut off like
+/// the figure.
+TEST(AnnotationFiles, WhatEndsAtTheEdgeIsNotCutOff) {
+  const auto warned = [](std::string_view routines) {
+    const GraphicsSystem g = replayed(fmt::format("open-segment 1\n{}close-segment\n", routines));
+    return annotation_warnings([&](DrawOptions& o) { draw_as(g, "svg", o); }).size();
+  };
+  EXPECT_EQ(warned("leader-3 1 0 0 \"a\" -10 5\n"), 0u);
+  EXPECT_EQ(warned("leader-3 .9 0 0 \"a\" -10 5\n"), 0u);
+  EXPECT_EQ(warned("leader-3 .9 0 0 \"a\" 10 5\n"), 1u);
+  EXPECT_EQ(warned("leader-3 2 0 0 \"a\" 10 5\n"), 0u);
+  EXPECT_EQ(warned("leader-3 0 0 0 \"a\" 90000 5\n"), 1u);  // omitted
+  EXPECT_EQ(warned("leader-3 .9 0 0 \"a\" -10 5\nclose-segment\nset-image-translation 1 3 0\n"
+                   "open-segment 2\n"),
+            0u);
 }
 
 /// Without annotation nothing changes, by a device that would draw it.

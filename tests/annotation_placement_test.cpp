@@ -250,7 +250,7 @@ TEST(AnnotationPlacement, FiftyAssembliesHaveNoFault) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Assembly a = assembly(seed);
     EXPECT_EQ(fmt::format("{}", fmt::join(faults_of(a), "; ")), "") << "seed " << seed;
-    EXPECT_EQ(annotation_without_room(a.system.display_file(), a.page), "");
+    EXPECT_TRUE(annotation_faults(a.system.display_file(), a.page).empty());
     for (const Drawn& label : drawn(a)) leaders += label.leader.size();
     as_entered += faults_of(assembly(seed, AnnotationStyle::Placement::entered)).size();
   }
@@ -358,9 +358,10 @@ TEST(AnnotationPlacement, APartsListBesideTheFigure) {
   EXPECT_LT(list[0].y, 480.0);
   EXPECT_GT(list[2].y, 25.0);
   const GraphicsSystem full = list_of("polygon-abs-3 -1 -1 0  1 -1 0  1 1 0  -1 1 0", "");
-  EXPECT_EQ(annotation_without_room(full.display_file(), kPage),
-            "annotation placement auto has no room for balloon 1, the parts list, which may cover "
-            "the figure: expected larger paper or a larger window");
+  EXPECT_EQ(annotation_faults(full.display_file(), kPage),
+            std::vector<std::string>{
+                "annotation placement auto has no room for balloon 1, the parts list, which may "
+                "cover the figure: expected larger paper, a larger window or a smaller scale"});
 }
 
 /// The number of a radius and of a diameter stands on its line, beyond the figure; an arc is

@@ -387,6 +387,17 @@ std::vector<AnnotationMark> marks_of(std::string_view program) {
   return annotation_marks(g.display_file(), {1000, 1000, kPixelsOfMillimetre});
 }
 
+/// Sentences, separated by line ends.
+std::string faults_of(std::string_view program) {
+  const GraphicsSystem g = replayed(
+      fmt::format("set-window 0 1000 0 1000\nset-view-depth -100 100\nset-annotation-size 14 px\n"
+                  "open-segment 7\n{}close-segment\n",
+                  program));
+  return fmt::format(
+      "{}",
+      fmt::join(annotation_faults(g.display_file(), {1000, 1000, kPixelsOfMillimetre}), "\n"));
+}
+
 std::vector<AnnotationMark> of_kind(const std::vector<AnnotationMark>& marks, Kind kind) {
   std::vector<AnnotationMark> some;
   for (const AnnotationMark& mark : marks) {
@@ -592,6 +603,77 @@ TEST(AnnotationMarks, TitleAndUnits) {
     EXPECT_NEAR(text.text.style.size * 500.0 * 0.72, 2.0 * millimetre, 1e-9);
     EXPECT_NEAR(of_kind(marks, Kind::line).back().points[0].x, 500.0 + 3.0 * millimetre, 1e-9);
   }
+}
+
+std::vector<std::string> lines_of_title(std::string_view program) {
+  std::vector<std::string> lines;
+  for (const AnnotationMark& mark : marks_of(program)) {
+    if (mark.kind == Kind::text) lines.push_back(mark.text.characters);
+  }
+  return lines;
+}
+
+/// A title wider than the picture is broken at blanks; only where that is not enough it becomes
+/// smaller, and is then named if it still reaches beyond.
+TEST(AnnotationMarks, ALongTitleIsInThePicture) {
+  const std::string word(30, 'x'), long_word(45, 'x'), endless(200, 'x');
+  EXPECT_EQ(lines_of_title("title \"A  vice\"\n"), (std::vector<std::string>{"A  vice"}));
+  EXPECT_EQ(lines_of_title(fmt::format("title \"{0}  {0} {0}\"\n", word)),
+            (std::vector<std::string>{word, word, word}));
+  EXPECT_EQ(lines_of_title(fmt::format("title \"{0} a\"\n", long_word)),
+            (std::vector<std::string>{long_word + " a"}));
+  const auto marks = marks_of(fmt::format("title \"{0} {0} {0}\"\n", word));
+  for (const AnnotationMark& mark : marks) {
+    EXPECT_NEAR(mark.text.style.size * 1000.0 * 0.72, 1.43 * 14.0, 1e-9);
+    EXPECT_NEAR(anchor_of(mark).x, 500.0, 1e-9);
+  }
+  EXPECT_GT(anchor_of(marks[0]).y, anchor_of(marks[1]).y + 1.43 * 14.0);
+  const auto small = marks_of(fmt::format("title \"{0} a\"\n", long_word));
+  EXPECT_NEAR(small[0].text.style.size * 1000.0 * 0.72, 14.0, 1e-9);
+  EXPECT_EQ(faults_of(fmt::format("title \"{0} {0} {0}\"\n", word)), "");
+  EXPECT_EQ(faults_of(fmt::format("title \"{0}\"\n", endless)),
+            "annotation reaches beyond the picture and is cut off: the title: expected larger "
+            "paper, a larger window or a smaller scale");
+}
+
+/// A title that covers the figure becomes smaller if that helps, and is named otherwise, where
+/// annotation is placed automatically.
+TEST(AnnotationMarks, ATitleOverTheFigure) {
+  const auto program = [](std::string_view placement, double top) {
+    return fmt::format(
+        "set-annotation-placement {}\npolygon-abs-3 100 100 0  900 100 0  900 {} 0\n"
+        "title \"A vice\"\n",
+        placement, top);
+  };
+  const auto size = [&](std::string_view placement, double top) {
+    return marks_of(program(placement, top)).back().text.style.size * 1000.0 * 0.72 / 14.0;
+  };
+  EXPECT_NEAR(size("auto", 900.0), 1.43, 1e-9);
+  EXPECT_NEAR(size("auto", 960.0), 1.0, 1e-9);
+  EXPECT_NEAR(size("entered", 960.0), 1.43, 1e-9);
+  EXPECT_EQ(faults_of(program("auto", 960.0)), "");
+  EXPECT_NEAR(size("auto", 990.0), 1.43, 1e-9);
+  EXPECT_EQ(faults_of(program("auto", 990.0)),
+            "annotation placement auto has no room for the title, which may cover the figure: "
+            "expected larger paper, a larger window or a smaller scale");
+}
+
+/// Nothing is lost from the parts list: a number with two names has two rows.
+TEST(AnnotationMarks, PartsWithSeveralNamesAndNumbers) {
+  const std::string balloons =
+      "balloon-3 300 300 0 1 \"Screw\"\nballoon-3 350 300 0 1 \"Nut\"\n"
+      "balloon-3 400 300 0 2 \"Screw\"\nballoon-3 450 300 0 1 \"Screw\"\n"
+      "balloon-3 500 300 0 3 \"Pin\"\nballoon-3 550 300 0 3 \"Pin\"\n";
+  std::string list;
+  for (const AnnotationMark& mark : marks_of(balloons + "parts-list\n")) {
+    if (mark.annotation == 6 && mark.kind == Kind::text) list += mark.text.characters + " ";
+  }
+  EXPECT_EQ(list, "ITEM PART QTY 1 Screw 2 1 Nut 1 2 Screw 1 3 Pin 2 ");
+  EXPECT_EQ(faults_of(balloons + "parts-list\n"),
+            "the parts list has several names for a number: 1 is \"Nut\" and \"Screw\": expected "
+            "one for each\nthe parts list has several numbers for a name: \"Screw\" is 1 and 2: "
+            "expected one for each");
+  EXPECT_EQ(faults_of(balloons), "");  // no list shows them
 }
 
 /// Far outside of the picture it is left out, so that devices get no coordinates beyond their

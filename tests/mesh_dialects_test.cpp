@@ -105,7 +105,7 @@ TEST_F(MeshDialects, LinesMayEndInOneCr) {
       ASSERT_EQ(mesh.faces(), 1u) << name;
       EXPECT_EQ(mesh.vertices, (std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << name;
       EXPECT_EQ(mesh.skipped.warnings, Sentences{}) << name;
-      EXPECT_EQ(mesh.objects[0].name, name == "a.stl" ? "a b" : "");
+      EXPECT_EQ(mesh.objects[0].name, name == "a.stl" ? "a b" : "a");
       const bool coloured = name == "a.obj" || name == "a.off";
       EXPECT_EQ(colours_of(mesh), coloured ? "255,0,0 " : "- ") << name;
     }
@@ -189,6 +189,29 @@ TEST_F(MeshDialects, SolidsOfStlHaveTheirWholeNames) {
   EXPECT_EQ(mesh.objects[0].name, "Left half, 2 mm");
   EXPECT_EQ(mesh.objects[1].name, "b");
   EXPECT_EQ(mesh.objects[2].name, "");
+}
+
+/// In every format, and where a program writes one name for all solids.
+TEST_F(MeshDialects, ObjectsWithoutANameHaveThatOfTheFile) {
+  const auto names = [&](const std::string& name, const std::string& text) {
+    std::vector<std::string> all;
+    for (const Mesh::Object& object : read(name, text).objects) all.push_back(object.name);
+    return all;
+  };
+  const auto solid = [](const std::string& name) {
+    return "solid " + name +
+           "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+           "vertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+  };
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(names("base plate.stl", binary_stl("", 2)), Sentences{"base plate"});
+  EXPECT_EQ(names("lid.stl", solid("OpenSCAD_Model")), Sentences{"lid"});
+  EXPECT_EQ(names("lid.stl", solid("Exported from Blender-3.4.1")), Sentences{"lid"});
+  EXPECT_EQ(names("lid.stl", solid("cover")), Sentences{"cover"});
+  EXPECT_EQ(names("two.stl", solid("") + solid("pin") + solid("")),
+            (Sentences{"two", "pin", "two 2"}));
+  EXPECT_EQ(names("a.obj", obj), Sentences{"a"});
+  EXPECT_EQ(names("a.obj", "o model\n" + obj), Sentences{"model"});
 }
 
 TEST_F(MeshDialects, WordsOfStlThatAreNotReadAreNamed) {

@@ -9,6 +9,7 @@
 
 #include "clip/base/error.h"
 #include "interp/draw/draw.h"
+#include "interp/vector/pdf_layers.h"
 #include "interp/vector/pens/pen_drawing.h"
 #include "tests/error_of.h"
 #include "tests/temporary_folder.h"
@@ -148,6 +149,32 @@ TEST_F(PenFiles, PdfHasThePageOfThePaper) {
   draw(g, file("a.pdf"), for_pens(paper_of("A4")));
   EXPECT_NE(content(file("a.pdf")).find("/MediaBox [ 0 0 595.275591 841.889764 ]"),
             std::string::npos);
+}
+
+/// As in SVG, in the order that is set.
+TEST_F(PenFiles, PdfHasALayerForEachPen) {
+  if (!has_pdf_layers()) GTEST_SKIP() << "no QPDF";
+  GraphicsSystem g = unit_square();
+  g.open_segment(1);
+  for (const Colour& colour : {kRed, kBlue, kBlack}) {
+    g.set_line_style(line(colour));
+    g.move_abs_2(colour.r, 0);
+    g.line_abs_2(1, 1);
+  }
+  g.close_segment();
+  DrawOptions options = for_pens(paper_of("A4"));
+  options.pens->layers = {kBlue, kRed};
+  draw(g, file("a.pdf"), options);
+  const std::string pdf = content(file("a.pdf"));
+  const std::size_t blue = pdf.find("/Name (1 #0000ff "), red = pdf.find("/Name (2 #ff0000 "),
+                    black = pdf.find("/Name (3 #000000 ");
+  EXPECT_LT(blue, pdf.size()) << pdf;
+  EXPECT_LT(red, pdf.size());
+  EXPECT_LT(black, pdf.size());
+  EXPECT_NE(pdf.find("/OCProperties"), std::string::npos);
+  EXPECT_EQ(pdf.find("StructTreeRoot"), std::string::npos);
+  draw(g, file("b.pdf"), options);
+  EXPECT_EQ(content(file("b.pdf")), pdf);
 }
 
 /// A hatched scene: a square of a middle grey behind a black one.

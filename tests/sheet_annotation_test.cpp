@@ -318,6 +318,34 @@ TEST_F(SheetAnnotation, ThePartsListIsThatOfTheBalloons) {
             "parts\n");
 }
 
+TEST_F(SheetAnnotation, NumbersWithSeveralNamesAreNamed) {
+  write("two.draw",
+        "open-segment 1\nbox-3 0 60 0 40 0 30\nballoon-3 0 0 30 1 \"Screw\"\n"
+        "balloon-3 60 0 30 1 \"Nut\"\nparts-list\nclose-segment\n");
+  ASSERT_EQ(run("sheet -o s.svg two.draw"), 0);
+  EXPECT_EQ(err_,
+            "the parts list has several names for a number: 1 is \"Nut\" and \"Screw\": expected "
+            "one for each\n");
+  const std::vector<Text> all = texts("s.svg");
+  for (const char* name : {"Screw", "Nut"}) {
+    EXPECT_EQ(std::ranges::count(all, name, &Text::characters), 1) << name;
+  }
+}
+
+/// Lines and texts, which a sheet does not draw, are counted once for each input.
+TEST_F(SheetAnnotation, LinesAndTextsAreNamedAsLeftOut) {
+  write("engraved.draw",
+        "open-segment 1\nbox-3 0 60 0 40 0 10\nset-line-style solid black\n"
+        "move-abs-3 10 10 10\nline-abs-3 50 30 10\nmove-abs-3 20 20 10\ntext \"PART 7\"\n"
+        "close-segment\nopen-segment 2\nmove-abs-3 10 10 10\nline-abs-3 50 10 10\n"
+        "close-segment\n");
+  write("lines.draw",
+        "open-segment 1\nmove-abs-3 0 0 0\nline-abs-3 1 1 1\nset-visibility 1 off\n"
+        "close-segment\nopen-segment 2\ntext \"a\"\nclose-segment\n");
+  ASSERT_EQ(run("sheet -o s.svg engraved.draw box.obj lines.draw"), 0);
+  EXPECT_EQ(err_, "engraved.draw: left out: 2 lines, 1 text\nlines.draw: left out: 1 text\n");
+}
+
 TEST_F(SheetAnnotation, LeadersAreALayerInDxf) {
   write("left.draw",
         "open-segment 1\nbox-3 0 60 0 40 0 30\nleader-3 30 20 30 \"left\" -9 9\nclose-segment\n");

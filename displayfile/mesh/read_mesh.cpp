@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <new>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -160,6 +162,27 @@ Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& li
   return mesh;
 }
 
+/// True for no name, and for names that programs give to every solid.
+bool is_generic(std::string_view name) {
+  constexpr std::array<std::string_view, 13> kGeneric{
+      "",       "ascii",  "ASCII",          "default", "Default", "mesh",   "Mesh",
+      "object", "Object", "OpenSCAD_Model", "model",   "Model",   "unnamed"};
+  return name.starts_with("Exported from ") || name.starts_with("Created by ") ||
+         std::ranges::find(kGeneric, name) != kGeneric.end();
+}
+
+/// Gives objects without a name of their own that of the file, without folder and extension; after
+/// the first with a number.
+void name_after_file(Mesh& mesh, const std::string& path) {
+  const bool names_solids = extension_of(name_uncompressed(path).string()) == ".stl";
+  const std::string stem = drawable(name_uncompressed(path).stem().string());
+  std::size_t number = 0;
+  for (Mesh::Object& object : mesh.objects) {
+    if (names_solids ? !is_generic(object.name) : !object.name.empty()) continue;
+    object.name = ++number == 1 ? stem : fmt::format("{} {}", stem, number);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> extensions_read_here() {
@@ -171,7 +194,9 @@ std::vector<std::string> extensions_read_here() {
 Mesh read_mesh(const std::string& path, bool with_normals, const ImportLimits& limits) {
   const RoundToNearest nearest;
   try {
-    return read_any(path, with_normals, limits);
+    Mesh mesh = read_any(path, with_normals, limits);
+    name_after_file(mesh, path);
+    return mesh;
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

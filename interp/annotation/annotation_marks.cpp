@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "clip/base/round_to_nearest.h"
 #include "displayfile/entered/instructions.h"
 #include "displayfile/text/characters.h"
 #include "interp/annotation/page_annotation.h"
+#include "interp/annotation/page_shapes.h"
 #include "interp/annotation/placement.h"
 
 namespace displayfile {
@@ -155,20 +159,75 @@ std::string name_in_message(const KeptAnnotation& kept) {
   return "dimension " + kept.characters;
 }
 
-std::string annotation_without_room(const DisplayFile& display_file, const AnnotationPage& page) {
-  if (!display_file.has_annotations()) return {};
+namespace {
+
+constexpr std::string_view kMoreRoom = "expected larger paper, a larger window or a smaller scale";
+
+/// True if the drawn annotation reaches beyond the picture by more than a line's width, and its
+/// points of the model do not: otherwise it is beyond with its figure.
+bool is_cut_off(const PageAnnotation& one, std::span<const AnnotationMark> marks,
+                const AnnotationPage& page) {
+  const double by = AnnotationPencil::line_width(one.height);
+  const Rectangle picture{-by, page.width + by, -by, page.height + by};
+  const auto is_inside = [&](std::span<const Point2> points) {
+    return points.empty() || is_within(rectangle_of(points), picture);
+  };
+  return is_inside(std::span(one.points).first(one.kept->anchors())) &&
+         !is_inside(points_of(marks, page));
+}
+
+template <class Scene>
+std::vector<std::string> faults_of(std::span<const KeptAnnotation> kept, const Scene& scene,
+                                   const AnnotationPage& page) {
   const RoundToNearest nearest;
-  const std::vector<KeptAnnotation> kept = annotations_of(display_file);
-  const LaidOut laid = laid_out(kept, display_file, page);
-  std::vector<std::string> names;
-  for (const PageAnnotation& one : laid.all) {
-    if (!one.has_place) names.push_back(name_in_message(*one.kept));
+  const LaidOut laid = laid_out(kept, scene, page);
+  std::vector<std::string> without_room, cut_off;
+  std::vector<bool> is_drawn(kept.size(), false);
+  bool is_entered = false;  // with its place
+  std::vector<AnnotationMark> marks;
+  AnnotationPencil pencil(page, marks);
+  for (std::size_t i = 0; i < laid.all.size(); ++i) {
+    const PageAnnotation& one = laid.all[i];
+    is_drawn[laid.numbers[i]] = true;
+    marks.clear();
+    pencil.draw(one, i, laid.rows);
+    if (is_cut_off(one, marks, page)) {
+      cut_off.push_back(name_in_message(*one.kept));
+      is_entered = is_entered || (!one.is_automatic() && one.kept->anchors() > 0);
+    } else if (!one.has_place) {
+      without_room.push_back(name_in_message(*one.kept));
+    }
   }
-  if (names.empty()) return {};
-  return fmt::format(
-      "annotation placement auto has no room for {}, which may cover the figure: expected larger "
-      "paper or a larger window",
-      fmt::join(names, ", "));
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!is_drawn[i]) cut_off.push_back(name_in_message(kept[i]));
+  }
+  std::vector<std::string> faults;
+  if (!without_room.empty()) {
+    faults.push_back(
+        fmt::format("annotation placement auto has no room for {}, which may cover the figure: {}",
+                    fmt::join(without_room, ", "), kMoreRoom));
+  }
+  if (!cut_off.empty()) {
+    faults.push_back(fmt::format("annotation reaches beyond the picture and is cut off: {}: {}{}",
+                                 fmt::join(cut_off, ", "), kMoreRoom,
+                                 is_entered ? ", or set-annotation-placement auto" : ""));
+  }
+  const bool has_list = std::ranges::any_of(
+      kept, [](const KeptAnnotation& one) { return one.kind == AnnotationKind::list; });
+  if (has_list) std::ranges::copy(parts_list_faults(laid.rows), std::back_inserter(faults));
+  return faults;
+}
+
+}  // namespace
+
+std::vector<std::string> annotation_faults(const DisplayFile& display_file,
+                                           const AnnotationPage& page) {
+  if (!display_file.has_annotations()) return {};
+  return faults_of(annotations_of(display_file), display_file, page);
+}
+
+std::vector<std::string> annotation_faults(const ViewedScene& scene, const AnnotationPage& page) {
+  return faults_of(scene.annotations(), scene, page);
 }
 
 std::vector<AnnotationMark> annotation_marks(const DisplayFile& display_file,

@@ -49,8 +49,11 @@ std::vector<AnnotationMark> annotation_marks(const DisplayFile& display_file,
                                              const AnnotationPage& page);
 std::vector<AnnotationMark> annotation_marks(const ViewedScene& scene, const AnnotationPage& page);
 
-/// A sentence that names the annotation that is placed automatically and for which there is no room
-/// on that page (placement.md); empty if there is none.
-std::string annotation_without_room(const DisplayFile& display_file, const AnnotationPage& page);
+/// A sentence for each fault of the annotation on that page, which names its annotation: some that
+/// is placed automatically has no room (placement.md); some reaches beyond the picture, where it is
+/// cut off; a parts list has several names for a number, or several numbers for a name.
+std::vector<std::string> annotation_faults(const DisplayFile& display_file,
+                                           const AnnotationPage& page);
+std::vector<std::string> annotation_faults(const ViewedScene& scene, const AnnotationPage& page);
 
 }  // namespace displayfile

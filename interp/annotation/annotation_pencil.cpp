@@ -73,7 +73,7 @@ void AnnotationPencil::draw(const PageAnnotation& annotation, std::size_t number
     case KeptAnnotation::Kind::diameter: return this->diameter(annotation);
     case KeptAnnotation::Kind::radius: return this->radius(annotation);
     case KeptAnnotation::Kind::angle: return this->angle(p);
-    case KeptAnnotation::Kind::title: return this->title();
+    case KeptAnnotation::Kind::title: return this->title(annotation);
     case list: return parts_list(annotation, rows);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,8 @@ struct PageAnnotation {
   /// How far beyond the circle the number of a radius or a diameter stands, from the second point,
   /// or, below 0, from the first point of a diameter. None: where it has room beside the circle.
   std::optional<double> number_beyond = std::nullopt;
+  /// Of a title: how much smaller than usual it is; an index of kTitleHeights.
+  std::size_t title_reduced = 0;
   bool has_place = true;  ///< false: placed automatically, and there was no room
 
   bool is_automatic() const {
@@ -39,15 +42,21 @@ struct PageAnnotation {
   }
 };
 
-/// Rows of the parts list: the balloons that have names, by number; the name is the first.
+/// A row of the parts list: the balloons with that number and that name.
 struct PartsListRow {
   int number;
   std::string name;
   int quantity;
 };
 
-/// The rows that balloons make.
+/// The rows that balloons with names make, by number, then in order of entry.
 std::vector<PartsListRow> parts_list_rows(std::span<const KeptAnnotation> all);
+/// A sentence on numbers with several names, and one on names with several numbers, if there are
+/// some: a part has one number (ISO 6433).
+std::vector<std::string> parts_list_faults(std::span<const PartsListRow> rows);
+/// Heights of a title's capitals, in parts of the annotation's size: that of ISO 3098 after the
+/// next, then smaller ones.
+inline constexpr std::array kTitleHeights{1.43, 1.0, 0.71};
 /// The heads of the columns of every parts list. Item and quantity stand in the middle of their
 /// columns.
 inline constexpr std::array<std::string_view, 3> kPartsListHeads{"ITEM", "PART", "QTY"};
@@ -89,7 +98,7 @@ class AnnotationPencil {
   void angle(std::span<const Point2> points);
   void outer_arrow(const Point2& tip, const Point2& direction);
   // table_marks.cpp
-  void title();
+  void title(const PageAnnotation& title);
   void parts_list(const PageAnnotation& list, std::span<const PartsListRow> rows);
   // annotation_pencil.cpp
   double arrow_length() const { return 0.9 * height_; }

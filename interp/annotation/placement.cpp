@@ -35,6 +35,7 @@ class Placement {
         around_(figure_.around()) {}
 
   void place() {
+    reduce_titles();
     for (const PageAnnotation& one : all_) {
       if (is_moved(one)) continue;
       for (const AnnotationMark& mark : marks_of(one))
@@ -86,6 +87,8 @@ class Placement {
     take(dimension, points_of_annotation(dimension));
   }
 
+  bool is_clear_of_figure(std::span<const Point2> points, double by) const;
+  void reduce_titles();
   void move_dimension_lines_outward();
   void move_outward(PageAnnotation& dimension);
   void move_numbers_outward();
@@ -120,6 +123,30 @@ class Placement {
   Rectangle around_;                        // the figure, and dimensions that have their place
   std::vector<std::vector<Point2>> taken_;  // by annotation that has its place, or its parts
 };
+
+/// Clear of the outline, or of the rectangles around all polygons and lines.
+bool Placement::is_clear_of_figure(std::span<const Point2> points, double by) const {
+  const Rectangle box = rectangle_of(points);
+  return figure_.is_clear_of(points, by) || std::ranges::all_of(boxes_, [&](const Rectangle& part) {
+           return are_apart(box, part, by);
+         });
+}
+
+/// Titles stay at the picture's upper margin: one that covers the figure becomes smaller if that
+/// helps.
+void Placement::reduce_titles() {
+  for (PageAnnotation& title : all_) {
+    if (!title.is_automatic() || title.kept->kind != AnnotationKind::title) continue;
+    const auto is_clear = [&] {
+      const std::vector<Point2> points = points_of_annotation(title);
+      return points.empty() || is_clear_of_figure(points, 0.0);
+    };
+    while (!is_clear() && title.has_place) {
+      title.has_place = ++title.title_reduced < kTitleHeights.size();
+    }
+    if (!title.has_place) title.title_reduced = 0;
+  }
+}
 
 // ---- Step 1: dimension lines ----------------------------------------------------------------
 

@@ -6,43 +6,123 @@
 #include <array>
 #include <charconv>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "displayfile/text/characters.h"
 #include "interp/annotation/page_annotation.h"
 
 namespace displayfile {
 
 namespace {
 
-constexpr double kTitle = 1.43;  // times the annotation's size: the next but one of ISO 3098
 // In parts of the capitals' height.
 constexpr double kTableMargin = 1.2, kTableRow = 2.0, kPadding = 0.7;
+constexpr double kTitlePitch = 1.6;            // from baseline to baseline
+constexpr double kTitleOfPicture = 1.0 / 3.0;  // of the picture's height, at the most
+
+/// Broken at blanks into lines of that width, in parts of the capitals' height; a wider word has a
+/// line of its own. A text that fits stays as it is.
+std::vector<std::string> in_lines(std::string_view text, double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  if (width_of_text(text) <= width) return {std::string(text)};
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (word.empty()) continue;
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && width_of_text(longer) > width) {
+      lines.push_back(std::exchange(line, word));
+    } else {
+      line = longer;
+    }
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/// In quotation marks, separated by `and`.
+std::string listed(const std::set<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back(in_quotation_marks(name));
+  return fmt::format("{}", fmt::join(quoted, " and "));
+}
 
 }  // namespace
 
 double AnnotationPencil::margin_of_list(double height) { return kTableMargin * height; }
 
 std::vector<PartsListRow> parts_list_rows(std::span<const KeptAnnotation> all) {
-  std::map<int, PartsListRow> rows;
+  std::vector<PartsListRow> rows;
+  std::map<std::pair<int, std::string_view>, std::size_t> places;  // in rows
   for (const KeptAnnotation& balloon : all) {
     if (balloon.kind != KeptAnnotation::Kind::balloon || balloon.name.empty()) continue;
     int number = 0;
     const std::string& digits = balloon.characters;
     std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    ++rows.try_emplace(number, PartsListRow{number, balloon.name, 0}).first->second.quantity;
+    const auto [known, is_new] =
+        places.try_emplace(std::pair(number, std::string_view(balloon.name)), rows.size());
+    if (is_new) rows.push_back({number, balloon.name, 0});
+    ++rows[known->second].quantity;
   }
-  std::vector<PartsListRow> result;
-  result.reserve(rows.size());
-  for (const auto& [number, row] : rows) result.push_back(row);
-  return result;
+  std::ranges::stable_sort(rows, {}, &PartsListRow::number);
+  return rows;
 }
 
-void AnnotationPencil::title() {
-  height_ *= kTitle;
-  text(kept_->characters, {0.5 * page_.width, page_.height - kTableMargin * height_ - height_},
-       TextStyle::Alignment::centre);
+std::vector<std::string> parts_list_faults(std::span<const PartsListRow> rows) {
+  std::map<int, std::set<std::string>> names_of;
+  std::map<std::string, std::set<int>> numbers_of;
+  for (const PartsListRow& row : rows) {
+    names_of[row.number].insert(row.name);
+    numbers_of[row.name].insert(row.number);
+  }
+  std::vector<std::string> several_names, several_numbers, faults;
+  for (const auto& [number, names] : names_of) {
+    if (names.size() > 1) several_names.push_back(fmt::format("{} is {}", number, listed(names)));
+  }
+  for (const auto& [name, numbers] : numbers_of) {
+    if (numbers.size() == 1) continue;
+    several_numbers.push_back(
+        fmt::format("{} is {}", in_quotation_marks(name), fmt::join(numbers, " and ")));
+  }
+  if (!several_names.empty()) {
+    faults.push_back(
+        fmt::format("the parts list has several names for a number: {}: expected one for each",
+                    fmt::join(several_names, ", ")));
+  }
+  if (!several_numbers.empty()) {
+    faults.push_back(
+        fmt::format("the parts list has several numbers for a name: {}: expected one for each",
+                    fmt::join(several_numbers, ", ")));
+  }
+  return faults;
+}
+
+/// In letters as large as the picture's width and a third of its height allow, in several lines if
+/// need be, but not larger than `title_reduced` says.
+void AnnotationPencil::title(const PageAnnotation& title) {
+  const double size = height_;
+  std::vector<std::string> lines;
+  for (std::size_t k = title.title_reduced; k < kTitleHeights.size(); ++k) {
+    height_ = kTitleHeights[k] * size;
+    const double room = page_.width / height_ - 2.0 * kTableMargin;
+    lines = in_lines(kept_->characters, room);
+    const double high = 1.0 + kTitlePitch * static_cast<double>(lines.size() - 1);
+    const bool is_low = lines.size() == 1 || high * height_ <= kTitleOfPicture * page_.height;
+    if (is_low && std::ranges::all_of(
+                      lines, [&](const std::string& line) { return width_of_text(line) <= room; }))
+      break;
+  }
+  double base = page_.height - kTableMargin * height_ - height_;
+  for (const std::string& line : lines) {
+    text(line, {0.5 * page_.width, base}, TextStyle::Alignment::centre);
+    base -= kTitlePitch * height_;
+  }
 }
 
 /// A head, then the rows by number, between lines (ISO 7573). It hides the figure.

@@ -25,6 +25,7 @@ struct DrawWarning {
     hidden_lines,  ///< set to be drawn dashed, but the method does not find them
     stretched,     ///< the picture's aspect ratio is not that of the view
     no_effect,     ///< an option of the call has no effect on this picture
+    annotation,    ///< some has no room, is cut off, or a parts list contradicts itself
   };
   Kind kind;
   std::string text;  ///< a sentence, such as "nothing is seen: the only polygon or line is ..."
@@ -68,9 +69,9 @@ struct DrawOptions {
   /// rows, ids or depth.
   std::optional<double> dpi = std::nullopt;
   VectorOptions vectors = {};
-  /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched` and
-  /// `no_effect`. Warnings are not computed otherwise. The reason why nothing is visible is more
-  /// precise where the scene is retained.
+  /// Called, if not empty, in the drawing thread: after drawing, or before it for `stretched`,
+  /// `no_effect` and `annotation`. Warnings are not computed otherwise. The reason why nothing is
+  /// visible is more precise where the scene is retained.
   Warn warn = {};
 
   /// The number of rows drawn.

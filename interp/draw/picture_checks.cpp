@@ -373,10 +373,24 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
   }
 }
 
-void warn_of_annotation_without_room(const PicturePlan& plan, const DisplayFile& drawn) {
-  if (!plan.options.warn || !drawn.has_annotations()) return;
-  const std::string text = annotation_without_room(drawn, annotation_page(plan));
-  if (!text.empty()) plan.options.warn({DrawWarning::Kind::no_effect, text});
+namespace {
+
+template <class Drawn>
+void warn_of_annotation_on(const PicturePlan& plan, const Drawn& drawn) {
+  if (!plan.options.warn) return;
+  for (const std::string& text : annotation_faults(drawn, annotation_page(plan))) {
+    plan.options.warn({DrawWarning::Kind::annotation, text});
+  }
+}
+
+}  // namespace
+
+void warn_of_annotation(const PicturePlan& plan, const DisplayFile& drawn) {
+  warn_of_annotation_on(plan, drawn);
+}
+
+void warn_of_annotation(const PicturePlan& plan, const ViewedScene& drawn) {
+  warn_of_annotation_on(plan, drawn);
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
+#include "interp/vector/pdf_layers.h"
 
 namespace displayfile {
 
@@ -92,6 +93,12 @@ void require_names(const Destination& to, const PictureFormat& format, const Dra
                             what, names_of_formats(which, " or ")));
   };
   const VectorOptions& vectors = options.vectors;
+  const bool orders_layers = options.pens && !options.pens->layers.empty();
+  if (orders_layers && format.choice.name == ".pdf" && !has_pdf_layers()) {
+    throw Error(fmt::format(
+        "{}: layers of pens in an order: the layers of a PDF need QPDF: expected .svg, or no order",
+        to.name()));
+  }
   if (!vectors.id_prefix.empty() && !format.has_ids()) {
     refuse("ids, which a prefix could be of", &PictureFormat::has_ids);
   }

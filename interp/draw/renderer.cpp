@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <memory>
 #include <new>
@@ -260,7 +261,7 @@ auto draw_up_to_date(const GraphicsSystem& system, const PicturePlan& plan,
                                                  unsorted_if_automatic(plan.method));
   look_for_hidden_lines_left(sorted, plan);
   warn_of_options_without_effect(plan, sorted);
-  warn_of_annotation_without_room(plan, sorted);
+  warn_of_annotation(plan, sorted);
   if (const auto world = world_in_force(system, plan.method, kept.of_scene)) {
     const PicturePlan cast = by_rays(*world, plan);
     return draw(source_of(*world, cast, kept.software), raster_request(*world, cast), cast);
@@ -313,6 +314,12 @@ void require_drawn_in_view(const InView& scene, const PicturePlan& plan) {
   require_drawn(plan);
 }
 
+bool has_annotations(const RetainedScene& scene) {
+  return std::ranges::any_of(scene.segments(), [](const RetainedScene::Segment& segment) {
+    return !segment.annotations.empty();
+  });
+}
+
 /// Returns the result of draw(source, request, plan) for the scene in that view.
 template <class Draw>
 auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareRenderer& software,
@@ -321,6 +328,9 @@ auto draw_in_view(const InView& in, PicturePlan plan, KeptTrees& kept, SoftwareR
   warn_if_stretched(in.view, in.settings, plan.options);
   require_line_order_obeyed(plan.method, plan, plan.kind());
   warn_of_options_without_effect(plan, in.attributes);
+  if (plan.options.warn && has_annotations(in.scene)) {
+    warn_of_annotation(plan, kept.viewer().view({in.view, lights_of(in)}));
+  }
   plan.surfaces.intersections = in.scene.has_intersections();
   if (surfaces_of(plan.method) == HiddenMethod::world_ray_cast) {
     const ViewedWorld world = kept.world().view(in.view, lights_of(in));

@@ -120,14 +120,20 @@ struct TurntableRenderer::Kept {
   Renderer renderer = {};
   Turntable::Turn turn = {};           // of the view drawn last
   std::vector<std::string> told = {};  // warnings given that apply to all views
+  int told_of_annotation = -1;         // the view of which annotation was warned of
 
-  /// Options of one view: a warning that applies to all views is given once.
-  DrawOptions of_one(const DrawOptions& all) {
+  /// Options of one view: a warning that applies to all views is given once, and those of
+  /// annotation, which differ from view to view, for the first view that has some.
+  DrawOptions of_one(const DrawOptions& all, int view) {
     DrawOptions one = by_tree(all);
     if (!one.warn) return one;
-    one.warn = [this, warn = one.warn](const DrawWarning& warning) {
+    one.warn = [this, view, warn = one.warn](const DrawWarning& warning) {
       const bool is_stretched = warning.kind == DrawWarning::Kind::stretched;
       if (is_stretched && is_stretch_set) return;
+      if (warning.kind == DrawWarning::Kind::annotation) {
+        if (told_of_annotation < 0) told_of_annotation = view;
+        if (told_of_annotation != view) return;
+      }
       if (is_stretched || warning.kind == DrawWarning::Kind::no_effect) {
         if (std::ranges::find(told, warning.text) != told.end()) return;
         told.push_back(warning.text);
@@ -177,19 +183,19 @@ const DrawOptions& TurntableRenderer::options() const { return kept_->options; }
 const Renderer& TurntableRenderer::renderer() const { return kept_->renderer; }
 
 Picture TurntableRenderer::draw(int view) {
-  kept_->renderer.draw(kept_->in_view(view), kept_->of_one(kept_->options));
+  kept_->renderer.draw(kept_->in_view(view), kept_->of_one(kept_->options, view));
   return kept_->renderer.take_picture();
 }
 
 void TurntableRenderer::draw(int view, const Destination& to) {
-  kept_->renderer.draw(kept_->in_view(view), to, kept_->of_one(kept_->options));
+  kept_->renderer.draw(kept_->in_view(view), to, kept_->of_one(kept_->options, view));
 }
 
 std::filesystem::path TurntableRenderer::draw_numbered(int view,
                                                        const std::filesystem::path& file) {
   std::filesystem::path name = numbered(file, view, views());
   kept_->renderer.draw(kept_->in_view(view), name,
-                       kept_->of_one(of_view(kept_->options, view, views())));
+                       kept_->of_one(of_view(kept_->options, view, views()), view));
   return name;
 }
 

@@ -139,4 +139,13 @@ std::string with_layers(const std::string& document, std::span<const std::string
   return changed.bytes();
 }
 
+bool has_pdf_layers() {
+  try {
+    qpdf();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace displayfile

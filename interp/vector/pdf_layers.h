@@ -15,4 +15,7 @@ inline constexpr const char* kMarkOfLayer = "Span";
 /// that edits PDF files, or if the document is not as expected.
 std::string with_layers(const std::string& document, std::span<const std::string> layer_of_parts);
 
+/// True if the library that edits PDF files is there.
+bool has_pdf_layers();
+
 }  // namespace displayfile

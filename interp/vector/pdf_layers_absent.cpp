@@ -11,4 +11,6 @@ std::string with_layers(const std::string&, std::span<const std::string>) {
       "layers and lines of no kinds");
 }
 
+bool has_pdf_layers() { return false; }
+
 }  // namespace displayfile

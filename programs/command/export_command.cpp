@@ -18,6 +18,7 @@
 #include "displayfile/segments/display_file.h"
 #include "programs/inputs/assembled_inputs.h"
 #include "programs/inputs/input_names.h"
+#include "programs/inputs/not_solid.h"
 #include "programs/inputs/output_paths.h"
 #include "programs/process/progress.h"
 #include "programs/process/warnings.h"
@@ -40,11 +41,6 @@ CLI::App& ExportCommand::add_to(CLI::App& app) {
 
 namespace {
 
-/// The contents of the inputs that are not solid fills.
-struct NotExported {
-  std::size_t lines = 0, hollow = 0, texts = 0;
-};
-
 /// The title that is set; of a mesh it is its object's name.
 std::string name_of(const RetainedScene::Segment& segment, const AssembledInputs& assembled) {
   const std::string& title = assembled.system.display_file().segment(segment.name).title();
@@ -54,7 +50,7 @@ std::string name_of(const RetainedScene::Segment& segment, const AssembledInputs
 }
 
 /// The visible filled polygons of inputs, an object for each segment.
-Mesh filled_polygons(const AssembledInputs& assembled, NotExported& left_out) {
+Mesh filled_polygons(const AssembledInputs& assembled, NotSolid& left_out) {
   const RetainedScene& scene = assembled.scene;
   Mesh mesh;
   mesh.first_corner.push_back(0);
@@ -94,22 +90,6 @@ Mesh filled_polygons(const AssembledInputs& assembled, NotExported& left_out) {
   return mesh;
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-void warn_of_left_out(const std::string& output, const NotExported& left_out) {
-  std::vector<std::string> parts;
-  if (left_out.lines > 0) parts.push_back(counted(left_out.lines, "line", "lines"));
-  if (left_out.hollow > 0) {
-    parts.push_back(counted(left_out.hollow, "hollow polygon", "hollow polygons"));
-  }
-  if (left_out.texts > 0) parts.push_back(counted(left_out.texts, "text", "texts"));
-  if (!parts.empty()) {
-    warnings() << fmt::format("{}: left out: {}\n", output, fmt::join(parts, ", "));
-  }
-}
-
 void warn_of_open(const std::string& output, const SolidTriangles& solid) {
   for (const SolidTriangles::Object& object : solid.objects) {
     if (object.open_sides == 0) continue;
@@ -138,7 +118,7 @@ int ExportCommand::run() {
   require_no_field(output);
   const std::vector<std::string> files = files_of_mesh(output);
   require_files_of_their_own(files, inputs, lists);
-  NotExported left_out;
+  NotSolid left_out;
   SolidTriangles solid;
   {
     const AssembledInputs assembled(inputs, import.limits());
@@ -166,7 +146,9 @@ int ExportCommand::run() {
     solid = std::move(single.solid);
   }
   write_mesh(solid, output);
-  warn_of_left_out(output, left_out);
+  if (const std::string words = left_out.words(); !words.empty()) {
+    warnings() << fmt::format("{}: left out: {}\n", output, words);
+  }
   warn_of_open(output, solid);
   return 0;
 }

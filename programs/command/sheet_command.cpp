@@ -184,6 +184,7 @@ std::vector<PartsListRow> parts_list_of(const Part& part, bool is_asked) {
   });
   if (!is_asked && !has_list) return {};
   std::vector<PartsListRow> rows = parts_list_rows(part.annotations);
+  for (const std::string& fault : parts_list_faults(rows)) warnings() << fault << '\n';
   if (!rows.empty()) return rows;
   if (is_asked) return listed(part.parts);
   warnings() << "parts-list: left out: no balloon has a name: expected --parts-list for a list of "

@@ -51,7 +51,9 @@ void NotInPicture::note(const GraphicsSystem& system, const PicturePlan& plan) {
 void NotInPicture::note(const std::vector<DrawWarning>& warned) {
   for (const DrawWarning& warning : warned) {
     if (warning.kind == DrawWarning::Kind::hidden_lines) add(kHiddenLines);
-    if (warning.kind != DrawWarning::Kind::no_effect) continue;
+    if (warning.kind != DrawWarning::Kind::no_effect &&
+        warning.kind != DrawWarning::Kind::annotation)
+      continue;
     const std::lock_guard lock(adding_);
     no_effect_.insert(warning.text);
   }

@@ -21,6 +21,7 @@
 #include "displayfile/text/characters.h"
 #include "displayfile/user_routines/system_inside.h"
 #include "programs/inputs/inputs.h"
+#include "programs/inputs/not_solid.h"
 #include "programs/inputs/planes_of_inputs.h"
 #include "programs/inputs/segment_names.h"
 #include "programs/process/progress.h"
@@ -85,21 +86,29 @@ std::vector<NamedPart> named_parts(std::span<const SegmentOrigin> origins,
   return parts;
 }
 
-/// The visible polygons, with the scene's segments as the mesh's objects and the part's parts.
+/// The visible polygons, without lines and texts, of which a warning tells, with the scene's
+/// segments as the mesh's objects and the part's parts.
 Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file,
                  const SegmentOrigins& origins, std::span<const std::string> inputs) {
   std::vector<SegmentOrigin> of_parts;
+  std::vector<NotSolid> left_out(inputs.size());
   Part part;
   Mesh& mesh = part.mesh;
   mesh.first_corner.push_back(0);
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!display_file.segment(segment.name).visible) continue;
+    NotSolid& not_drawn = left_out[origins.of(segment.name).input];
+    not_drawn.texts += scene.texts(segment).size();
     const std::size_t first_face = mesh.faces(), first_vertex = mesh.vertices.size();
     mesh.set_reach(std::max(entered_reach(mesh), scene.reach_in_world(segment)));
     const auto points = scene.points(segment);
     mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
     for (std::uint32_t i = segment.first; i < segment.end; ++i) {
-      if (scene[i].is_line() || !scene.draws(i)) continue;
+      if (!scene.draws(i)) continue;
+      if (scene[i].is_line()) {
+        ++not_drawn.lines;
+        continue;
+      }
       for (std::uint32_t k = 0; k < scene[i].sides; ++k) {
         const std::size_t point = scene.has_shared() ? scene.corners(i)[k] : scene[i].first + k;
         mesh.corners.push_back(
@@ -114,6 +123,11 @@ Part polygons_of(const RetainedScene& scene, const DisplayFile& display_file,
     of_parts.push_back(origins.of(segment.name));
     for (const TurnedShape& shape : of_parts.back().turned) {
       if (const auto axis = shape.axis_at(points)) part.axes.push_back(*axis);
+    }
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (const std::string words = left_out[i].words(); !words.empty()) {
+      warnings() << fmt::format("{}: left out: {}\n", input_name(inputs[i]), words);
     }
   }
   part.parts = named_parts(of_parts, inputs);

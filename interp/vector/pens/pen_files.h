@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include "displayfile/files.h"
 #include "interp/device/picture.h"
 #include "interp/vector/pens/pen_drawing.h"
@@ -12,8 +16,16 @@ namespace displayfile {
 /// file, if it cannot be written. Only the options for SVG's names and declaration apply.
 void write_pens_svg(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
-/// The same as PDF, whose page is the sheet, pen after pen. Also throws Error without Cairo.
+/// The same as PDF, whose page is the sheet: a layer for each pen, with the same names, if QPDF is
+/// there (pdf_layers.h); otherwise pen after pen. Also throws Error without Cairo.
 void write_pens_pdf(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
+
+/// The name of the layer of a pen, the first of which is number 1: "1 #ff0000 0.5 mm".
+std::string name_of_layer(std::size_t number, const PenLayer& layer);
+/// The colour of a layer's pen: "#ff0000".
+std::string colour_of_layer(const PenLayer& layer);
+/// Units of the sheet in millimetres, in the shortest form: exact.
+std::string in_millimetres(std::int64_t units);
 
 }  // namespace displayfile

@@ -14,7 +14,6 @@ namespace displayfile {
 
 namespace {
 
-/// Writes units as millimetres, in the shortest form: exact.
 void append_millimetres(std::string& out, std::int64_t units) {
   if (units < 0) out.push_back('-');
   const std::int64_t size = units < 0 ? -units : units;
@@ -53,19 +52,15 @@ std::string document_of(const PenDrawing& drawing, const VectorOptions& options)
       "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
       drawing.fit.width, drawing.fit.height, options.is_inline ? "" : kXmlDeclaration,
       kInkscapeNamespace);
-  int number = 0;
+  std::size_t number = 0;
   for (const PenLayer& layer : drawing.layers) {
-    const std::uint32_t c = layer.pen.colour;
-    const std::string colour =
-        fmt::format("#{:02x}{:02x}{:02x}", c & 0xff, (c >> 8) & 0xff, (c >> 16) & 0xff);
-    std::string width;
-    append_millimetres(width, layer.pen.width);
     ++number;
     text += fmt::format(
-        "<g id=\"pen-{0}{3}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0} {1} {2} mm\" "
-        "fill=\"none\" stroke=\"{1}\" stroke-width=\"{2}\" stroke-linecap=\"round\" "
+        "<g id=\"pen-{0}{4}\" inkscape:groupmode=\"layer\" inkscape:label=\"{1}\" "
+        "fill=\"none\" stroke=\"{2}\" stroke-width=\"{3}\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\">\n",
-        number, colour, width, kOwn);
+        number, name_of_layer(number, layer), colour_of_layer(layer),
+        in_millimetres(layer.pen.width), kOwn);
     for (const PenPath& path : layer.paths) {
       text += "<path d=\"";
       append_path_data(text, path);
@@ -77,6 +72,22 @@ std::string document_of(const PenDrawing& drawing, const VectorOptions& options)
 }
 
 }  // namespace
+
+std::string in_millimetres(std::int64_t units) {
+  std::string text;
+  append_millimetres(text, units);
+  return text;
+}
+
+std::string colour_of_layer(const PenLayer& layer) {
+  const std::uint32_t c = layer.pen.colour;
+  return fmt::format("#{:02x}{:02x}{:02x}", c & 0xff, (c >> 8) & 0xff, (c >> 16) & 0xff);
+}
+
+std::string name_of_layer(std::size_t number, const PenLayer& layer) {
+  return fmt::format("{} {} {} mm", number, colour_of_layer(layer),
+                     in_millimetres(layer.pen.width));
+}
 
 void write_pens_svg(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options) {

@@ -616,7 +616,7 @@ std::vector<std::string> lines_of_title(std::string_view program) {
 /// A title wider than the picture is broken at blanks; only where that is not enough it becomes
 /// smaller, and is then named if it still reaches beyond.
 TEST(AnnotationMarks, ALongTitleIsInThePicture) {
-  const std::string word(30, 'x'), long_word(45, 'x'), endless(200, 'x');
+  const std::string word(30, 'x'), long_word(60, 'x'), endless(200, 'x');
   EXPECT_EQ(lines_of_title("title \"A  vice\"\n"), (std::vector<std::string>{"A  vice"}));
   EXPECT_EQ(lines_of_title(fmt::format("title \"{0}  {0} {0}\"\n", word)),
             (std::vector<std::string>{word, word, word}));
@@ -641,7 +641,7 @@ TEST(AnnotationMarks, ALongTitleIsInThePicture) {
 TEST(AnnotationMarks, ATitleOverTheFigure) {
   const auto program = [](std::string_view placement, double top) {
     return fmt::format(
-        "set-annotation-placement {}\npolygon-abs-3 100 100 0  900 100 0  900 {} 0\n"
+        "set-annotation-placement {0}\npolygon-abs-3 100 100 0  900 100 0  900 {1} 0  100 {1} 0\n"
         "title \"A vice\"\n",
         placement, top);
   };

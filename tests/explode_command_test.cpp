@@ -226,7 +226,7 @@ TEST_F(ExplodeCommand, WhatIsMovedOutOfAViewIsNamed) {
 
 /// Annotation moves with its segment; annotation without a part to move with is reported by name.
 TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
-  const std::string balloon = "balloon-3 30 5 0 7 \"\" 0 0\n";
+  const std::string balloon = "set-annotation-size 2 px\nballoon-3 30 5 0 7 \"\" 0 0\n";
   write("with.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 20, 0, 10) +
                          "open-segment 2\n" + rectangle(20, 40, 0, 10) + balloon +
                          "close-segment\n");

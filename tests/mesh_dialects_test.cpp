@@ -188,7 +188,7 @@ TEST_F(MeshDialects, SolidsOfStlHaveTheirWholeNames) {
   ASSERT_EQ(mesh.objects.size(), 3u);
   EXPECT_EQ(mesh.objects[0].name, "Left half, 2 mm");
   EXPECT_EQ(mesh.objects[1].name, "b");
-  EXPECT_EQ(mesh.objects[2].name, "");
+  EXPECT_EQ(mesh.objects[2].name, "a");
 }
 
 /// In every format, and where a program writes one name for all solids.

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cctype>
 #include <cstdint>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -128,7 +129,7 @@ TEST_F(MeshTest, ObjVerticesMayHaveAWeightOrAColour) {
   EXPECT_EQ(mesh.vertices[0], Point3(1, 2, 3));
   EXPECT_EQ(mesh.vertices[1], Point3(1, 0, 0));
   EXPECT_EQ(mesh.vertices[2], Point3(0, 1, 0));
-  EXPECT_EQ(faces_of(mesh), ": 0 1 2;");
+  EXPECT_EQ(faces_of(mesh), "a: 0 1 2;");
 }
 
 TEST_F(MeshTest, ObjCornersMayNameTexturesAndNormals) {
@@ -148,7 +149,7 @@ TEST_F(MeshTest, ObjObjectsAndGroups) {
     return faces_of(read_mesh(file("a.obj", kFourCorners + text)));
   };
   EXPECT_EQ(faces("f 1 2 3\ng a b\nf 1 2 4\ng a b\nf 1 3 4\ng\nf 2 3 4\n"),
-            ": 0 1 2;a b: 0 1 3; 0 2 3;: 1 2 3;");
+            "a: 0 1 2;a b: 0 1 3; 0 2 3;a 2: 1 2 3;");
   EXPECT_EQ(faces("g a\nf 1 2 3\ng b\nf 1 2 4\ng a\nf 1 3 4\n"), "a: 0 1 2;b: 0 1 3;a: 0 2 3;");
   EXPECT_EQ(faces("o a\nf 1 2 3\no b\nf 1 2 4\no a\nf 1 3 4\n"), "a: 0 1 2; 0 2 3;b: 0 1 3;");
   EXPECT_EQ(faces("o a\nusemtl red\nf 1 2 3\nusemtl blue\ns 1\nf 1 2 4\no none\n"),
@@ -159,7 +160,7 @@ TEST_F(MeshTest, OffHeadersAndVertices) {
   const std::string face = "3 0 1 2 255 0 0\n";
   const auto vertices = [&](const std::string& text) {
     const Mesh mesh = read_mesh(file("a.off", text + face));
-    EXPECT_EQ(faces_of(mesh), ": 0 1 2;") << text;
+    EXPECT_EQ(faces_of(mesh), "a: 0 1 2;") << text;
     return mesh.vertices;
   };
   const std::vector<Point3> expected = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -202,7 +203,8 @@ TEST_F(MeshTest, PlyMayHoldMoreThanAMesh) {
   const float z[] = {0, 0, 0, 0.25f};
   const auto check = [&](const std::string& path) {
     const Mesh mesh = read_mesh(path, true);
-    EXPECT_EQ(faces_of(mesh), ": 0 1 2; 3 2 1 0;") << path;
+    EXPECT_EQ(faces_of(mesh), std::filesystem::path(path).stem().string() + ": 0 1 2; 3 2 1 0;")
+        << path;
     for (std::size_t k = 0; k < mesh.corners.size(); ++k) {
       const std::uint32_t v = mesh.corners[k];
       EXPECT_EQ(mesh.vertices[v], Point3(x[v], y[v], z[v])) << path;
@@ -238,7 +240,7 @@ TEST_F(MeshTest, PlyStripsAreTriangles) {
                      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
                      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
                      "0 0\n1 0\n0 1\n1 1\n0 2\n9 0 1 2 3 4 -1 2 3 4\n"));
-  EXPECT_EQ(faces_of(mesh), ": 0 1 2; 2 1 3; 2 3 4; 2 3 4;");
+  EXPECT_EQ(faces_of(mesh), "a: 0 1 2; 2 1 3; 2 3 4; 2 3 4;");
 }
 
 TEST_F(MeshTest, StlOfTextAndBytes) {
@@ -259,7 +261,7 @@ TEST_F(MeshTest, StlOfTextAndBytes) {
     binary += "xx";
   }
   const Mesh mesh = read_mesh(file("b.STL", binary));
-  EXPECT_EQ(faces_of(mesh), ": 0 1 2; 3 4 5;");
+  EXPECT_EQ(faces_of(mesh), "b: 0 1 2; 3 4 5;");
   EXPECT_EQ(mesh.vertices[5], Point3(0, 1, 0.1f));
 }
 

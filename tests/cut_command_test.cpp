@@ -177,37 +177,37 @@ TEST_F(CutCommand, PlanesOfProgramsCountForAllThatIsEnteredWhileTheyAreSet) {
     return "open-segment " + std::to_string(name) + "\nbox-3 -1 1 " + std::to_string(y) + " " +
            std::to_string(y + 1) + " -1 1\nclose-segment\n";
   };
-  const auto told = [&](const std::string& program) {
+  const auto warned = [&](const std::string& program) {
     write("p.draw", begin + program);
     return warning("p.draw");
   };
   const std::string plane = "set-cutting-plane 1 0 -1 0 2.5\n";  // cuts away what is above 2.5
   const std::string nothing =
       "p.draw: set-cutting-plane 1 0 -1 0 2.5 cuts nothing of what is entered after it\n";
-  EXPECT_EQ(told(plane + box_at(1, 0)), nothing);
-  EXPECT_EQ(told(plane + box_at(1, 0) + "set-cutting-plane 1 off\n" + box_at(2, 2)), nothing);
-  EXPECT_EQ(told(plane + box_at(1, 0) + box_at(2, 2)), "");
-  EXPECT_EQ(told(plane + box_at(1, 0) + box_at(2, 3)), "");
-  EXPECT_EQ(told(plane), "p.draw: nothing is seen: no polygon or line was entered\n") << err_;
-  EXPECT_EQ(told(plane + "set-cutting-plane 1 off\n" + box_at(1, 0)), "");
-  EXPECT_EQ(told(plane + plane + box_at(1, 2)), "");
-  EXPECT_EQ(told(box_at(1, 2) + plane +
-                 "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 3 0\n"
-                 "close-segment\n"),
+  EXPECT_EQ(warned(plane + box_at(1, 0)), nothing);
+  EXPECT_EQ(warned(plane + box_at(1, 0) + "set-cutting-plane 1 off\n" + box_at(2, 2)), nothing);
+  EXPECT_EQ(warned(plane + box_at(1, 0) + box_at(2, 2)), "");
+  EXPECT_EQ(warned(plane + box_at(1, 0) + box_at(2, 3)), "");
+  EXPECT_EQ(warned(plane), "p.draw: nothing is seen: no polygon or line was entered\n") << err_;
+  EXPECT_EQ(warned(plane + "set-cutting-plane 1 off\n" + box_at(1, 0)), "");
+  EXPECT_EQ(warned(plane + plane + box_at(1, 2)), "");
+  EXPECT_EQ(warned(box_at(1, 2) + plane +
+                   "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 3 0\n"
+                   "close-segment\n"),
             "");
-  EXPECT_EQ(told(box_at(1, 2) + plane +
-                 "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 1 0\n"
-                 "close-segment\n"),
+  EXPECT_EQ(warned(box_at(1, 2) + plane +
+                   "open-segment 2\nmove-abs-3 0 0 0\nline-abs-3 0 1 0\n"
+                   "close-segment\n"),
             nothing);
-  EXPECT_EQ(told(box_at(1, 2) + plane +
-                 "open-segment 2\nmove-abs-3 0 4 0\ntext \"a\"\n"
-                 "move-abs-3 0 1 0\ntext \"b\"\nclose-segment\n"),
+  EXPECT_EQ(warned(box_at(1, 2) + plane +
+                   "open-segment 2\nmove-abs-3 0 4 0\ntext \"a\"\n"
+                   "move-abs-3 0 1 0\ntext \"b\"\nclose-segment\n"),
             "");
   // A face in the plane: it stays without cut faces, and is a cut face with them.
   const std::string flush = "set-cutting-plane 1 0 -1 0 1\n";
-  EXPECT_NE(told(flush + box_at(1, 0)), "");
-  EXPECT_EQ(told("set-cut-faces closed\n" + flush + box_at(1, 0)), "");
-  EXPECT_NE(told("set-cut-faces closed\n" + plane + box_at(1, 0)), "");
+  EXPECT_NE(warned(flush + box_at(1, 0)), "");
+  EXPECT_EQ(warned("set-cut-faces closed\n" + flush + box_at(1, 0)), "");
+  EXPECT_NE(warned("set-cut-faces closed\n" + plane + box_at(1, 0)), "");
 }
 
 TEST_F(CutCommand, AnExplodedViewIsCutAsItIsSeen) {

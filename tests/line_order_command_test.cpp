@@ -72,7 +72,7 @@ TEST_F(LineOrderCommand, BadValuesAreRefused) {
   expect_error("draw cross.draw -o x.svg --halo 2", "a line halo of 2 pixels in line order entry");
   expect_error("draw depth.draw -o x.svg --halo 2mm", "--halo 2mm: a length in mm needs");
   expect_error("draw depth.draw -o x.svg --halo -2", "--halo -2: expected lengths above 0");
-  expect_error("draw depth.draw -o x.svg --halo wide", "--halo wide: expected a width");
+  expect_error("draw depth.draw -o x.svg --halo wide", "--halo wide: expected a length");
   expect_error("draw cross.draw -o x.svg --line-order depth --hidden none",
                "line order depth: hidden-surface method 'none' draws in order of entry");
   expect_error("draw cross.draw -o x.svg --line-order depth --hidden bsp",

@@ -132,7 +132,9 @@ TEST_F(LineStylesCommand, WrongValuesAreRefusedByName) {
   EXPECT_NE(error_of("--lines ''").find("--lines"), std::string::npos) << err_;
   EXPECT_NE(error_of("--lines outline=1,").find("--lines"), std::string::npos) << err_;
   EXPECT_EQ(run("draw box.draw -o box.ppm --lines outline=1mm"), 2);
-  EXPECT_NE(err_.find("expected --paper, or pixels"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("expected --paper, --size in mm, --dpi with .png, or pixels"),
+            std::string::npos)
+      << err_;
   EXPECT_EQ(run("check box.draw --golden . --lines outline=1"), 2);
   EXPECT_NE(err_.find("options of draw and dump"), std::string::npos) << err_;
 }

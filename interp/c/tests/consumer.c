@@ -311,7 +311,7 @@ static void test_meshes(void) {
   mesh.corners = kOutside;
   mesh.corner_count = 3;
   mesh.sides = NULL;
-  REFUSED(system, df_polygons(system, &mesh), "vertex 5 of 5");
+  REFUSED(system, df_polygons(system, &mesh), "corner 2: vertex 5: there are 5 vertices: expected 0 to 4");
   mesh.corners = kCorners;
   mesh.corner_count = 16;
   REFUSED(system, df_polygons(system, &mesh), "16 corners");

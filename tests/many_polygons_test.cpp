@@ -283,7 +283,11 @@ TEST(ManyPolygons, ErrorsEnterNothing) {
   const Indices corners{0, 1, 2, 1, 2, 3};
   expect_error([&] { g.polygons_abs_3({vertices, corners}); }, "no segment open");
   g.open_segment(1);
-  expect_error([&] { g.polygons_abs_3({vertices, Indices{0, 1, 2, 3, 0, 4}}); }, "vertex 4 of 4");
+  expect_error(
+      [&] {
+        g.polygons_abs_3({vertices, Indices{0, 1, 2, 3, 0, 4}});
+      },
+      "corner 5: vertex 4: there are 4 vertices: expected 0 to 3");
   expect_error([&] { g.polygons_abs_3({vertices, Indices{0, 1}}); }, "2 corners");
   expect_error([&] { g.polygons_abs_3({vertices, corners, Indices{4, 2}}); }, "polygon of 2 sides");
   expect_error(

@@ -53,7 +53,8 @@ struct Region {
   void add(Loop loop, bool is_hole, std::mt19937_64& random, bool any_direction) {
     area += (is_hole ? -1.0 : 1.0) * doubled_area(loop);
     if (any_direction ? random() % 2 == 0 : is_hole) std::ranges::reverse(loop);
-    std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(random() % loop.size()));
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(random() % loop.size()),
+                loop.end());
     loops.push_back(std::move(loop));
   }
 };
@@ -70,7 +71,7 @@ Region random_region(std::mt19937_64& random, bool any_direction) {
     if (random() % 2 == 0) continue;
     region.add(random_star(middle, 500.0, random), false, random, any_direction);
   }
-  std::ranges::shuffle(region.loops.begin() + (any_direction ? 1 : 0), region.loops.end(), random);
+  std::shuffle(region.loops.begin() + (any_direction ? 1 : 0), region.loops.end(), random);
   return region;
 }
 

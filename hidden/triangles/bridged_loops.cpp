@@ -114,6 +114,7 @@ void BridgedLoops::turn(std::span<const Point2> polygon) {
     areas.push_back(area);
   }
   std::vector<char> is_hole;  // of each, before any is turned
+  is_hole.reserve(first_corners.size());
   for (const std::uint32_t corner : first_corners) {
     is_hole.push_back(has_odd_around(polygon, corner) ? 1 : 0);
   }

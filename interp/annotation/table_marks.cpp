@@ -49,6 +49,7 @@ std::vector<std::string> in_lines(std::string_view text, double width) {
 /// In quotation marks, separated by `and`.
 std::string listed(const std::set<std::string>& names) {
   std::vector<std::string> quoted;
+  quoted.reserve(names.size());
   for (const std::string& name : names) quoted.push_back(in_quotation_marks(name));
   return fmt::format("{}", fmt::join(quoted, " and "));
 }

@@ -458,7 +458,7 @@ int DrawCommand::draw_each(const DrawOptions& drawing, NotInPicture& left_out) c
         const Outputs drawn = again ? placed(*again, k, there) : there;
         of_one.ids = drawn.ids.string();
         of_one.depth = drawn.depth.string();
-        const std::string text =
+        std::string text =
             draw_into(figures_[k], drawn.picture, of_one, again ? nullptr : &folders, left_out);
         if (again) differing[k] = differences(*again, there, drawn);
         return text;
@@ -502,7 +502,7 @@ std::string DrawCommand::draw_one(const DrawOptions& drawing, NotInPicture& left
   std::ostringstream unheard;
   std::optional<CollectedWarnings> collected;
   if (quiet) collected.emplace(unheard);
-  const std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
+  std::string text = draw_into(inputs, output, drawing, nullptr, left_out);
   left_out.warn(output);
   return text;
 }

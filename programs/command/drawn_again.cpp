@@ -25,8 +25,7 @@ fs::path new_folder() {
   if (error) throw Error("--check: there is no folder for temporary files: expected TMPDIR");
   std::random_device random;
   for (;;) {
-    const fs::path folder =
-        above / fmt::format("displayfile-check-{:08x}{:08x}", random(), random());
+    fs::path folder = above / fmt::format("displayfile-check-{:08x}{:08x}", random(), random());
     if (!fs::exists(folder)) return folder;
   }
 }

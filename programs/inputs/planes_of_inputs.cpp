@@ -17,7 +17,7 @@ namespace {
 /// The inputs that a plane met: those after the one that sets it.
 std::string inputs_met(std::span<const std::string> inputs) {
   if (inputs.empty()) return "what is entered after it";
-  const std::string first = input_name(inputs.front());
+  std::string first = input_name(inputs.front());
   if (inputs.size() == 1) return first;
   if (inputs.size() == 2) return first + " and " + input_name(inputs.back());
   return fmt::format("{} and {} other inputs", first, inputs.size() - 1);

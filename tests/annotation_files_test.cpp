@@ -309,7 +309,7 @@ TEST(AnnotationFiles, WhatIsCutOffIsNamedInEveryFormat) {
             expected);
 }
 
-/// Of a scene in another view too; of a turntable once.
+/// A scene in another view has the warning too; a turntable has it once.
 TEST(AnnotationFiles, WhatIsCutOffInAViewIsNamed) {
   GraphicsSystem g;
   g.retain();

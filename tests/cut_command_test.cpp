@@ -244,7 +244,7 @@ TEST_F(CutCommand, TheViewIsFittedToWhatIsLeft) {
         "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   write("ledge.draw", "set-cutting-plane 1 0 1 0 -1\nset-cut-faces closed\n");
   EXPECT_TRUE(drawn("ledge.draw step.obj") == drawn("upper.obj"));
-  // Of several meshes what is left; of one that is cut away nothing, unless all are.
+  // The remaining parts of several meshes are fitted; one that is cut away counts only if all are.
   EXPECT_TRUE(drawn("low.draw cube.obj high.obj") == drawn("cube.obj"));
   EXPECT_TRUE(drawn("low.draw high.obj cube.obj") == drawn("cube.obj"));
   EXPECT_EQ(run("draw low.draw high.obj -o a.ppm --size 64x64"), 0) << err_;

@@ -31,7 +31,7 @@ double volume(const std::vector<Facet>& facets) {
   return six / 6.0;
 }
 
-/// Of the facets, whichever way they face: a lid over a hole has one, and no volume.
+/// The facets' area, whichever way they face: a lid over a hole has one, and no volume.
 double area_of_facets(const std::vector<Facet>& facets) {
   double sum = 0.0;
   for (const auto& [a, b, c] : facets) {

@@ -188,7 +188,7 @@ TEST(FlushCuts, OfMeshesWithNormalsLeaveNoRags) {
   }
 }
 
-/// Of shapes, and of solids; turned as the place is.
+/// A cut in the plane of a face, of shapes and of solids, turned as the place is.
 TEST(FlushCuts, OfShapesLeaveNoRags) {
   const auto enter = [](GraphicsSystem& g, bool combined) {
     g.rotate_x_3(-90);
@@ -235,6 +235,17 @@ TEST(FlushCuts, PolygonsInThePlaneStay) {
   }
 }
 
+/// The area of what a cut leaves of a mesh, with open faces.
+double area_left(const Mesh& mesh, const Expected& expected, bool mirrored) {
+  RetainedScene scene;
+  GraphicsSystem g;
+  g.retain(&scene);
+  cut_at(g, {}, expected.level, expected.kept);
+  if (mirrored) g.scale_3(-1, 1, 1);
+  enter_mesh(mesh, g, 1);
+  return sum(areas(entered(scene)));
+}
+
 /// A mesh that is inside out is solid, too.
 TEST(FlushCuts, OfMeshesInsideOutLeaveNoRags) {
   for (const bool with_normals : {false, true}) {
@@ -244,12 +255,7 @@ TEST(FlushCuts, OfMeshesInsideOutLeaveNoRags) {
     }
     if (with_normals) complete_normals(mesh, 20);
     for (const Expected& expected : kExpected) {
-      RetainedScene scene;
-      GraphicsSystem g;
-      g.retain(&scene);
-      cut_at(g, {}, expected.level, expected.kept);
-      enter_mesh(mesh, g, 1);
-      EXPECT_NEAR(sum(areas(entered(scene))), expected.open_area, kNear);
+      EXPECT_NEAR(area_left(mesh, expected, false), expected.open_area, kNear);
     }
   }
 }
@@ -260,13 +266,7 @@ TEST(FlushCuts, OfMirroredMeshesLeaveNoRags) {
     Mesh mesh = step({});
     if (with_normals) complete_normals(mesh, 20);
     for (const Expected& expected : kExpected) {
-      RetainedScene scene;
-      GraphicsSystem g;
-      g.retain(&scene);
-      cut_at(g, {}, expected.level, expected.kept);
-      g.scale_3(-1, 1, 1);
-      enter_mesh(mesh, g, 1);
-      EXPECT_NEAR(sum(areas(entered(scene))), expected.open_area, kNear);
+      EXPECT_NEAR(area_left(mesh, expected, true), expected.open_area, kNear);
     }
   }
 }

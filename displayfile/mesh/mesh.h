@@ -101,7 +101,7 @@ struct Mesh {
   static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFu;
 
   struct Object {
-    std::string name;
+    std::string name;  ///< from read_mesh its own, or that of the file
     std::size_t first_face, faces;
   };
   /// The material of faces, as far as it is drawn.

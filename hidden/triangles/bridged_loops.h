@@ -23,7 +23,7 @@ class BridgedLoops {
   /// others is around it.
   void turn(std::span<const Point2> polygon);
 
-  /// Of each corner the one that follows in its loop; kInNoLoop where a bridge ends.
+  /// For each corner the one that follows in its loop; kInNoLoop where a bridge ends.
   std::span<const std::uint32_t> next() const { return next_; }
   /// True if turn reversed a loop.
   bool any_turned() const { return any_turned_; }

@@ -33,7 +33,7 @@ struct PageAnnotation {
   /// How far beyond the circle the number of a radius or a diameter stands, from the second point,
   /// or, below 0, from the first point of a diameter. None: where it has room beside the circle.
   std::optional<double> number_beyond = std::nullopt;
-  /// Of a title: how much smaller than usual it is; an index of kTitleHeights.
+  /// The height of a title, as an index of kTitleHeights: 0 is the usual one.
   std::size_t title_reduced = 0;
   bool has_place = true;  ///< false: placed automatically, and there was no room
 

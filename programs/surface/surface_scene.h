@@ -22,9 +22,10 @@ struct SurfaceLook {
   int contours = 0;       ///< levels of lines at the base
   bool axes = true, box = true;
   std::array<std::string, 3> names{"x", "y", "z"};
-  /// Of all lines, in pixels; 0: that of curves depends on their number, others are fixed.
+  /// The width of all lines, in pixels; 0: that of curves depends on their number, others are
+  /// fixed.
   double line_width = 0.0;
-  /// Of the em of all letters, in parts of the picture's height; none: in proportion.
+  /// The size of the font (the em), in parts of the picture's height; none: in proportion.
   std::optional<double> letter_height;
 };
 

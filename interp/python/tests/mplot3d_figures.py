@@ -305,15 +305,19 @@ def contours_on_a_wall(fig: Any, fine: int) -> None:
     ax.set_zlim(-1.5, 1)
 
 
+def contours_on_walls(ax: Any, x: Any, y: Any, z: Any) -> None:
+    for wall, offset in (("z", -1.5), ("x", -3), ("y", 3)):
+        ax.contourf(x, y, z, zdir=wall, offset=offset, levels=8, cmap="coolwarm")
+    ax.set(xlim=(-3, 3), ylim=(-3, 3), zlim=(-1.5, 1.2))
+
+
 @listed
 def filled_contours_on_walls(fig: Any, fine: int) -> None:
     x, y = grid(14 * fine)
     z = np.sin(x) * np.cos(y)
     ax = axes(fig, 30, -45)
     surface(ax, x, y, z, color="royalblue", linewidth=0)
-    for wall, offset in (("z", -1.5), ("x", -3), ("y", 3)):
-        ax.contourf(x, y, z, zdir=wall, offset=offset, levels=8, cmap="coolwarm")
-    ax.set(xlim=(-3, 3), ylim=(-3, 3), zlim=(-1.5, 1.2))
+    contours_on_walls(ax, x, y, z)
 
 
 @listed
@@ -323,9 +327,7 @@ def patches_between_filled_contours(fig: Any, fine: int) -> None:
     z = np.sin(x) * np.cos(y)
     ax = axes(fig, 30, -60)
     ax.plot_surface(x, y, z, rstride=4, cstride=4, edgecolor="royalblue", lw=0.5, alpha=0.3)
-    for wall, offset in (("z", -1.5), ("x", -3), ("y", 3)):
-        ax.contourf(x, y, z, zdir=wall, offset=offset, levels=8, cmap="coolwarm")
-    ax.set(xlim=(-3, 3), ylim=(-3, 3), zlim=(-1.5, 1.2))
+    contours_on_walls(ax, x, y, z)
 
 
 @listed

@@ -15,6 +15,7 @@
 #include "interp/files/ppm_file.h"
 #include "interp/opengl/osmesa.h"
 #include "interp/vector/pdf_device.h"
+#include "interp/vector/pdf_layers.h"
 #include "interp/vector/pens/pen_files.h"
 #include "interp/vector/svg_device.h"
 
@@ -37,12 +38,12 @@ constexpr std::array kFormats{
                   nullptr,
                   write_svg,
                   write_pens_svg,
-                  {.ids = true, .layers = true}},
+                  {.ids = true, .layers = true, .pen_layers = [] { return true; }}},
     PictureFormat{{".pdf", "vectors for print"},
                   nullptr,
                   write_pdf,
                   write_pens_pdf,
-                  {.layers = true, .points = true}},
+                  {.layers = true, .points = true, .pen_layers = has_pdf_layers}},
     PictureFormat{
         {".eps", "vectors to embed in documents"}, nullptr, write_eps, nullptr, {.points = true}},
 };

@@ -27,7 +27,8 @@ struct PictureFormat {
   /// Capabilities beyond the drawing itself.
   struct Extras {
     bool density = false, alpha = false, ids = false, layers = false;
-    bool points = false;  ///< without paper a pixel is a point: 1/72 inch
+    bool points = false;             ///< without paper a pixel is a point: 1/72 inch
+    bool (*pen_layers)() = nullptr;  ///< true where drawings for pens have layers in an order
   };
   Choice choice;
   std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Alpha, Density);
@@ -43,6 +44,7 @@ struct PictureFormat {
   bool has_density() const { return extras.density; }
   bool has_ids() const { return extras.ids; }
   bool has_layers() const { return extras.layers; }
+  bool has_pen_layers() const { return extras.pen_layers && extras.pen_layers(); }
   bool can_be_transparent() const { return extras.alpha || write_vectors != nullptr; }
 };
 

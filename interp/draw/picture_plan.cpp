@@ -11,7 +11,6 @@
 #include "interp/draw/picture_checks.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
-#include "interp/vector/pdf_layers.h"
 
 namespace displayfile {
 
@@ -93,11 +92,8 @@ void require_names(const Destination& to, const PictureFormat& format, const Dra
                             what, names_of_formats(which, " or ")));
   };
   const VectorOptions& vectors = options.vectors;
-  const bool orders_layers = options.pens && !options.pens->layers.empty();
-  if (orders_layers && format.choice.name == ".pdf" && !has_pdf_layers()) {
-    throw Error(fmt::format(
-        "{}: layers of pens in an order: the layers of a PDF need QPDF: expected .svg, or no order",
-        to.name()));
+  if (options.pens && !options.pens->layers.empty() && !format.has_pen_layers()) {
+    refuse("layers of pens", &PictureFormat::has_pen_layers);
   }
   if (!vectors.id_prefix.empty() && !format.has_ids()) {
     refuse("ids, which a prefix could be of", &PictureFormat::has_ids);

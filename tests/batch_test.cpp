@@ -55,6 +55,14 @@ TEST_F(Batch, DrawsAPictureOfEachInput) {
   }
 }
 
+/// Annotation that is cut off is that of one picture: its file is named, not the pattern.
+TEST_F(Batch, WarningsOfAnnotationNameThePicture) {
+  write("cut.draw", kRed + "open-segment 2\nleader-3 0.4 0.4 0 \"Far\" 400 0\nclose-segment\n");
+  ASSERT_EQ(run("draw green.draw cut.draw -o '{name}.png' --size 40x30"), 0) << err_;
+  EXPECT_NE(err_.find("cut.png: annotation reaches beyond the picture"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("{name}"), std::string::npos) << err_;
+}
+
 TEST_F(Batch, FieldsAreTheInputsFolderNameExtensionAndPlace) {
   const std::string inputs = " --size 40x30 a/house.draw b/house.draw a/deep/house.draw ";
   EXPECT_EQ(run("draw" + inputs + "-o '{folder}/{name}.png'"), 0) << err_;

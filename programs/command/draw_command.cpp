@@ -345,7 +345,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
     drawing_took = watch.lap();
   }
   left_out.note(system, plan);
-  left_out.note(warned);
+  left_out.note(warned, file.string());
   if (!entered.warn_if_nothing_is_seen(warned) && plan.options.pens &&
       pens_draw_nothing(sorted.display_file(), plan.options)) {
     warn_that_pens_draw_nothing(file.string(), plan.options);

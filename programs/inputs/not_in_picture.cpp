@@ -48,12 +48,13 @@ void NotInPicture::note(const GraphicsSystem& system, const PicturePlan& plan) {
   if (options.vectors.pick_ids && !by_map) add(kPickIds);
 }
 
-void NotInPicture::note(const std::vector<DrawWarning>& warned) {
+void NotInPicture::note(const std::vector<DrawWarning>& warned, const std::string& picture) {
   for (const DrawWarning& warning : warned) {
     if (warning.kind == DrawWarning::Kind::hidden_lines) add(kHiddenLines);
-    if (warning.kind != DrawWarning::Kind::no_effect &&
-        warning.kind != DrawWarning::Kind::annotation)
-      continue;
+    if (warning.kind == DrawWarning::Kind::annotation) {
+      warnings() << fmt::format("{}: {}\n", picture, warning.text);
+    }
+    if (warning.kind != DrawWarning::Kind::no_effect) continue;
     const std::lock_guard lock(adding_);
     no_effect_.insert(warning.text);
   }

@@ -18,8 +18,9 @@ class NotInPicture {
   /// the map's, which is drawn for methods of image space too. Several threads may call it at a
   /// time.
   void note(const GraphicsSystem& system, const PicturePlan& plan);
-  /// Notes the warnings of drawing.
-  void note(const std::vector<DrawWarning>& warned);
+  /// Notes the warnings of drawing a picture. Those of annotation, which hold for that picture
+  /// alone, are given at once, with its name.
+  void note(const std::vector<DrawWarning>& warned, const std::string& picture);
   /// Warns, with the output's name as given, if something was left out
   /// (programs/process/warnings.h).
   void warn(const std::string& output) const;

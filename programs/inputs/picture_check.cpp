@@ -103,8 +103,9 @@ Picture PictureCheck::picture_of(const Figure& figure, const DrawOptions& option
   Picture picture = draw(entered.system(), drawing);
   NotInPicture left_out;
   left_out.note(entered.system(), entered.plan());
-  left_out.note(warned);
-  left_out.warn(input_name(figure.back()));
+  const std::string name = input_name(figure.back());
+  left_out.note(warned, name);
+  left_out.warn(name);
   entered.warn_if_nothing_is_seen(warned);
   return picture;
 }

@@ -449,7 +449,7 @@ TEST_F(StandardOutput, FormatIsAskedForWhateverTheNameEndsIn) {
   EXPECT_EQ(read(folder_ / "picture.tmp"), read(folder_ / "picture.png"));
   EXPECT_EQ(run("draw red.draw green.draw -o '{name}' --format svg"), 0) << err_;
   EXPECT_EQ(read(folder_ / "green").substr(0, 5), "<?xml");
-  expect_error("draw red.draw -o - --format gif", "expected one of .png .ppm .svg .pdf .eps");
+  expect_error("draw red.draw -o - --format gif", "expected one of .png .ppm .svg .pdf .eps .dxf");
   expect_error("draw red.draw -o - --format svg --device osmesa", "the osmesa device draws pixels");
   expect_error("draw red.draw -o - --turntable 3", "expected a file name, not -");
   expect_error("draw red.draw -o x.png --ids - --turntable 3", "expected a file name, not -");

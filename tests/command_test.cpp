@@ -492,7 +492,7 @@ TEST_F(Command, HelpNamesEveryFormatAndDevice) {
     EXPECT_NE(help.find(std::string(device.name) + " ("), help.npos) << device.name;
   }
   write("t.draw", kTriangle);
-  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf .eps");
+  expect_error("draw t.draw -o x.gif", "expected one of .png .ppm .svg .pdf .eps .dxf");
   expect_error("draw t.draw -o x.png --device plotter", "expected software or osmesa");
   expect_error("draw t.draw -o x.svg --device osmesa", "expected .png or .ppm");
 }

@@ -361,7 +361,7 @@ TEST_F(PaperCommand, FieldsAreForCommandsThatDrawMany) {
         "steps plate.draw --hidden franklin -o '{number}.json'"}) {
     expect_error(command, "this command writes one file: expected a name without fields");
   }
-  expect_error("draw box.obj -o a.dxf", "or displayfile sheet, which writes .dxf");
+  expect_error("draw box.obj -o a.dxf", ".dxf files are lines for pens: expected pens, or one of");
   EXPECT_EQ(run("sheet box.obj -o a.svg --unit inch"), 0) << err_;
   EXPECT_EQ(run("sheet box.obj -o b.svg --unit in"), 0) << err_;
   EXPECT_EQ(read(folder_ / "a.svg"), read(folder_ / "b.svg"));

@@ -240,7 +240,7 @@ DF_API int df_draw(df_system* system, const df_options* options, size_t pixels, 
 /** Draws into a file in memory.
  * @param system the system
  * @param options null: none
- * @param format "svg", "pdf", "eps", "png" or "ppm"
+ * @param format "svg", "pdf", "eps", "png" or "ppm", or with pens "dxf"
  * @param bytes gets the address of the file's bytes
  * @param length gets their number
  * @return as df_draw(), and DF_ERROR for an unknown format */

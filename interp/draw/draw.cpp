@@ -12,8 +12,7 @@
 namespace displayfile {
 
 PictureKind picture_kind(const Destination& to, const DrawOptions& options) {
-  return format_of(to, options).write_vectors != nullptr ? PictureKind::vector
-                                                         : PictureKind::raster;
+  return !format_of(to, options).is_of_pixels() ? PictureKind::vector : PictureKind::raster;
 }
 
 HiddenMethod drawing_method(const GraphicsSystem& system, const DrawOptions& options,

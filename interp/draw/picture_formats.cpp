@@ -46,6 +46,11 @@ constexpr std::array kFormats{
                   {.layers = true, .points = true, .pen_layers = has_pdf_layers}},
     PictureFormat{
         {".eps", "vectors to embed in documents"}, nullptr, write_eps, nullptr, {.points = true}},
+    PictureFormat{{".dxf", "lines for plotters and laser cutters"},
+                  nullptr,
+                  nullptr,
+                  write_pens_dxf,
+                  {.pen_layers = [] { return true; }}},
 };
 
 /// The requested rows of a picture from a device that draws whole pictures only.
@@ -116,9 +121,8 @@ const PictureFormat& format_named(const std::string& extension, const std::strin
   for (const PictureFormat& format : kFormats) {
     if (format.choice.name == name) return format;
   }
-  const char* const beside = name == ".dxf" ? ", or displayfile sheet, which writes .dxf" : "";
-  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}{}", whose, extension,
-                          meant_by(kFormats, name), names(kFormats, " ", kAny), beside));
+  throw Error(fmt::format("{}unknown picture format '{}':{} expected one of {}", whose, extension,
+                          meant_by(kFormats, name), names(kFormats, " ", kAny)));
 }
 
 const PictureFormat& format_of(const Destination& to, const DrawOptions& options) {

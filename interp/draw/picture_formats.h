@@ -32,20 +32,22 @@ struct PictureFormat {
   };
   Choice choice;
   std::unique_ptr<RowFile> (*pixel_file)(const Destination&, int width, int height, Alpha, Density);
+  /// Null for pixels, and for formats of pens alone.
   void (*write_vectors)(const DisplayFile&, int width, int height, const Destination&,
                         const Background&, bool colour_rule, const VectorOptions&);
   void (*write_pens)(const PenDrawing&, const Destination&, const VectorOptions&) = nullptr;
   Extras extras = {};
 
   bool is_of_pixels() const { return pixel_file != nullptr; }
-  bool is_for_paper() const { return write_vectors != nullptr; }
+  bool is_for_paper() const { return pixel_file == nullptr; }
+  bool is_for_areas() const { return pixel_file != nullptr || write_vectors != nullptr; }
   bool is_for_pens() const { return write_pens != nullptr; }
   bool has_points() const { return extras.points; }
   bool has_density() const { return extras.density; }
   bool has_ids() const { return extras.ids; }
   bool has_layers() const { return extras.layers; }
   bool has_pen_layers() const { return extras.pen_layers && extras.pen_layers(); }
-  bool can_be_transparent() const { return extras.alpha || write_vectors != nullptr; }
+  bool can_be_transparent() const { return extras.alpha || pixel_file == nullptr; }
 };
 
 /// The format for an extension, in either case, with or without its dot. Throws Error if there is

@@ -73,6 +73,11 @@ void require_paper_and_pens(const Destination& to, const PictureFormat& format,
                             format.choice.name,
                             names_of_formats(&PictureFormat::is_for_pens, " ")));
   }
+  if (!options.pens && !format.is_for_areas()) {
+    throw Error(fmt::format("{}: {} files are lines for pens: expected pens, or one of {}",
+                            to.name(), format.choice.name,
+                            names_of_formats(&PictureFormat::is_for_areas, " ")));
+  }
   if (!options.vectors.paper && !options.pens) return;
   if (!format.is_for_paper() && !options.dpi) {
     const bool needs_dpi = format.has_density();

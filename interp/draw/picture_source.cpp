@@ -215,7 +215,7 @@ void write_picture(const PictureSource& source, const RasterRequest& request,
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->finish();
   }
-  if (format.write_vectors != nullptr) source.write_vectors(format, to, request);
+  if (!format.is_of_pixels()) source.write_vectors(format, to, request);
   for (const auto* written : {&files, &colours}) {
     for (const auto& pixel_file : *written) pixel_file->commit();
   }

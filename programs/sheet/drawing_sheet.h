@@ -98,6 +98,5 @@ void require_sheet_file(const std::string& file, const std::string& font);
 void write_sheet_svg(const DrawingSheet& sheet, const std::string& file);
 void write_sheet_pdf(const DrawingSheet& sheet, const std::string& file);
 void write_sheet_dxf(const DrawingSheet& sheet, const std::string& file);
-extern const bool kWritesDxf;  ///< dxflib was found when this was built
 
 }  // namespace displayfile

@@ -11,6 +11,7 @@
 #include "clip/base/files.h"
 #include "interp/text/hershey_font.h"
 #include "interp/text/letter_paths.h"
+#include "interp/vector/dxf/dxf_drawing.h"
 #include "programs/options/vector_words.h"
 #include "programs/process/warnings.h"
 #include "programs/sheet/drawing_sheet.h"

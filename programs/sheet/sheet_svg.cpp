@@ -10,8 +10,8 @@
 #include "displayfile/text/output_file.h"
 #include "interp/vector/escaped_xml.h"
 #include "interp/vector/file_key.h"
+#include "interp/vector/sheet_number.h"
 #include "programs/sheet/drawing_sheet.h"
-#include "programs/sheet/sheet_number.h"
 
 namespace displayfile {
 

@@ -8,7 +8,7 @@ import typing
 
 from ._displayfile import Error
 
-_TEXTS = ("svg", "eps")
+_TEXTS = ("svg", "eps", "dxf")
 
 
 def is_open_file(to: typing.Any) -> bool:

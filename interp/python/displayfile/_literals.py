@@ -33,7 +33,7 @@ Method = typing.Literal[
     "plain-appel",
     "colour-rule",
 ]
-Format = typing.Literal["png", "ppm", "svg", "pdf", "eps"]
+Format = typing.Literal["png", "ppm", "svg", "pdf", "eps", "dxf"]
 HiddenLines = typing.Literal["none", "dashed"]
 LineOrder = typing.Literal["entry", "depth"]
 Scope = typing.Literal["segment", "all"]

@@ -59,7 +59,8 @@ class Turntable:
         Parameters
         ----------
         path : path_like
-            The file name without the number; it ends in .svg, .pdf, .eps, .png or .ppm.
+            The file name without the number; it ends in .svg, .pdf, .eps, .png or .ppm, or
+            with pens in .dxf.
         views : (int, int), optional
             (first, end): only these; default: all.
 

@@ -40,6 +40,12 @@ def test_pictures_are_written_to_open_files(cube, tmp_path):
         cube.save(tmp_path / f"a.{format}", 40)
         written = (tmp_path / f"a.{format}").read_bytes()
         assert file.getvalue() == written or format == "pdf" and len(file.getvalue()) == len(written)
+    drawn_by_a_pen = io.BytesIO()
+    cube.save(drawn_by_a_pen, 40, format="dxf", pens=True)
+    cube.save(tmp_path / "a.dxf", 40, pens=True)
+    assert drawn_by_a_pen.getvalue() == (tmp_path / "a.dxf").read_bytes()
+    with pytest.raises(Error, match="lines for pens"):
+        cube.save(tmp_path / "a.dxf", 40)
     by_default = io.BytesIO()
     cube.save(by_default, 40)
     assert by_default.getvalue() == cube.png(40)

@@ -21,6 +21,12 @@ void write_pens_svg(const PenDrawing& drawing, const Destination& to,
 void write_pens_pdf(const PenDrawing& drawing, const Destination& to,
                     const VectorOptions& options = {});
 
+/// The same as DXF, in millimetres: a layer for each pen, with the same names, its colour, and the
+/// nearest width that the format has; a path is a polyline, a line or a point. The colour black is
+/// black or white, as the reader's ground needs. Also throws Error without dxflib.
+void write_pens_dxf(const PenDrawing& drawing, const Destination& to,
+                    const VectorOptions& options = {});
+
 /// The name of the layer of a pen, the first of which is number 1: "1 #ff0000 0.5 mm".
 std::string name_of_layer(std::size_t number, const PenLayer& layer);
 /// The colour of a layer's pen: "#ff0000".

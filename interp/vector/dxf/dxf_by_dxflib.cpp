@@ -3,17 +3,21 @@
 #include <dxflib/dl_dxf.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "programs/sheet/dash_pieces.h"
-#include "programs/sheet/drawing_sheet.h"
-#include "programs/sheet/dxf_module.h"
-#include "programs/sheet/round_outlines.h"
-#include "programs/sheet/sheet_number.h"
+#include "interp/vector/dxf/dxf_drawing.h"
+#include "interp/vector/dxf/dxf_module.h"
+#include "interp/vector/sheet_number.h"
 
 namespace displayfile {
 
@@ -60,15 +64,46 @@ std::string in_ascii(const std::string& utf8) {
   return out;
 }
 
-/// The value of group 72 of texts: 0 left, 1 centre, 2 right.
+/// The value of group 72 of texts.
 int justification_of(TextStyle::Alignment alignment) {
-  return static_cast<int>(2.0 * before_anchor(alignment));
+  if (alignment == TextStyle::Alignment::left) return 0;
+  return alignment == TextStyle::Alignment::centre ? 1 : 2;
 }
 
-std::string line_type_of(const SheetPen& pen) { return std::string(pen.dxf_line_type); }
+/// The nearest of the widths that the format has, in hundredths of a millimetre.
+int line_weight(double width) {
+  constexpr std::array kWeights{0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
+                                53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
+  const auto off = [&](int weight) { return std::abs(width * 100.0 - weight); };
+  return *std::ranges::min_element(kWeights, {}, off);
+}
 
-/// Hundredths of a millimetre.
-int line_weight(const SheetPen& pen) { return static_cast<int>(std::lround(pen.width * 100.0)); }
+/// The colours that all programs draw alike, by their numbers from 1 on; 7 is black on a white
+/// ground, white on a black one.
+constexpr std::array<std::uint32_t, 9> kIndexed{0xff0000, 0xffff00, 0x00ff00, 0x00ffff, 0x0000ff,
+                                                0xff00ff, 0x000000, 0x808080, 0xc0c0c0};
+constexpr int kBlackOrWhite = 7;
+
+/// The number of the nearest colour, for programs that read no others.
+int colour_number(std::uint32_t colour) {
+  const auto off = [&](std::uint32_t other) {
+    int sum = 0;
+    for (const int shift : {0, 8, 16}) {
+      const int difference =
+          static_cast<int>(colour >> shift & 0xff) - static_cast<int>(other >> shift & 0xff);
+      sum += difference * difference;
+    }
+    return sum;
+  };
+  return static_cast<int>(std::ranges::min_element(kIndexed, {}, off) - kIndexed.begin()) + 1;
+}
+
+DL_Attributes attributes_of(const DxfDrawing::Layer& layer) {
+  const int weight = line_weight(layer.width);
+  if (!layer.colour) return {"", kBlackOrWhite, weight, layer.line_type, 1.0};
+  return {"", colour_number(*layer.colour), static_cast<int>(*layer.colour), weight,
+          layer.line_type};
+}
 
 /// Numbers of as many digits as sheets have; dxflib writes 17 of each.
 class SheetWriter : public DL_WriterA {
@@ -77,7 +112,7 @@ class SheetWriter : public DL_WriterA {
   void dxfReal(int group, double value) const override { dxfString(group, sheet_number(value)); }
 };
 
-void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
+void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DxfDrawing& drawing) {
   dxf.writeHeader(out);
   const auto variable = [&](const char* name) { out.dxfString(9, name); };
   variable("$INSUNITS");
@@ -89,7 +124,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   variable("$EXTMIN");
   out.coord(10, 0.0, 0.0, 0.0);
   variable("$EXTMAX");
-  out.coord(10, sheet.width, sheet.height, 0.0);
+  out.coord(10, drawing.width, drawing.height, 0.0);
   out.sectionEnd();
   out.sectionTables();
   dxf.writeVPort(out);
@@ -97,26 +132,19 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   dxf.writeLinetype(out, DL_LinetypeData("BYBLOCK", "BYBLOCK", 0, 0, 0.0));
   dxf.writeLinetype(out, DL_LinetypeData("BYLAYER", "BYLAYER", 0, 0, 0.0));
   dxf.writeLinetype(out, DL_LinetypeData("CONTINUOUS", "Continuous", 0, 0, 0.0));
-  for (const SheetPen& pen : sheet_pens()) {
-    if (pen.dashes.empty()) continue;
-    std::vector<double> pattern;
-    double length = 0.0;
-    for (std::size_t k = 0; k < pen.dashes.size(); ++k) {
-      pattern.push_back(k % 2 == 0 ? pen.dashes[k] : -pen.dashes[k]);
-      length += pen.dashes[k];
-    }
-    const std::string name = line_type_of(pen);
+  for (const auto& [name, dashes] : drawing.line_types) {
+    std::vector<double> pattern = dashes;
+    for (std::size_t k = 1; k < pattern.size(); k += 2) pattern[k] = -pattern[k];
+    const double length = std::accumulate(dashes.begin(), dashes.end(), 0.0);
     dxf.writeLinetype(out, DL_LinetypeData(name, name, 0, static_cast<int>(pattern.size()), length,
                                            pattern.data()));
   }
   out.tableEnd();
-  out.tableLayers(static_cast<int>(sheet_pens().size()) + 1);
-  constexpr int kBlackOrWhite = 7;
+  out.tableLayers(static_cast<int>(drawing.layers.size()) + 1);
   dxf.writeLayer(out, DL_LayerData("0", 0),
                  DL_Attributes("", kBlackOrWhite, 25, "CONTINUOUS", 1.0));
-  for (const SheetPen& pen : sheet_pens()) {
-    dxf.writeLayer(out, DL_LayerData(std::string(pen.name), 0),
-                   DL_Attributes("", kBlackOrWhite, line_weight(pen), line_type_of(pen), 1.0));
+  for (const DxfDrawing::Layer& layer : drawing.layers) {
+    dxf.writeLayer(out, DL_LayerData(layer.name, 0), attributes_of(layer));
   }
   out.tableEnd();
   out.tableStyle(1);
@@ -141,7 +169,7 @@ void write_tables(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   out.sectionEnd();
 }
 
-void write_arc(DL_Dxf& dxf, DL_WriterA& out, const OutlineArc& arc,
+void write_arc(DL_Dxf& dxf, DL_WriterA& out, const DxfDrawing::Arc& arc,
                const DL_Attributes& attributes) {
   const Point2& centre = arc.centre;
   if (arc.whole) {
@@ -150,38 +178,31 @@ void write_arc(DL_Dxf& dxf, DL_WriterA& out, const OutlineArc& arc,
   dxf.writeArc(out, DL_ArcData(centre.x, centre.y, 0.0, arc.radius, arc.from, arc.to), attributes);
 }
 
-void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
-  constexpr int kByLayer = 256, kWidthByLayer = -1;
-  const auto on = [](SheetLayer layer, const char* line_type = "BYLAYER") {
-    return DL_Attributes(std::string(pen_of(layer).name), kByLayer, kWidthByLayer, line_type, 1.0);
-  };
-  const auto write = [&](const OutlinePiece& piece, const DL_Attributes& attributes) {
-    const std::vector<Point2>& points = piece.points;
-    if (piece.arc) return write_arc(dxf, out, *piece.arc, attributes);
-    if (points.size() == 2) {
-      const Point2 &a = points[0], &b = points[1];
-      return dxf.writeLine(out, DL_LineData(a.x, a.y, 0.0, b.x, b.y, 0.0), attributes);
-    }
-    const DL_PolylineData data(static_cast<int>(points.size()), 0, 0, piece.closed ? 1 : 0);
-    dxf.writePolyline(out, data, attributes);
-    for (const Point2& p : points) dxf.writeVertex(out, DL_VertexData(p.x, p.y, 0.0, 0.0));
-    dxf.writePolylineEnd(out);
-  };
-  for (const auto& line : sheet.lines) {
-    const std::vector<double>& dashes = pen_of(line.layer).dashes;
-    for (const OutlinePiece& piece : round_pieces(line.points, line.closed)) {
-      if (piece.arc || piece.points.size() == 2 || dashes.empty()) {
-        write(piece, on(line.layer));
-        continue;
-      }
-      // Programs begin the dashes of a line type anew at each vertex, and of a curve's short sides
-      // nothing would be left out.
-      for (const auto& dash : dash_pieces(piece.points, piece.closed, dashes)) {
-        write({dash}, on(line.layer, "CONTINUOUS"));
-      }
-    }
+void write_piece(DL_Dxf& dxf, DL_WriterA& out, const DxfDrawing::Piece& piece,
+                 const DL_Attributes& attributes) {
+  const std::vector<Point2>& points = piece.points;
+  if (piece.arc) return write_arc(dxf, out, *piece.arc, attributes);
+  const Point2& a = points.front();
+  if (points.size() == 1) return dxf.writePoint(out, DL_PointData(a.x, a.y, 0.0), attributes);
+  if (points.size() == 2) {
+    const Point2& b = points.back();
+    return dxf.writeLine(out, DL_LineData(a.x, a.y, 0.0, b.x, b.y, 0.0), attributes);
   }
-  for (const auto& text : sheet.texts) {
+  const DL_PolylineData data(static_cast<int>(points.size()), 0, 0, piece.closed ? 1 : 0);
+  dxf.writePolyline(out, data, attributes);
+  for (const Point2& p : points) dxf.writeVertex(out, DL_VertexData(p.x, p.y, 0.0, 0.0));
+  dxf.writePolylineEnd(out);
+}
+
+void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DxfDrawing& drawing) {
+  constexpr int kByLayer = 256, kWidthByLayer = -1;
+  const auto on = [&](std::uint32_t layer, const char* line_type = "BYLAYER") {
+    return DL_Attributes(drawing.layers[layer].name, kByLayer, kWidthByLayer, line_type, 1.0);
+  };
+  for (const DxfDrawing::Piece& piece : drawing.pieces) {
+    write_piece(dxf, out, piece, on(piece.layer, piece.solid ? "CONTINUOUS" : "BYLAYER"));
+  }
+  for (const DxfDrawing::Text& text : drawing.texts) {
     dxf.writeText(
         out,
         DL_TextData(text.at.x, text.at.y, 0.0, text.at.x, text.at.y, 0.0, text.height, 1.0, 0,
@@ -191,13 +212,13 @@ void write_entities(DL_Dxf& dxf, DL_WriterA& out, const DrawingSheet& sheet) {
   }
 }
 
-void write(const DrawingSheet& sheet, const std::string& path) {
+void write(const DxfDrawing& drawing, const std::string& path) {
   DL_Dxf dxf;
   SheetWriter out(path.c_str(), DL_Codes::AC1015);
   if (out.openFailed()) throw std::runtime_error("dxflib cannot write the DXF");
-  write_tables(dxf, out, sheet);
+  write_tables(dxf, out, drawing);
   out.sectionEntities();
-  write_entities(dxf, out, sheet);
+  write_entities(dxf, out, drawing);
   out.sectionEnd();
   dxf.writeObjects(out);
   dxf.writeObjectsEnd(out);

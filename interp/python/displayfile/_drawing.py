@@ -445,8 +445,8 @@ class Drawing(_displayfile.System):
         ----------
         path : path_like or file
             The file; its name ends in .svg, .pdf, .eps, .png or .ppm, or with pens in .dxf. "-" is
-            an Error, not standard output. Or an open file, such as io.BytesIO(), to which the whole picture is written:
-            its format is set, or that of its name, or "png".
+            an Error, not standard output. Or an open file, such as io.BytesIO(), to which the whole
+            picture is written: its format is set, or that of its name, or "png".
         size : int, (int, int) or str, optional
             (width, height) in pixels, for PDF and EPS in points; or one number for both; or
             millimetres, such as "80x60mm", which a PNG has with dpi. Default: 512; on paper its

@@ -72,6 +72,26 @@ TEST_F(ExplodeCommand, PartsAreMovedAlongAnAxisInTheirOrder) {
   EXPECT_EQ(err_, "");
 }
 
+/// Planes cut the parts where they are assembled, and move with them; trace lines are not cut.
+TEST_F(ExplodeCommand, CutPartsAreMovedAsTheyAreCut) {
+  const std::string parts = segment(1, 10, 30, 0, 10) + segment(2, 10, 30, 10, 20);
+  const std::string plane = "set-window 0 100 0 100\nset-line-style none\nset-cutting-plane 1 ";
+  write("right.draw", plane + "1 0 0 -20\n" + parts);
+  EXPECT_EQ(fills("right.draw --explode x=1"),
+            (std::vector<std::string>{"M20 90l0 10 10 0 0-10Z", "M40 80l0 10 10 0 0-10Z"}));
+  EXPECT_EQ(fills("right.draw --explode -x=1"),
+            (std::vector<std::string>{"M20 90l0 10 10 0 0-10Z", "M0 80l0 10 10 0 0-10Z"}));
+  EXPECT_GT(strokes(), 1);
+  write("low.draw", plane + "0 -1 0 15\n" + parts);
+  EXPECT_EQ(fills("low.draw --explode y=2"),
+            (std::vector<std::string>{"M10 90l0 10 20 0 0-10Z", "M30 70l-20 0 0 5 20 0Z"}));
+  // A plane that is set within a segment moves with it too.
+  write("later.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 30, 0, 10) +
+                          "open-segment 2\nset-cutting-plane 1 0 -1 0 15\n" +
+                          rectangle(10, 30, 10, 20) + "close-segment\n");
+  EXPECT_EQ(fills("later.draw --explode y=2").at(1), "M30 70l-20 0 0 5 20 0Z");
+}
+
 /// A part that is farther away keeps its distance from the one before it, and the gap is added.
 TEST_F(ExplodeCommand, DistancesStay) {
   write("apart.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 0, 10, 0, 10) +

@@ -44,8 +44,13 @@ void CuttingPlanes::set(int n, double a, double b, double c, double d) {
   }
   const auto k = static_cast<std::size_t>(n - 1);
   const Point3 normal(scaled(a), scaled(b), scaled(c));
-  planes_[k] = {normal, scaled(d), glm::length(normal)};
+  planes_[k] = {normal, scaled(d) - glm::dot(normal, place_), glm::length(normal), scaled(d)};
   on_ |= 1u << k;
+}
+
+void CuttingPlanes::place(const Point3& move) {
+  place_ = move;
+  for (Plane& plane : planes_) plane.d = plane.as_set - glm::dot(plane.normal, place_);
 }
 
 void CuttingPlanes::set_off(int n) {

@@ -35,6 +35,9 @@ class CuttingPlanes {
   void set(int n, double a, double b, double c, double d);
   /// Throws Error for an n outside of 1 to 6.
   void set_off(int n);
+  /// Moves all planes, also those that are set later, with parts that are moved in the world: they
+  /// are where they were set, plus `move`.
+  void place(const Point3& move);
 
   /// How far from a plane a point still lies in it: `length`, or `of_terms` times the sum of the
   /// magnitudes of a x, b y, c z and d over the length of (a, b, c), whichever is farther. [0, 0]
@@ -100,8 +103,9 @@ class CuttingPlanes {
   /// a, b, c and d times a power of two, so that the largest of a, b and c is between 1/2 and 1.
   struct Plane {
     Point3 normal{0.0};
-    double d = 0.0;
+    double d = 0.0;       ///< where it is placed
     double length = 0.0;  ///< of the normal
+    double as_set = 0.0;  ///< d before it is placed
     void snap(Point3& p) const;
   };
   double distance(const Plane& by, const Point3& p) const {
@@ -126,6 +130,7 @@ class CuttingPlanes {
 
   std::array<Plane, kMost> planes_{};
   Reach reach_;
+  Point3 place_{0.0};
   unsigned on_ = 0;
   std::vector<Vertex> in_, out_;
   std::vector<Point3> vertices_, normals_, entered_;

@@ -46,7 +46,9 @@ void GraphicsSystem::open_segment(int name) {
   state_->view_stage_.emplace(volume);
   state_->open_ = name;
   if (const std::size_t k = state_->segments_opened_++; !state_->places_.empty()) {
-    state_->modelling_.place(k < state_->places_.size() ? state_->places_[k] : Point3(0.0));
+    const Point3 place = k < state_->places_.size() ? state_->places_[k] : Point3(0.0);
+    state_->modelling_.place(place);
+    state_->cutting_planes_.place(place);
   }
   if (RetainedScene* scene = state_->retaining())
     scene->open_segment(name, view, state_->surfaces_.touching);

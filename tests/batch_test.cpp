@@ -1,5 +1,6 @@
 // Pictures of many inputs in one call of the command, and pictures on standard output.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -322,6 +323,21 @@ TEST_F(Batch, WhatVectorsLeaveOutIsSaidOnce) {
     EXPECT_EQ(run(all + ".svg' --shading phong" + turned), 0);
     EXPECT_EQ(err_, "{number}.svg: vectors leave out Phong shading (drawn as Gouraud shading)\n");
   }
+  // Options of vectors are for the methods that the vectors are by.
+  for (const auto& [option, left] :
+       {std::pair{"--seams butted", "--seams, which are between fills of map"},
+        {"--vector-precision 1", "--vector-precision, to which fills of map are rounded"},
+        {"--crumbs", "--crumbs, of visible lines, which this method does not find"}}) {
+    EXPECT_EQ(run(fmt::format("draw red.draw -o s.svg --size 40x30 --hidden bsp {}", option)), 0);
+    EXPECT_EQ(err_, fmt::format("s.svg: vectors leave out {}\n", left));
+    for (const char* by : {"map", "z-buffer"}) {
+      EXPECT_EQ(run(fmt::format("draw red.draw -o s.svg --size 40x30 --hidden {} {}", by, option)),
+                0);
+      EXPECT_EQ(err_, "") << by;
+    }
+  }
+  EXPECT_EQ(run("draw red.draw -o s.svg --size 40x30 --hidden franklin --crumbs"), 0);
+  EXPECT_EQ(err_, "");
   write("shadows.draw",
         "set-light 0.3 0.2 1\nset-shadows on\nset-fill-style solid 1 1 1\nopen-segment "
         "1\npolygon-abs-3 0 0 0  1 0 0  1 1 0  0 1 0\n"

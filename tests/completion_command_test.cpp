@@ -182,8 +182,8 @@ TEST_F(Completion, OffersWhatMayStandAtThePlace) {
 }
 
 TEST_F(Completion, LeavesFilesToTheShell) {
-  EXPECT_EQ(found_by_shell("draw -o ''"), ":files png ppm svg pdf eps");
-  EXPECT_EQ(found_by_shell("draw --output=x"), ":files png ppm svg pdf eps");
+  EXPECT_EQ(found_by_shell("draw -o ''"), ":files png ppm svg pdf eps dxf");
+  EXPECT_EQ(found_by_shell("draw --output=x"), ":files png ppm svg pdf eps dxf");
   EXPECT_EQ(found_by_shell("draw --ids ''"), ":files npy");
   EXPECT_EQ(found_by_shell("compare a ''"), ":files ");
   EXPECT_EQ(found_by_shell("compare a b ''"), "");

@@ -42,6 +42,24 @@ TEST_F(DrawCheck, EveryFormatAndEveryOption) {
   expect_found("-o '{name}-x.svg' u.draw", "t-x.svg", "line ");
 }
 
+TEST_F(DrawCheck, FormatsAreThoseOfTheFilesNotOfTheirNames) {
+  expect_found("-o a.png --format svg", "a.png", "line ");
+  expect_found("-o a.svg --format png --size 40x30", "a.svg", "");
+  ASSERT_EQ(run("draw t.draw -o a.png --size 40x30"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o a.png --format svg --check"), 1) << err_;
+  EXPECT_EQ(out_, "a.png: differs: another format\n");
+}
+
+/// The pixels are the same, and larger on paper.
+TEST_F(DrawCheck, TheDensityOfPngIsCompared) {
+  ASSERT_EQ(run("draw t.draw -o a.png --size 40x30 --dpi 100"), 0) << err_;
+  EXPECT_EQ(run("draw t.draw -o a.png --size 40x30 --dpi 100 --check"), 0) << out_ << err_;
+  for (const char* other : {"--dpi 200", ""}) {
+    EXPECT_EQ(run(std::string("draw t.draw -o a.png --size 40x30 --check ") + other), 1) << err_;
+    EXPECT_EQ(out_, "a.png: differs: another dpi\n");
+  }
+}
+
 TEST_F(DrawCheck, SaysWhatIsMissingAndLeavesNothing) {
   const auto files = [&] {
     int count = 0;

@@ -229,6 +229,27 @@ TEST_F(PaperCommand, AScaleIsExactInTheMiddleOfTheSheet) {
   EXPECT_NEAR(placed.left, 65.0, kTolerance);
 }
 
+/// An image transformation changes the size in the picture.
+TEST_F(PaperCommand, ImagesOfOtherScalesAreNamed) {
+  const std::string plate = read(folder_ / "plate.draw");
+  const std::string options = " --paper a4 --scale 1:1 -o a.svg";
+  write("other.draw", plate + "set-image-scale 1 0.5 0.5\n");
+  ASSERT_EQ(run("draw other.draw" + options), 0) << err_;
+  EXPECT_NE(err_.find("a.svg: --scale 1:1: not that of segment 1, which set-image-scale changes"),
+            std::string::npos)
+      << err_;
+  write("moved.draw", plate + "set-image-translation 1 0.1 0.1\nset-image-rotation 1 90\n");
+  ASSERT_EQ(run("draw moved.draw" + options), 0) << err_;
+  EXPECT_EQ(err_.find("--scale"), std::string::npos) << err_;
+}
+
+/// Sheets in pixels have a margin around the picture, in which a pick's pixels are.
+TEST_F(PaperCommand, ASheetInPixelsHasNoPick) {
+  expect_error("draw plate.draw -o a.png --paper a4 --dpi 50 --pick 10,10",
+               "--pick: a sheet of paper in pixels has no pick");
+  EXPECT_EQ(run("draw plate.draw -o a.png --dpi 50 --size 40x40mm --pick 10,10"), 0) << err_;
+}
+
 TEST_F(PaperCommand, AScaleIsInUnitsOfTheScene) {
   EXPECT_NEAR(svg_of("plate.draw --paper a4 --scale 1:10 --unit cm").width(), 80.0, kTolerance);
   EXPECT_NEAR(svg_of("plate.draw --paper a4 --scale 1:1000 --unit m").width(), 80.0, kTolerance);

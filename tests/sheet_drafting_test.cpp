@@ -266,6 +266,7 @@ TEST_F(SheetDrafting, WholePartsAreNamed) {
   expect_error("sheet two.obj -o s.svg --section front=3 --uncut nut,screw",
                "--uncut screw: no part has this name: expected some of bolt, nut");
   expect_error("sheet two.obj -o s.svg --uncut nut", "--uncut has no effect without --section");
+  expect_error("sheet two.obj -o s.svg --hatch 3", "--hatch has no effect without --section");
   ASSERT_EQ(run("sheet two.obj -o s.svg --section side=3 --uncut nut"), 0);
   EXPECT_NE(err_.find("--uncut nut: no section plane goes through it"), std::string::npos) << err_;
 }

@@ -294,6 +294,7 @@ TEST_F(SurfaceCommandTest, WhatIsWrongIsToldAndNothingIsWritten) {
   refuses("g.txt --contours x" + s, "--contours: x: expected a whole number");
   refuses("g.txt --contours 101" + s, "--contours 101: expected 0 to 100");
   refuses("g.txt --labels a,b" + s, "--labels a,b: expected three names");
+  refuses("g.txt --labels a,b,c --no-axes" + s, "--labels a,b,c: expected axes or --colour");
   refuses("g.txt --eye here" + s, "--eye");
   refuses("g.txt --threads 0" + s, "0 threads: expected 1 or more");
   refuses("g.txt --samples 17" + s, "17 samples along a pixel's side: expected 1 to 16");

@@ -293,6 +293,14 @@ TEST(SvgTitles, AreLayers) {
   }
 }
 
+/// A title may be a name that a segment without one gets, or one that tells equal titles apart.
+TEST(SvgTitles, LayersHaveNamesOfTheirOwn) {
+  const std::string svg = titled({"\"\"", "\"segment 1\"", "\"pin\"", "\"pin\"",
+                                  "\"pin (segment 3)\"", "\"pin (segment 3) (segment 3)\""},
+                                 HiddenMethod::map, true);
+  EXPECT_EQ(matches(svg, "inkscape:label=\"((?:segment|pin)[^\"]+)\"").size(), 6u) << svg;
+}
+
 std::size_t times_in(const std::string& text, const std::string& words) {
   std::size_t n = 0;
   for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++n;

@@ -74,19 +74,36 @@ VectorDevice::VectorDevice(int width, int height, const Background& background,
   require_vector_options(options);
 }
 
-/// Segments with the same title get different layer names.
-void VectorDevice::take_titles(const DisplayFile& display_file) {
-  std::unordered_map<std::string_view, int> times;
-  for (const Segment& segment : display_file.segments()) ++times[segment.title()];
+namespace {
+
+/// The names of layers by segment: titles, or the segments' names. Equal ones are told apart, from
+/// all others too.
+std::unordered_map<int, std::string> layer_names(const DisplayFile& display_file) {
+  const auto wanted = [](const Segment& segment) {
+    return segment.title().empty() ? fmt::format("segment {}", segment.name()) : segment.title();
+  };
+  std::unordered_map<std::string, int> times;
+  for (const Segment& segment : display_file.segments()) ++times[wanted(segment)];
+  std::unordered_map<int, std::string> names;
   for (const Segment& segment : display_file.segments()) {
-    const std::string& title = segment.title();
-    const int name = segment.name();
-    if (!title.empty()) titles_[name] = title;
-    if (!options_.layers) continue;
-    layers_[name] = title.empty()       ? fmt::format("segment {}", name)
-                    : times[title] == 1 ? title
-                                        : fmt::format("{} (segment {})", title, name);
+    std::string name = wanted(segment);
+    bool is_taken = times[name] > 1;
+    while (is_taken) {
+      name += fmt::format(" (segment {})", segment.name());
+      is_taken = times.contains(name);
+    }
+    names.emplace(segment.name(), std::move(name));
   }
+  return names;
+}
+
+}  // namespace
+
+void VectorDevice::take_titles(const DisplayFile& display_file) {
+  for (const Segment& segment : display_file.segments()) {
+    if (!segment.title().empty()) titles_[segment.name()] = segment.title();
+  }
+  if (options_.layers) layers_ = layer_names(display_file);
 }
 
 std::string_view VectorDevice::title_of(int segment) const {

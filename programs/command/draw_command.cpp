@@ -320,6 +320,10 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   if (stats) reset_predicate_counts();
   const Destination to(file);
   const PicturePlan call = resolve_call(drawing, &to);
+  if (pick && call.page) {
+    throw Error(
+        "--pick: a sheet of paper in pixels has no pick: expected no --paper, or no --dpi, for it");
+  }
   Stopwatch watch;
   const bool picture_alone = call.kind() == PictureKind::raster && !explain && !stats && !pick;
   const DrawnInputs entered(
@@ -329,6 +333,7 @@ std::string DrawCommand::draw_into(std::span<const std::string> drawn,
   entered.check_window();
   warn_of_stretched_window(entered.system(), file.string(), drawing.width, drawing.height);
   warn_of_turned_images(entered.system(), file.string(), drawing.width, drawing.height);
+  if (scale) warn_of_scaled_images(entered.system(), file.string(), *scale);
   const GraphicsSystem& system = entered.system();
   const PicturePlan& plan = entered.plan();
   std::string text = explain ? explanation_of_method(plan) : "";

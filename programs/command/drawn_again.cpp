@@ -6,12 +6,14 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <string_view>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"
 #include "interp/files/npy_file.h"
 #include "interp/files/picture_compare.h"
-#include "programs/options/picture_tolerance.h"
+#include "interp/files/png_file.h"
+#include "interp/files/ppm_file.h"
 
 namespace displayfile {
 
@@ -51,11 +53,37 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
+/// Formats by the bytes with which their files begin: a file's name may have another ending.
+enum class FileKind { png, ppm, npy, svg, other };
+FileKind kind_of(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return FileKind::png;
+  if (bytes.starts_with("P6")) return FileKind::ppm;
+  if (bytes.starts_with("\x93NUMPY")) return FileKind::npy;
+  return bytes.starts_with('<') ? FileKind::svg : FileKind::other;
+}
+
+/// The pixels per length that a PNG file states; empty if none.
+std::string_view density_of(std::string_view png) {
+  constexpr std::size_t kLength = 9;
+  const std::size_t at = png.substr(0, png.find("IDAT")).find("pHYs");
+  return at == std::string_view::npos ? std::string_view() : png.substr(at + 4, kLength);
+}
+
 std::string compared(const std::string& file, const std::string& drawn) {
-  const std::string extension = extension_of(file);
-  if (extension == ".npy") return in_pixels(compare(read_npy(file), read_npy(drawn)));
-  if (is_picture_file(file)) return in_pixels(compare(read_picture(file), read_picture(drawn)));
-  return in_bytes(bytes_of(file), bytes_of(drawn), extension == ".svg");
+  const std::string there = bytes_of(file), anew = bytes_of(drawn);
+  const FileKind kind = kind_of(anew);
+  if (kind_of(there) != kind) return "another format";
+  switch (kind) {
+    case FileKind::npy: return in_pixels(compare(read_npy(file), read_npy(drawn)));
+    case FileKind::ppm: return in_pixels(compare(read_ppm(file), read_ppm(drawn)));
+    case FileKind::png: {
+      const std::string how =
+          in_pixels(compare(read_png(file, Alpha::stored), read_png(drawn, Alpha::stored)));
+      const bool is_as_dense = density_of(there) == density_of(anew);
+      return how.empty() && !is_as_dense ? "another dpi" : how;
+    }
+    default: return in_bytes(there, anew, kind == FileKind::svg);
+  }
 }
 
 }  // namespace

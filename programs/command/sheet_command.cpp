@@ -293,10 +293,9 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       .add_option(
           "--hatch", hatch,
           "distance between hatching lines in mm; neighbouring parts differ in direction, and "
-          "others, if need be, in a wider distance")
+          "others, if need be, in a wider distance [2]")
       ->type_name("MM")
       ->transform(any_number<double>())
-      ->capture_default_str()
       ->group(kPictureOptions);
   command.add_option("--lines", lines, "kinds of edges drawn as lines, as in draw")
       ->type_name("KIND,...")
@@ -349,10 +348,10 @@ int SheetCommand::run() {
   words.title = title_or_name(title, std::filesystem::path(inputs.front()).stem().string());
   require_drawable("--date", date);
   words.date = date;
-  words.hatch = hatch;
-  if (!(hatch >= kClosestHatching && hatch <= kLargestSheet)) {
-    throw Error(
-        fmt::format("--hatch {}: expected {} to {} mm", hatch, kClosestHatching, kLargestSheet));
+  words.hatch = hatch.value_or(words.hatch);
+  if (!(words.hatch >= kClosestHatching && words.hatch <= kLargestSheet)) {
+    throw Error(fmt::format("--hatch {}: expected {} to {} mm", words.hatch, kClosestHatching,
+                            kLargestSheet));
   }
   std::optional<DrawingScale> asked;
   if (!scale.empty()) asked = drawing_scale(scale);
@@ -362,6 +361,7 @@ int SheetCommand::run() {
   if (centre_lines != "on" && centre_lines != "off") {
     throw Error(fmt::format("--centre-lines {}: expected on or off", centre_lines));
   }
+  if (hatch && sections.empty()) throw Error("--hatch has no effect without --section");
   if (!uncut.empty() && sections.empty()) throw Error("--uncut has no effect without --section");
   const LineSelection selection = selection_of(LineWords(lines));
   if (!up.empty()) upright_of_option(up);

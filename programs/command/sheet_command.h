@@ -18,7 +18,8 @@ struct SheetCommand {
   std::string centre_lines = "on";
   std::vector<std::string> sections, details;
   bool parts_list = false;
-  double margin = 10.0, hatch = 2.0;
+  double margin = 10.0;
+  std::optional<double> hatch;
   int threads = 1;
   ImportWords import;
 

@@ -188,6 +188,10 @@ SurfaceLook SurfaceCommand::look(const DrawOptions& drawing) const {
   look.axes = axes;
   look.box = box;
   look.names = names_of_axes(labels);
+  if (!labels.empty() && !axes && !look.coloured) {
+    throw Error(fmt::format("--labels {}: expected axes or --colour height: nothing else has names",
+                            labels));
+  }
   if (line_width) {
     look.line_width =
         length_of_option("--line-width", *line_width, pixel_size(drawing, size, output));

@@ -46,6 +46,11 @@ void NotInPicture::note(const GraphicsSystem& system, const PicturePlan& plan) {
   if (fills && drawn.has_shadows() && (!by_map || each_segment)) add(kShadows);
   if (options.samples.value_or(1) > 1) add(kSamples);
   if (options.vectors.pick_ids && !by_map) add(kPickIds);
+  if (options.crumbs && !by_map && !finds_lines(by)) add(kCrumbs);
+  if (by_map && !options.pens) return;
+  if (options.vectors.seams != VectorOptions().seams) add(kSeamsOfMap);
+  // Finer ones are those of a scale.
+  if (options.vectors.precision > VectorOptions().precision) add(kPrecisionOfMap);
 }
 
 void NotInPicture::note(const std::vector<DrawWarning>& warned, const std::string& picture) {
@@ -75,6 +80,12 @@ void NotInPicture::warn(const std::string& output) const {
     left_out.emplace_back("texts, which pens draw with --font hershey or --text outlines");
   }
   if (has(kPickIds)) left_out.emplace_back("--pick-ids, which name fills of map");
+  if (has(kSeamsOfMap)) left_out.emplace_back("--seams, which are between fills of map");
+  if (has(kPrecisionOfMap)) {
+    left_out.emplace_back("--vector-precision, to which fills of map are rounded");
+  }
+  if (has(kCrumbs))
+    left_out.emplace_back("--crumbs, of visible lines, which this method does not find");
   if (!left_out.empty()) {
     warnings() << fmt::format("{}: vectors leave out {}\n", output, fmt::join(left_out, ", "));
   }

@@ -37,7 +37,10 @@ class NotInPicture {
     kSeams = 128,
     kPrecision = 256,
     kShadowsOfDevice = 512,
-    kOutlines = 1024,  // of letters, in pixels
+    kOutlines = 1024,    // of letters, in pixels
+    kSeamsOfMap = 2048,  // these two in vectors by other methods
+    kPrecisionOfMap = 4096,
+    kCrumbs = 8192,
   };
   void add(LeftOut what) { left_out_ |= what; }
   bool has(LeftOut what) const { return (left_out_ & what) != 0; }

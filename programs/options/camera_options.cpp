@@ -1,6 +1,7 @@
 #include "programs/options/camera_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -165,6 +166,18 @@ void warn_of_turned_images(const GraphicsSystem& system, const std::string& pict
       "{}: segment {}: set-image-rotation distorts in {} x {} pixels: use --size to set as many in "
       "width as in height, such as 512x512, or a modelling transformation\n",
       picture, turned->name(), width, height);
+}
+
+void warn_of_scaled_images(const GraphicsSystem& system, const std::string& picture,
+                           const std::string& scale) {
+  std::vector<int> scaled;
+  for (const Segment& segment : system.display_file().segments()) {
+    if (segment.visible && segment.image.scale != Point2(1.0)) scaled.push_back(segment.name());
+  }
+  if (scaled.empty()) return;
+  warnings() << fmt::format(
+      "{}: --scale {}: not that of segment {}, which set-image-scale changes\n", picture, scale,
+      fmt::join(scaled, ", "));
 }
 
 void warn_of_stretched_window(const GraphicsSystem& system, const std::string& picture, int width,

@@ -50,5 +50,8 @@ void warn_of_stretched_window(const GraphicsSystem& system, const std::string& p
 /// Warns of images that a program rotates, if the picture is not square (distorted_by_turning).
 void warn_of_turned_images(const GraphicsSystem& system, const std::string& picture, int width,
                            int height);
+/// Warns of segments that a program makes larger or smaller in the picture, which is at a scale.
+void warn_of_scaled_images(const GraphicsSystem& system, const std::string& picture,
+                           const std::string& scale);
 
 }  // namespace displayfile

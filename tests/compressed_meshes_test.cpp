@@ -150,10 +150,14 @@ TEST_F(CompressedMeshes, DataThatExpandTooMuchAreRefused) {
 TEST_F(CompressedMeshes, OtherFormatsAreRefusedByName) {
   for (const Compression& by : kCompressions) {
     const std::string end = by.extension;
-    expect_error([&] { read("a.gltf" + end, by.compressed("{}")); },
-                 "compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first");
-    expect_error([&] { read("a.step" + end, by.compressed("ISO-10303-21;")); },
-                 "compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first");
+    expect_error(
+        [&] { read("a.gltf" + end, by.compressed("{}")); },
+        "compressed, which is read of OBJ, OFF, PLY and STL only, by names such as part.stl.gz: "
+        "decompress it first");
+    expect_error(
+        [&] { read("a.step" + end, by.compressed("ISO-10303-21;")); },
+        "compressed, which is read of OBJ, OFF, PLY and STL only, by names such as part.stl.gz: "
+        "decompress it first");
   }
 }
 

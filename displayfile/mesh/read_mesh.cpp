@@ -124,7 +124,9 @@ void require_format_that_is_read(const std::string& path, const std::string& nam
 /// The import library reads files, not memory.
 [[noreturn]] void fail_compressed(const std::string& path) {
   throw Error(fmt::format(
-      "{}: compressed, which is read of OBJ, OFF, PLY and STL only: decompress it first", path));
+      "{}: compressed, which is read of OBJ, OFF, PLY and STL only, by names such as part.stl.gz: "
+      "decompress it first",
+      path));
 }
 
 Mesh read_any(const std::string& path, bool with_normals, const ImportLimits& limits) {

@@ -51,9 +51,9 @@ meshes, and a gallery of drawing programs.")
 describe(bench "speed against error of methods for hidden surfaces"
 "This package has what the command displayfile starts for its subcommand bench:
 it measures the methods side by side, beside OSMesa, Embree and gl2ps.")
-describe(modules "exact pictures of 3D scenes: solids combined, sheets in DXF"
+describe(modules "exact pictures of 3D scenes: solids combined, DXF"
 "This package has the modules that are compiled with libraries under the GPL:
-they combine solids, by CGAL, and write sheets in DXF, by dxflib.")
+they combine solids, by CGAL, and write DXF, by dxflib.")
 describe(cad "exact pictures of 3D scenes: STEP and IGES"
 "This package has the program that the command displayfile starts to read files
 of CAD programs, STEP and IGES, by OpenCASCADE.")

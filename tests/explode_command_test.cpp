@@ -216,7 +216,7 @@ TEST_F(ExplodeCommand, WhatCannotBeMovedApartIsRefused) {
   expect_error("draw alone.draw -o a.svg --explode z",
                "--explode z: alone.draw is one part: expected");
   write("none.draw", "set-window 0 1 0 1\n");
-  expect_error("draw none.draw -o a.svg --explode z", "have no part");
+  expect_error("draw none.draw -o a.svg --explode z", "none.draw has no part");
   write("same.draw", segment(1, 0, 2, 0, 2) + segment(2, 0, 2, 0, 2));
   expect_error("draw same.draw -o a.svg --explode radial", "the parts have one middle");
   expect_error("draw - -o a.svg --explode z", "standard input can be read once only",

@@ -372,7 +372,8 @@ TEST_F(SurfaceCommandTest, AnExpressionMayBeLongerThanAFilesName) {
 
 TEST_F(SurfaceCommandTest, AnExpressionThatIsNoneIsToldWithItsPlace) {
   if (!reads_expressions()) GTEST_SKIP() << "no muParser";
-  refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 7: Missing parenthesis");
+  refuses("'sin(x' -o s.svg", "expression 'sin(x': at character 6: Missing parenthesis");
+  refuses("'x^2+' -o s.svg", "expression 'x^2+': at character 5: Unexpected end");
   refuses("'x+q' -o s.svg", "expression 'x+q': at character 3");
   refuses("'x**2' -o s.svg", "expected an expression in x and y, with ^ for powers");
   refuses("'' -o s.svg", "SURFACE: is empty: expected EXPRESSION|HEIGHTS");

@@ -264,9 +264,9 @@ ExplodedParts exploded_parts(std::span<const std::string> inputs, const Explosio
         fmt::format("--explode {}: {}{} {}: expected several inputs, or one of several segments or "
                     "objects",
                     explosion.word, inputs.front(), inputs.size() > 1 ? " and others" : "",
-                    parts.empty()       ? "have no part"
-                    : inputs.size() > 1 ? "are one part"
-                                        : "is one part"));
+                    inputs.size() > 1 ? (parts.empty() ? "have no part" : "are one part")
+                    : parts.empty()   ? "has no part"
+                                      : "is one part"));
   }
   move_apart(parts, explosion);
   warn_of_annotation_without_part(assembly, inputs, part_of_opening, explosion.word);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 #include <string>
@@ -85,9 +86,11 @@ std::vector<double> heights_of(const std::string& expression, const GridRange& g
   } catch (const mu::Parser::exception_type& error) {
     const char* const powers =
         expression.find("**") != std::string::npos ? ", with ^ for powers" : "";
+    // The library counts a blank that it adds.
+    const std::size_t at = std::min(static_cast<std::size_t>(error.GetPos()), expression.size());
     throw Error(
         fmt::format("expression '{}': at character {}: {}: expected an expression in x and y{}",
-                    expression, error.GetPos() + 1, without_position(error.GetMsg()), powers));
+                    expression, at + 1, without_position(error.GetMsg()), powers));
   }
   return heights;
 }

@@ -302,6 +302,18 @@ TEST_F(MeshCommand, WhatIsLeftOutIsSaidOnce) {
   EXPECT_EQ(err_, "a.gltf: left out: 2 animations\n");
   EXPECT_EQ(run("import a.gltf -o a.draw"), 0);
   EXPECT_EQ(err_, "a.gltf: left out: 2 animations\n");
+  // Lengths on paper are in millimetres unless --unit is set.
+  write("b.gltf", gltf(R"("extensionsUsed":[])"));
+  const std::string metre = "b.gltf: left out: its unit, metre";
+  const std::string at_scale = "draw b.gltf -o a.svg --paper a4 --parallel --scale 1:1";
+  ASSERT_EQ(run(at_scale), 0) << err_;
+  EXPECT_NE(err_.find(metre), std::string::npos) << err_;
+  ASSERT_EQ(run(at_scale + " --unit mm"), 0) << err_;
+  EXPECT_EQ(err_.find(metre), std::string::npos) << err_;
+  ASSERT_EQ(run("sheet b.gltf -o a.svg"), 0) << err_;
+  EXPECT_NE(err_.find(metre), std::string::npos) << err_;
+  ASSERT_EQ(run("sheet b.gltf -o a.svg --unit m"), 0) << err_;
+  EXPECT_EQ(err_.find(metre), std::string::npos) << err_;
   write("q.gltf", gltf(R"("extensionsRequired":["EXT_meshopt_compression"])"));
   expect_error("draw q.gltf -o x.png",
                "q.gltf: requires the glTF extension EXT_meshopt_compressio");

@@ -563,6 +563,7 @@ int DrawCommand::run() {
   }
   NotInPicture left_out;
   if (quiet) Progress::show_none();
+  if (scale && unit.empty() && !quiet && !check) warn_of_metres(inputs);
   fit_to_all(drawing);
   if (is_name_pattern(output)) {
     const int status = draw_each(drawing, left_out);

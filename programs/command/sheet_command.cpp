@@ -246,9 +246,8 @@ CLI::App& SheetCommand::add_to(CLI::App& app) {
       ->type_name("third|first")
       ->capture_default_str()
       ->group(kPictureOptions);
-  command.add_option("--unit", unit, "unit of the part's coordinates")
+  command.add_option("--unit", unit, "unit of the part's coordinates [mm]")
       ->type_name(kLengthUnits)
-      ->capture_default_str()
       ->group(kPictureOptions);
   command
       .add_option("--up", up,
@@ -344,7 +343,7 @@ int SheetCommand::run() {
   SheetWords words;
   read_paper(paper, margin, words);
   words.projection = projection_of(projection);
-  words.unit = millimetres_of_unit(unit);
+  if (!unit.empty()) words.unit = millimetres_of_unit(unit);
   words.title = title_or_name(title, std::filesystem::path(inputs.front()).stem().string());
   require_drawable("--date", date);
   words.date = date;
@@ -366,6 +365,7 @@ int SheetCommand::run() {
   const LineSelection selection = selection_of(LineWords(lines));
   if (!up.empty()) upright_of_option(up);
   const Part part = read_part(inputs, up, import.limits());
+  if (unit.empty()) warn_of_metres(inputs);
   const auto kinds = views_of_sheet(words.projection);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (!positions[k]) continue;

@@ -12,7 +12,7 @@ namespace displayfile {
 /// `displayfile sheet`: four views of a part on a sheet of paper.
 struct SheetCommand {
   std::vector<std::string> inputs;
-  std::string output, paper = "a3", scale, projection = "third", unit = "mm", title, date, up;
+  std::string output, paper = "a3", scale, projection = "third", unit, title, date, up;
   std::string font = "sans-serif";
   std::string lines = "outline,boundary,crease", hidden_lines, uncut;
   std::string centre_lines = "on";

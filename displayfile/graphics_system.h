@@ -47,6 +47,7 @@ struct ManyPolygons {
   std::span<const FillStyle> fills = {};        ///< one, or one per polygon; empty: that in force
   std::span<const std::int32_t> picks = {};     ///< one per polygon; 0 or more
   std::span<const Point3> normals = {};         ///< one per vertex, as in set_vertex_normals
+  std::span<const Colour> vertex_colours = {};  ///< one per vertex, as in set_vertex_colours
 };
 
 /// A surface z = F(x, y) over a grid: points (x, y, z) with x at `x_points` even steps from x_min
@@ -347,8 +348,9 @@ class GraphicsSystem {
   void polygon_rel_2(PointList<Point2> steps);
   /// Enters many polygons as repeated polygon_abs_3 would, several times as fast. The fill style
   /// and pick identifier in force are unchanged. Errors, before any polygon is entered: those of
-  /// polygon_abs_3, set_fill_style and set_vertex_normals; an index out of range; counts that do
-  /// not agree; a pick identifier below 0; normals set by set_vertex_normals.
+  /// polygon_abs_3, set_fill_style, set_vertex_normals and set_vertex_colours; an index out of
+  /// range; counts that do not agree; fills and colours of vertices; a pick identifier below 0;
+  /// normals or colours set for the vertices of one polygon.
   void polygons_abs_3(const ManyPolygons& polygons);
   /// A surface over a grid: each cell is two triangles with an invisible diagonal from its least
   /// corner to its greatest. The surface's curves are the triangles' other sides, in the line
@@ -356,7 +358,8 @@ class GraphicsSystem {
   /// behind. The light face is the side that faces +z. Cells with an unknown height (NaN) at a
   /// corner are omitted. Each cell has a pick identifier, as a polygon has. The current position
   /// becomes the grid's last point, with z 0 if its height is unknown. Errors, before any cell is
-  /// entered: those of require_surface; those of coordinates; normals set by set_vertex_normals.
+  /// entered: those of require_surface; those of coordinates; normals or colours set for the
+  /// vertices of one polygon.
   void surface_3(const SurfaceGrid& grid);
 
   /// Begins a closed solid, which end_solid ends, made by combining parts in their order
@@ -433,6 +436,14 @@ class GraphicsSystem {
   /// with flat shading. Errors: one or two normals; a component that is not finite or exceeds
   /// kCoordinateLimit. A next polygon with another number of sides is an error.
   void set_vertex_normals(PointList<Point3> normals);
+  /// Colours of the vertices of the next polygon, in the order of its vertices, in place of its
+  /// fill style, also of a hollow one. In between they are linear over each of its triangles in
+  /// space: it is entered in pieces of one colour each, by which no part of a colour is off by more
+  /// than 1/170 (displayfile/looks/colour_pieces.md). Light and shading act on them as on other
+  /// fills; its sides are drawn as those of other polygons. An empty list discards colours set
+  /// before. Errors: one or two colours; a part of a colour outside of [0,1]. A next polygon with
+  /// another number of sides, or within a solid, is an error, as are a surface and many polygons.
+  void set_vertex_colours(PointList<Colour> colours);
   /// Sets cutting plane n, 1 to 6: parts with a x + b y + c z + d < 0 of the primitives that follow
   /// are cut away in every view, where x y z are world coordinates after the modelling
   /// transformation (clip/pipeline/cutting_planes.md). Sides made by a cut are not drawn, and cut

@@ -144,6 +144,18 @@ class RandomApplication {
     if (chance(40)) return system_.set_lower_line_style(std::nullopt);
     system_.set_lower_line_style(line_style());
   }
+  void vertex_colours() {
+    const auto vertices = points<Point3>();
+    const Colour first = colour();  // near to each other: few pieces
+    std::vector<Colour> colours;
+    while (colours.size() < vertices.size()) {
+      colours.push_back(first);
+      colours.back().r = tenth_of(uniform(0, 1));
+    }
+    if (chance(10)) colours.push_back(first);
+    system_.set_vertex_colours(colours);
+    if (chance(80)) system_.polygon_abs_3(vertices);
+  }
   void cutting_plane() {
     const int n = static_cast<int>(below(8));  // 1 to 6 are right
     if (chance(70)) return system_.set_cutting_plane_off(n);
@@ -204,7 +216,7 @@ class RandomApplication {
     using enum SurfaceCurves;
     constexpr std::array kCurves{x, y, both};
     constexpr std::array kSides{SurfaceSides::upper, SurfaceSides::lower, SurfaceSides::both};
-    switch (below(32)) {
+    switch (below(33)) {
       case 0: return system_.move_abs_3(coordinate(), coordinate(), coordinate());
       case 1: return system_.line_abs_3(coordinate(), coordinate(), coordinate());
       case 2: return system_.move_rel_3(coordinate(), coordinate(), coordinate());
@@ -243,6 +255,7 @@ class RandomApplication {
       case 28: return system_.set_crease_angle(uniform(-10, 190));
       case 29: return annotation();
       case 30: return annotation_setting();
+      case 31: return vertex_colours();
       default: return system_.polygon_abs_3(points<Point3>());
     }
   }

@@ -85,7 +85,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 82u);
+    EXPECT_EQ(routines.size(), 83u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);
@@ -235,6 +235,7 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     system.restore_transformation_3();
     system.scale_3(0.5, 0.5, 0.5);
     system.set_vertex_normals({{0, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
+    system.set_vertex_colours({{0, 0, 1}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
     system.begin_solid();
     throw Error("no more");
   }),

@@ -134,6 +134,20 @@ void background(GraphicsSystem& system, ProgramLine& line, const Routine& routin
   system.set_background({Background::Kind::solid, take_colour(line, of_colour, " or none")});
 }
 
+/// [r g b]... or words
+void vertex_colours(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
+  std::vector<Colour> colours;
+  line.expect_colour();
+  for (std::size_t used = 0; used < line.arguments();) {
+    const std::size_t words = words_of_colour(line, used);
+    used += words;
+    if (used > line.arguments()) wrong_count(line, routine);
+    colours.push_back(take_colour(line, words));
+    line.expect_colour();
+  }
+  system.set_vertex_colours(colours);
+}
+
 void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine) {
   if (line.arguments() != 3 && line.arguments() != 4) wrong_count(line, routine);
   const auto toward = line.take<Point3>();

@@ -14,6 +14,7 @@ void fill_style(GraphicsSystem& system, ProgramLine& line, const Routine& routin
 void line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void line_kind_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void lower_line_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
+void vertex_colours(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void background(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void light(GraphicsSystem& system, ProgramLine& line, const Routine& routine);
 void text_style(GraphicsSystem& system, ProgramLine& line, const Routine& routine);

@@ -166,6 +166,11 @@ constexpr auto kAttributes = std::to_array<Routine>({
         "set-vertex-normals", "a multiple of 3: x y z ...",
         "Vertex normals of the next polygon, in the order of its vertices, for smooth shading. 0 0 "
         "0 is the polygon's own normal; no arguments discard normals set before."),
+    varying<vertex_colours>(
+        "set-vertex-colours", "r g b ...",
+        "Colours of the vertices of the next polygon, in their order, in place of its fill style: "
+        "linear in between, and lit where there is light. Each may be one word, as in "
+        "set-fill-style; no arguments discard colours set before."),
     fixed<&G::set_shadows>("set-shadows", "on|off",
                            "Whether the polygons that follow show shadows of solid fills, where "
                            "there is light [off]."),

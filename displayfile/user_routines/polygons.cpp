@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "clip/base/budgeted_work.h"
 #include "clip/base/error.h"
@@ -75,6 +76,16 @@ void GraphicsSystem::polygon_rel_2(PointList<Point2> steps) {
   state_->recorder_->write("polygon-rel-2", state_->object_points_, 2);
 }
 
+namespace {
+
+void require_one_a_side(std::size_t values, std::size_t sides, std::string_view routine) {
+  if (values == 0 || values == sides) return;
+  throw Error(
+      fmt::format("polygon of {} sides: expected {}, as many as {} has", sides, values, routine));
+}
+
+}  // namespace
+
 /// Enters one polygon: transforms it to world coordinates, cuts it into triangles if it is not flat
 /// or its vertices have normals that differ, and sends each piece through the pipeline into the
 /// display file.
@@ -84,10 +95,9 @@ void GraphicsSystem::State::polygon(std::span<const Point3> object) {
   if (object.size() < 3) {
     throw Error(fmt::format("polygon of {} sides: expected at least 3", object.size()));
   }
-  if (!vertex_normals_.empty() && vertex_normals_.size() != object.size()) {
-    throw Error(fmt::format("polygon of {} sides: expected {}, as many as set-vertex-normals has",
-                            object.size(), vertex_normals_.size()));
-  }
+  require_one_a_side(vertex_normals_.size(), object.size(), "set-vertex-normals");
+  require_one_a_side(vertex_colours_.size(), object.size(), "set-vertex-colours");
+  if (!vertex_colours_.empty()) require_no_solid("colours of vertices");
   world_points_.resize(object.size());
   for (std::size_t i = 0; i < object.size(); ++i) world_points_[i] = to_world(object[i]);
   const int pick = next_pick();
@@ -97,14 +107,21 @@ void GraphicsSystem::State::polygon(std::span<const Point3> object) {
                       !vertex_normals_.empty();
   const auto vertex_normals = smooth ? world_normals(normal) : std::span<const Point3>();
   const bool flat = is_flat(world_points_);
-  if (flat && (object.size() == 3 || !differ(vertex_normals))) {
-    enter({world_points_, {}, normal, vertex_normals, pick, object, modelling_matrix()});
-  } else {
-    enter_triangles(object, normal, vertex_normals, pick);
-  }
+  const OnePolygon polygon{object, normal, vertex_normals, pick, flat};
+  vertex_colours_.empty() ? enter_one(polygon) : enter_in_colours(polygon);
   triangulated_ += flat ? 0 : 1;
   if (!vertex_normals_.empty()) vertex_normals_.clear();
+  if (!vertex_colours_.empty()) vertex_colours_.clear();
   pen_ = {object.back(), world_points_.back()};
+}
+
+void GraphicsSystem::State::enter_one(const OnePolygon& polygon) {
+  const auto& [entered, normal, vertex_normals, pick, flat] = polygon;
+  if (flat && (entered.size() == 3 || !differ(vertex_normals))) {
+    enter({world_points_, {}, normal, vertex_normals, pick, entered, modelling_matrix()});
+  } else {
+    enter_triangles(entered, normal, vertex_normals, pick);
+  }
 }
 
 /// The application's normals of the polygon's vertices, in world coordinates.
@@ -183,10 +200,17 @@ void require_looks(const ManyPolygons& many, std::size_t polygons) {
     throw Error(fmt::format("{} pick identifiers of {} polygons: expected one per polygon, or none",
                             many.picks.size(), polygons));
   }
-  if (!many.normals.empty() && many.normals.size() != many.vertices.size()) {
-    throw Error(fmt::format("{} normals of {} vertices: expected one per vertex, or none",
-                            many.normals.size(), many.vertices.size()));
+  const auto require_one_a_vertex = [&](std::size_t values, std::string_view what) {
+    if (values == 0 || values == many.vertices.size()) return;
+    throw Error(fmt::format("{} {} of {} vertices: expected one per vertex, or none", values, what,
+                            many.vertices.size()));
+  };
+  require_one_a_vertex(many.normals.size(), "normals");
+  require_one_a_vertex(many.vertex_colours.size(), "colours");
+  if (!many.vertex_colours.empty() && !many.fills.empty()) {
+    throw Error("fill styles and colours of vertices: expected one of them");
   }
+  for (const Colour& colour : many.vertex_colours) require_colour(colour);
   for (const FillStyle& fill : many.fills) {
     if (fill.kind == FillStyle::Kind::solid) require_colour(fill.colour);
   }
@@ -196,35 +220,39 @@ void require_looks(const ManyPolygons& many, std::size_t polygons) {
   for (const Point3& n : many.normals) require_finite({n.x, n.y, n.z}, "vertex normal");
 }
 
-/// Enters a polygon as set_vertex_normals and polygon_abs_3 do; overwrites `of_corners`.
-void enter_with_normals(GraphicsSystem& system, const ManyPolygons& many,
-                        std::span<const std::uint32_t> corners, std::vector<Point3>& of_corners) {
-  of_corners.clear();
-  for (const std::uint32_t corner : corners) of_corners.push_back(many.normals[corner]);
-  system.set_vertex_normals(of_corners);
-  of_corners.clear();
-  for (const std::uint32_t corner : corners) of_corners.push_back(many.vertices[corner]);
-  system.polygon_abs_3(of_corners);
+/// Enters a polygon as set_vertex_normals, set_vertex_colours and polygon_abs_3 do; overwrites
+/// `of_corners`.
+void enter_with_values(GraphicsSystem& system, const ManyPolygons& many,
+                       std::span<const std::uint32_t> corners, std::vector<Point3>& of_corners) {
+  const auto at_corners = [&](std::span<const Point3> of_vertices) -> std::vector<Point3>& {
+    of_corners.clear();
+    for (const std::uint32_t corner : corners) of_corners.push_back(of_vertices[corner]);
+    return of_corners;
+  };
+  if (!many.normals.empty()) system.set_vertex_normals(at_corners(many.normals));
+  if (!many.vertex_colours.empty()) system.set_vertex_colours(at_corners(many.vertex_colours));
+  system.polygon_abs_3(at_corners(many.vertices));
 }
 
 }  // namespace
 
 void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   const RoundToNearest nearest;
-  const std::span vertices = many.vertices, normals = many.normals;
+  const std::span vertices = many.vertices;
+  const bool has_values = !many.normals.empty() || !many.vertex_colours.empty();
   const std::span corners = many.corners, sides = many.sides;
   const std::span fills = many.fills;
   const std::span picks = many.picks;
   state_->require_open();
   const std::size_t polygons = require_polygons(many);
-  if (!state_->vertex_normals_.empty()) {
-    throw Error("normals of one polygon's vertices are set: expected none before many polygons");
-  }
+  state_->require_no_values_of_vertices("many polygons");
   require_looks(many, polygons);
   ask_budget();  // before anything is entered; the next check is after everything is
   Segment& segment = state_->display_file_.segment(*state_->open_);
   const std::size_t styles = state_->looks_.attributes.light ? polygons : fills.size();
-  bool is_solid = !state_->solids_.empty() || state_->cutting_planes_.any();
+  const bool stays_open =
+      !many.vertex_colours.empty() && state_->looks_.cut_faces.kind == CutFaces::Kind::open;
+  bool is_solid = !state_->solids_.empty() || (state_->cutting_planes_.any() && !stays_open);
   const std::span<const Point3> world = with_memory(
       vertices.size() * sizeof(Point3) + corners.size() * (sizeof(Point3) + sizeof(std::int32_t)) +
           styles * sizeof(Colour),
@@ -233,7 +261,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
         const std::span<const Point3> of_all = state_->shared_world(vertices);
         is_solid = is_solid && !open_side(of_all, corners, sides);
         const bool is_whole = is_solid && state_->takes_whole_solids();
-        if (!is_whole && state_->solids_.empty() && normals.empty()) {
+        if (!is_whole && state_->solids_.empty() && !has_values) {
           state_->make_room_for_shared({of_all, vertices, state_->modelling_matrix()}, polygons,
                                        corners.size(), styles);
         }
@@ -242,7 +270,7 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
   const std::int32_t pick_in_force = state_->pick_;
   const RetainedScene::SharedVertices shared{world, vertices, state_->modelling_matrix()};
   const auto enter_all = [&] {
-    const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && normals.empty();
+    const bool of_one_kind = sides.empty() && fills.size() <= 1 && picks.empty() && !has_values;
     const bool at_once = of_one_kind && !state_->cutting_planes_.any() && state_->solids_.empty();
     if (state_->is_viewed_later() && at_once && state_->recorder_ == nullptr) {
       if (!fills.empty() && fills[0] != state_->looks_.attributes.fill) set_fill_style(fills[0]);
@@ -257,8 +285,8 @@ void GraphicsSystem::polygons_abs_3(const ManyPolygons& many) {
       if (!picks.empty() && picks[k] != state_->pick_) set_pick_id(picks[k]);
       const auto polygon = corners.subspan(first, sides.empty() ? 3 : sides[k]);
       first += polygon.size();
-      if (!normals.empty()) {
-        enter_with_normals(*this, many, polygon, state_->object_points_);
+      if (has_values) {
+        enter_with_values(*this, many, polygon, state_->object_points_);
         continue;
       }
       state_->enter_shared(shared, polygon, segment);

@@ -145,6 +145,7 @@ GraphicsSystem::State::Entered GraphicsSystem::State::entered() const {
           .modelling = modelling_,
           .looks = looks_,
           .vertex_normals = vertex_normals_,
+          .vertex_colours = vertex_colours_,
           .cutting_planes = cutting_planes_,
           .plane_uses = plane_uses_};
 }
@@ -169,6 +170,7 @@ void GraphicsSystem::State::take_back(const Entered& before) {
   modelling_ = before.modelling;
   looks_ = before.looks;
   vertex_normals_ = before.vertex_normals;
+  vertex_colours_ = before.vertex_colours;
   cutting_planes_ = before.cutting_planes;
   plane_uses_ = before.plane_uses;
 }

@@ -86,6 +86,7 @@ void GraphicsSystem::State::discard_solid() {
   ordinal_ = before.ordinal;
   triangulated_ = before.triangulated;
   vertex_normals_.clear();
+  vertex_colours_.clear();
   record("discard-solid", {});
 }
 

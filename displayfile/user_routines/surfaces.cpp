@@ -61,9 +61,7 @@ void GraphicsSystem::surface_3(const SurfaceGrid& grid) {
   state_->require_open();
   state_->require_no_solid("a surface");
   require_surface(grid);
-  if (!state_->vertex_normals_.empty()) {
-    throw Error("normals of one polygon's vertices are set: expected none before a surface");
-  }
+  state_->require_no_values_of_vertices("a surface");
   ask_budget();
   const std::vector<Point3> world = with_memory(
       grid.heights.size() * sizeof(Point3),

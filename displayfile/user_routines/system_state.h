@@ -17,6 +17,7 @@
 #include "clip/view/transformation.h"
 #include "displayfile/files.h"
 #include "displayfile/graphics_system.h"
+#include "displayfile/looks/colour_pieces.h"
 #include "displayfile/segments/display_file.h"
 #include "displayfile/segments/polygon_stage.h"
 #include "displayfile/segments/retained_scene.h"
@@ -48,6 +49,7 @@ struct GraphicsSystem::State {
     ModellingTransformation modelling;
     Looks looks;
     std::vector<Point3> vertex_normals;
+    std::vector<Colour> vertex_colours;
     CuttingPlanes cutting_planes;
     PlaneUses plane_uses;
   };
@@ -80,6 +82,18 @@ struct GraphicsSystem::State {
   void move_to(const Point3& object);
   void line_to(const Point3& object);
   void polygon(std::span<const Point3> object);
+  /// A polygon whose vertices in world coordinates are world_points_.
+  struct OnePolygon {
+    std::span<const Point3> entered;  ///< its vertices as the application entered them
+    Point3 normal;                    ///< as in WorldPolygon
+    std::span<const Point3> vertex_normals;
+    std::int32_t pick;
+    bool is_flat;
+  };
+  void enter_one(const OnePolygon& polygon);
+  void enter_in_colours(const OnePolygon& polygon);
+  void enter_colour_pieces(const OnePolygon& polygon);
+  void require_no_values_of_vertices(std::string_view before) const;
   void enter(const WorldPolygon& polygon);
   void enter_cut(const WorldPolygon& polygon);
   /// True if a cutting plane cuts away a part of a primitive with these vertices, which is noted.
@@ -179,6 +193,7 @@ struct GraphicsSystem::State {
   Pen pen_;
   Looks looks_;
   std::vector<Point3> vertex_normals_;  // of the next polygon, as passed
+  std::vector<Colour> vertex_colours_;  // likewise
   CuttingPlanes cutting_planes_;
   PlaneUses plane_uses_;
   double volume_of_faces_ = 0.0;  // in as_faces_of_solid
@@ -212,6 +227,7 @@ struct GraphicsSystem::State {
   Triangulation::SeenAlong bent_polygons_seen_ = Triangulation::SeenAlong::nearest_axis;
   std::vector<Point3> object_points_, world_points_;  // of the polygon being entered
   std::vector<Point3> world_normals_;                 // of its vertices
+  ColourPieces colour_pieces_;                        // of one of its triangles
   std::vector<Point3> shared_world_;                  // vertices that polygons share
 };
 

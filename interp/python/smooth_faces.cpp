@@ -47,10 +47,17 @@ void enter_faces(GraphicsSystem& system, const ManyPolygons& faces) {
   for (const std::uint32_t corner : faces.corners) vertices.push_back(faces.vertices[corner]);
   std::vector<std::uint32_t> corners(vertices.size());
   std::iota(corners.begin(), corners.end(), 0U);
+  std::vector<Colour> colours;
+  if (!faces.vertex_colours.empty()) {
+    for (const std::uint32_t corner : faces.corners) {
+      colours.push_back(faces.vertex_colours[corner]);
+    }
+  }
   ManyPolygons separate = faces;
   separate.vertices = vertices;
   separate.corners = corners;
   separate.normals = normals;
+  separate.vertex_colours = colours;
   system.polygons_abs_3(separate);
 }
 

@@ -187,7 +187,7 @@ std::vector<FillStyle> one_fill_in(py::handle value) {
 
 int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, py::handle segment,
          py::handle fill, py::handle fills, py::handle picks, py::handle normals,
-         py::handle outline, bool is_lit) {
+         py::handle outline, bool is_lit, py::handle vertex_colours) {
   const auto name = if_given(segment, "segment", whole_number_in);
   const std::vector<Point3> points = points_in(vertices, "vertices");
   const Faces polygons = faces_in(faces, sides, points.size());
@@ -217,12 +217,15 @@ int mesh(System& self, py::handle vertices, py::handle faces, py::handle sides, 
           fmt::format("normals: {} of them for {} vertices", of_vertices.size(), points.size()));
     }
   }
+  std::vector<Colour> colours;
+  if (!vertex_colours.is_none()) colours = points_in(vertex_colours, "fills");
   const ManyPolygons many{.vertices = points,
                           .corners = polygons.corners,
                           .sides = polygons.sides,
                           .fills = styles,
                           .picks = identifiers,
-                          .normals = of_vertices};
+                          .normals = of_vertices,
+                          .vertex_colours = colours};
   std::vector<Point3> of_sides;
   Faces sides_drawn;
   if (!outline.is_none()) {
@@ -326,7 +329,8 @@ SystemClass add_system(py::module_& module) {
   system.def("_record", [](System& self, py::handle on) { self.record(switch_in(on, "on")); });
   system.def("_recording", [](System& self) { return self.recording(); });
   system.def("_mesh", mesh, py::arg(), py::arg(), py::arg(), py::arg(), py::arg(), py::arg(),
-             py::arg(), py::arg(), py::arg() = py::none(), py::arg() = true);
+             py::arg(), py::arg(), py::arg() = py::none(), py::arg() = true,
+             py::arg() = py::none());
   system.def("_normals_at_corners", normals_at_corners);
   system.def("_replay", replay_text);
   system.def("_replay_file", replay_path);

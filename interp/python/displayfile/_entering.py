@@ -62,7 +62,9 @@ class Entering(Drawing):
         fill : colour, optional
             The colour of all faces, or "hollow"; default: the fill style in force.
         fills : sequence of colours, optional
-            The colour of each face: an array (M, 3), or a sequence of colours.
+            The colour of each face: an array (M, 3), or a sequence of colours. With at="vertices",
+            the colour of each vertex, (N, 3): linear over each triangle, which is entered in pieces
+            of one colour each.
         picks : array_like, optional
             An array (M,): the pick identifier of each face, 0 or more; default: the one in force,
             or each face's ordinal, with values at vertices its index.
@@ -74,7 +76,8 @@ class Entering(Drawing):
             Those of vertices are linear over each triangle, and each colour covers exactly its part
             of it, in pixels and vectors. Faces with a nan are light grey.
         at : {"faces", "vertices"}, optional
-            "faces" or "vertices", where there are as many of both.
+            "faces" or "vertices": with values, needed where there are as many of both; with fills,
+            "vertices" for colours of vertices.
         cmap : object, optional
             The colour map: the name of one of matplotlib's, which is imported for it, such as
             "viridis"; one of its objects; an array (n, 3) of colours; or "displayfile". Default:
@@ -98,12 +101,21 @@ class Entering(Drawing):
             use, colours that are not opaque. Nothing is entered then.
         """
         if values is None:
-            _require_none("values", at=at, cmap=cmap, limits=limits, levels=levels)
+            _require_none("values", cmap=cmap, limits=limits, levels=levels)
+            if fills is None:
+                _require_none("values or fills", at=at)
             if fill is not None and not (isinstance(fill, str) and fill == "hollow"):
                 fill = _colours.colour(fill, "fill")
+            of_vertices = None
             if fills is not None:
                 fills = _colours.colours(fills, "fills")
-            name = self._mesh(vertices, faces, sides, segment, fill, fills, picks, normals)
+                if _scalars.is_of_vertices(fills, at, vertices):
+                    fills, of_vertices = None, fills
+                    _require_none("fills of vertices", False, fill=fill)
+            name = self._mesh(
+                *(vertices, faces, sides, segment, fill, fills, picks, normals),
+                *(None, True, of_vertices),
+            )
             self._warn_if_not_fitted()
             return name
         _require_none("colours of values", False, fill=fill, fills=fills)

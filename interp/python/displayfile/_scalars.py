@@ -49,6 +49,18 @@ def place_of(values: Floats, at: str | None, faces: int, vertices: int) -> str:
     return fitting[0]
 
 
+def is_of_vertices(fills: Floats, at: str | None, vertices: typing.Any) -> bool:
+    """Whether there is a colour for each vertex, and not for each face."""
+    if at not in (None, "faces", "vertices"):
+        raise Error(f"at '{at}': expected faces or vertices")
+    if at != "vertices":
+        return False
+    count = len(_colours.numbers(vertices, "vertices"))
+    if len(fills) != count:
+        raise Error(f"fills: {len(fills)} of them for {count} vertices")
+    return True
+
+
 class Pieces(typing.NamedTuple):
     """What is entered of a mesh in colours of values at its vertices."""
 

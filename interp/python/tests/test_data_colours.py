@@ -68,6 +68,12 @@ def free_colours_by_subdivision(system: System) -> None:
     system.mesh(corners[..., :3].reshape(-1, 3), numbers, fills=fills, picks=face)
 
 
+def colours_of_vertices(system: System) -> None:
+    points, faces = mesh_of(9)
+    colours = np.stack([points[:, 0], points[:, 1], 2 * points[:, 2]], axis=1) * 0.06 + 0.5
+    system.mesh(points, faces, fills=colours, at="vertices")
+
+
 def drawn_by_others(system: System, format: str, folder: Path) -> Array:
     file = folder / f"figure.{format}"
     system.save(file, SIZE)
@@ -96,6 +102,7 @@ def around(values: Array) -> Array:
         (surface_in_bands, 1, 5000),
         (free_colours_of_faces, 1, 5000),
         (free_colours_by_subdivision, 2, 1000),
+        (colours_of_vertices, 1, 1000),
     ],
 )
 def test_colours_in_vectors_are_those_in_pixels(

@@ -84,6 +84,38 @@ def test_fills_and_picks():
     assert "fill solid 1 0.5 0" in dump_of(VERTICES, TRIANGLES, fill=(1, 0.5, 0))
 
 
+COLOURS = np.array([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0.25, 0.5, 0.75)])
+
+
+def test_colours_of_vertices():
+    g = usual()
+    g.open_segment(1)
+    for face in QUAD_AND_TRIANGLES:
+        g.set_vertex_colours(COLOURS[face])
+        g.polygon_abs_3(VERTICES[face])
+    g.close_segment()
+    for fills in (COLOURS, ["red", "lime", "#0000ff", (1, 1, 0), (0.25, 0.5, 0.75)]):
+        assert dump_of(VERTICES, QUAD_AND_TRIANGLES, fills=fills, at="vertices") == g.dump()
+    # There are as many faces as vertices: fills are of faces unless at is set.
+    of_faces = dump_of(VERTICES, QUAD_AND_TRIANGLES, fills=COLOURS)
+    assert of_faces == dump_of(VERTICES, QUAD_AND_TRIANGLES, fills=COLOURS, at="faces")
+    assert of_faces.count("polygon") == 5
+
+
+def test_colours_of_vertices_are_shaded_smoothly():
+    def drawn(**colours):
+        g = System()
+        g.set_light(1, -2, 3)
+        g.set_shading("phong")
+        g.mesh(VERTICES, TRIANGLES, **colours)
+        return g.draw(80).astype(int)
+
+    nearly_grey = np.full((5, 3), 0.5)
+    nearly_grey[0] += 0.02
+    in_pieces = drawn(fills=nearly_grey, at="vertices")
+    assert np.abs(in_pieces - drawn(fill=(0.5, 0.5, 0.5))).max() <= 6
+
+
 def test_masked_numbers_are_not_known():
     heights = np.ma.array(np.arange(9.0).reshape(3, 3) / 9, mask=np.eye(3)[::-1] * [[1, 0, 0]])
     known = [np.linspace(-1, 1, 3)] * 2
@@ -157,6 +189,11 @@ def test_segments():
         (VERTICES, TRIANGLES, {"fills": [(1, 0, 0)]}),
         (VERTICES, TRIANGLES, {"fills": np.full((4, 3), 1.5)}),
         (VERTICES, TRIANGLES, {"fill": (1, 0, 0), "fills": np.zeros((4, 3))}),
+        (VERTICES, TRIANGLES, {"fills": COLOURS[:4], "at": "vertices"}),
+        (VERTICES, TRIANGLES, {"fills": COLOURS, "at": "corners"}),
+        (VERTICES, TRIANGLES, {"fills": 1.5 * COLOURS, "at": "vertices"}),
+        (VERTICES, TRIANGLES, {"fill": (1, 0, 0), "fills": COLOURS, "at": "vertices"}),
+        (VERTICES, TRIANGLES, {"at": "vertices"}),
         (VERTICES, TRIANGLES, {"picks": [1]}),
         (VERTICES, TRIANGLES, {"picks": [1, 2, 3, -4]}),
         (VERTICES, TRIANGLES, {"picks": [1, 2, 3, 2**31]}),

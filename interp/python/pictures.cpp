@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <map>
@@ -319,13 +320,18 @@ void warn(const std::string& message) {
 
 /// Warnings of drawing without the interpreter's lock: collected for tell(), except that a picture
 /// is stretched, which is known before anything is drawn or written. An open segment that a camera
-/// does not show yet is warned of too, and is then the reason if nothing is seen.
+/// does not show yet is warned of too, and is then the reason if nothing is seen. Where no view is
+/// set, that warning names look().
 class Warned {
  public:
   explicit Warned(DrawOptions& options) {
     options.warn = [this](const DrawWarning& warning) {
       if (warning.kind == DrawWarning::Kind::nothing_seen && left_open_) return;
-      if (warning.kind != DrawWarning::Kind::stretched) return texts_.push_back(warning.text);
+      if (warning.kind != DrawWarning::Kind::stretched) {
+        texts_.push_back(warning.text);
+        if (warning.kind == DrawWarning::Kind::nothing_seen) texts_.back() += advice_;
+        return;
+      }
       const py::gil_scoped_acquire lock;
       warn(warning.text);
     };
@@ -333,7 +339,13 @@ class Warned {
   Warned(const Warned&) = delete;
   Warned& operator=(const Warned&) = delete;
   /// Must be called before drawing.
-  void note_open_segment(GraphicsSystem& system, const FollowedView& followed) {
+  void note(GraphicsSystem& system, const FollowedView& followed) {
+    if (!followed.follows() && !FollowedView::is_view_set(system) && system.counts().polygons > 0 &&
+        std::ranges::all_of(system.display_file().segments(), &Segment::visible)) {
+      advice_ =
+          ": no view is set, and x and y from -1 to 1 are shown: look() before the first segment "
+          "fits a camera to all of them";
+    }
     const auto open = system.open_segment_name();
     if (!open || !followed.follows() || system.retained() == nullptr) return;
     const RetainedScene& scene = *system.retained();
@@ -354,6 +366,7 @@ class Warned {
 
  private:
   std::optional<int> left_open_;
+  std::string advice_;
   std::vector<std::string> texts_;
 };
 
@@ -373,7 +386,7 @@ py::tuple draw(System& self, py::handle size, const py::kwargs& keywords) {
   Warned warned(options);
   Picture picture =
       self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
-        warned.note_open_segment(system, self.followed());
+        warned.note(system, self.followed());
         renderer.give_back(self.spare()->take());
         renderer.draw(system, options);
         return renderer.take_picture();
@@ -400,7 +413,7 @@ py::object draw_as(System& self, py::handle format, py::handle size, const py::k
       self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
         DrawOptions in_format = options;
         in_format.format = name;
-        warned.note_open_segment(system, self.followed());
+        warned.note(system, self.followed());
         CollectedText written;
         written.exceptions(std::ios::badbit);  // that of memory, where it is written
         renderer.draw(system, written, in_format);
@@ -417,7 +430,7 @@ void save(System& self, py::handle to, py::handle format, py::handle size,
   if (!format.is_none()) options.format = word_in(format, "format");
   Warned warned(options);
   self.viewed(aspect_of(options), [&](GraphicsSystem& system, Renderer& renderer) {
-    warned.note_open_segment(system, self.followed());
+    warned.note(system, self.followed());
     renderer.draw(system, path, options);
   });
   warned.tell();

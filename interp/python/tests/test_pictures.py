@@ -323,8 +323,10 @@ def test_a_picture_of_another_shape_is_told(tmp_path):
 
 
 def test_what_shows_nothing_is_warned_of_with_the_reason(tmp_path):
-    def drawn(triangle, retain=False, line_style="none"):
+    def drawn(triangle, retain=False, line_style="none", view=False):
         system = System(retain=retain)
+        if view:
+            system.set_window(-1, 1, -1, 1)
         system.set_line_style(*line_style.split())
         system.open_segment(1)
         system.polygon_abs_3(triangle)
@@ -346,8 +348,10 @@ def test_what_shows_nothing_is_warned_of_with_the_reason(tmp_path):
             draw(System())
         with pytest.warns(UserWarning, match="nothing is seen: the only .* is seen edge-on"):
             draw(drawn(edge_on))
-        with pytest.warns(UserWarning, match="nothing is seen: nothing that was entered is inside"):
+        with pytest.warns(UserWarning, match="nothing that was entered is inside.*: look()"):
             draw(drawn(right))
+        with pytest.warns(UserWarning, match="nothing that was entered is inside.*viewer$"):
+            draw(drawn(right, view=True))
         with pytest.warns(UserWarning, match="nothing is seen: the only .* right of the window"):
             draw(drawn(right, retain=True))
     for draw in draws:

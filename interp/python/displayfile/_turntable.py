@@ -10,13 +10,17 @@ from ._picture import Picture
 if typing.TYPE_CHECKING:
     from ._displayfile import _Path
 
+_MOST_BYTES = 8_000_000
+"""Of the pictures that a notebook holds to turn them."""
+
 
 class Turntable:
     """The views of a scene that rotates in front of a fixed camera and fixed lights.
 
     It shows the system's contents at the time of System.turntable; len() is the number of views. A
     view is the same, bit for bit, whichever others are drawn. Several threads may call one
-    turntable; the calls are serialised.
+    turntable; the calls are serialised. A notebook shows its views with a slider if they take up to
+    8 MB as PNG, and otherwise the first one.
     """
 
     def __init__(self, views: _displayfile.Turntable, more_than_pixels: bool) -> None:
@@ -29,6 +33,36 @@ class Turntable:
 
     def __len__(self) -> int:
         return self._views._views()
+
+    def _png(self, view: int) -> bytes:
+        return _displayfile._png_of(Picture(*self._views._draw(view)).pixels)
+
+    def _repr_png_(self) -> bytes:
+        return self._png(0)
+
+    def _repr_html_(self) -> str | None:
+        """All views and a slider, in a page that needs nothing else; None if they are too large."""
+        import base64
+
+        frames: list[str] = []
+        size = 0
+        for view in range(len(self)):
+            png = self._png(view)
+            size += len(png)
+            if size > _MOST_BYTES:
+                return None
+            hidden = ' style="display:none"' if view else ""
+            data = base64.b64encode(png).decode()
+            frames.append(f'<img alt="view {view}" src="data:image/png;base64,{data}"{hidden}>')
+        show = (
+            "this.parentNode.querySelectorAll('img').forEach("
+            "(view, k) => view.style.display = k == this.value ? '' : 'none')"
+        )
+        slider = (
+            f'<br><input type="range" min="0" max="{len(self) - 1}" value="0" '
+            f'aria-label="view" oninput="{show}">'
+        )
+        return f"<div>{''.join(frames)}{slider}</div>"
 
     def draw(self, view: int) -> typing.Any:
         """Draw one of the views into memory.

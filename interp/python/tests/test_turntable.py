@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import re
 import threading
 from pathlib import Path
 
@@ -234,3 +236,27 @@ def test_draws_surfaces_in_curves() -> None:
     system.close_segment()
     turned = system.turntable(3, 100, hidden="perimeter")
     assert np.array_equal(turned.draw(0), system.draw(100, hidden="perimeter"))
+
+
+# ---- In notebooks ------------------------------------------------------------------------
+
+
+def test_a_notebook_turns_it_by_a_slider(mesh):
+    table = retained(mesh).turntable(5, SIZE)
+    page = table._repr_html_()
+    images = re.findall(r'<img [^>]*src="data:image/png;base64,([^"]*)"([^>]*)>', page)
+    assert len(images) == 5
+    assert ["display:none" in style for _, style in images] == [False, True, True, True, True]
+    for view, (data, _) in enumerate(images):
+        expected = displayfile._displayfile._png_of(table.draw(view))
+        assert base64.b64decode(data) == expected
+    assert table._repr_png_() == displayfile._displayfile._png_of(table.draw(0))
+    assert re.search(r'<input type="range" min="0" max="4" value="0"', page)
+
+
+def test_a_notebook_does_not_hold_views_that_are_large(mesh, monkeypatch):
+    table = retained(mesh).turntable(5, SIZE)
+    size = sum(len(displayfile._displayfile._png_of(table.draw(k))) for k in range(5))
+    for most, is_shown in ((size, True), (size - 1, False)):
+        monkeypatch.setattr(displayfile._turntable, "_MOST_BYTES", most)
+        assert (table._repr_html_() is not None) == is_shown

@@ -217,7 +217,7 @@ class Entering(Drawing):
         cmap : object, optional
             As in mesh.
         limits : (float, float), optional
-            As in mesh.
+            As in mesh. The default is that of all values, also of those that crop cuts away.
         levels : int or array_like, optional
             As in mesh: filled contours.
         contours : int or array_like, optional

@@ -349,8 +349,9 @@ class GraphicsSystem {
   /// Enters many polygons as repeated polygon_abs_3 would, several times as fast. The fill style
   /// and pick identifier in force are unchanged. Errors, before any polygon is entered: those of
   /// polygon_abs_3, set_fill_style, set_vertex_normals and set_vertex_colours; an index out of
-  /// range; counts that do not agree; fills and colours of vertices; a pick identifier below 0;
-  /// normals or colours set for the vertices of one polygon.
+  /// range; counts that do not agree; fills and colours of vertices; colours of vertices of a solid
+  /// whose cut faces are to be closed; a pick identifier below 0; normals or colours set for the
+  /// vertices of one polygon.
   void polygons_abs_3(const ManyPolygons& polygons);
   /// A surface over a grid: each cell is two triangles with an invisible diagonal from its least
   /// corner to its greatest. The surface's curves are the triangles' other sides, in the line

@@ -336,6 +336,31 @@ TEST(VertexColours, OfManyPolygonsAreThoseOfEach) {
   EXPECT_EQ(dump(at_once.display_file()), dump(one_by_one.display_file()));
 }
 
+/// Pieces have no cut faces: a solid stays open, and one that should be closed is refused.
+TEST(VertexColours, OfSolidsThatAreCut) {
+  const std::vector<Point3> vertices{{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0, 0.5, 0}, {0, 0, 0.7}};
+  const std::vector<std::uint32_t> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const ManyPolygons solid{.vertices = vertices, .corners = corners, .vertex_colours = kOfSquare};
+  const auto enter = [&](GraphicsSystem& g, CutFaces::Kind faces) {
+    g.set_cut_faces({faces});
+    g.set_cutting_plane(1, 1, 0, 0, -0.1);
+    g.open_segment(1);
+    g.polygons_abs_3(solid);
+    g.close_segment();
+  };
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem cut, replayed, closed;
+  cut.set_recorder(&recorder);
+  enter(cut, CutFaces::Kind::open);
+  EXPECT_GT(Held(cut).polygons, 500);
+  replay(recording.str(), "recording", replayed);
+  EXPECT_EQ(dump(replayed.display_file()), dump(cut.display_file()));
+  expect_error([&] { enter(closed, CutFaces::Kind::closed); },
+               "colours of vertices within a solid");
+  EXPECT_EQ(Held(closed).polygons, 0);
+}
+
 TEST(VertexColours, HaveToFitThePolygon) {
   GraphicsSystem g;
   EXPECT_NE(error_of([&] { g.set_vertex_colours({{0, 0, 1}, {0, 0, 1}}); }), "");

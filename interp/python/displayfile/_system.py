@@ -82,7 +82,8 @@ class System(Entering):
         segment is in the picture when it is closed. A system whose view is not set gets this camera
         when mesh, surface or polyline is called: look() changes it. Then meshes and surfaces are lit
         from over the viewer's left shoulder, and filled in a light grey without lines, unless
-        set_light, set_fill_style and set_line_style were called.
+        set_light, set_fill_style and set_line_style were called. Shapes that routines enter, such as
+        sphere_3, are not lit and have black sides, unless set_light and set_line_style were called.
 
         A routine that sets view parameters, such as set_perspective or set_viewport, acts on later
         segments alone: earlier ones keep the view that they have.

@@ -32,6 +32,16 @@ _UNKNOWN = (0.75, 0.75, 0.75)
 """The colour of values that are nan or masked."""
 _STEPS = 256
 _FINE_STEPS = 4096
+UNREADABLE: tuple[type[Exception], ...] = (TypeError, ValueError, ReferenceError)
+"""What objects raise that are no numbers: a weak reference to nothing raises the last."""
+
+
+def is_a(value: typing.Any, kind: type | tuple[type, ...]) -> bool:
+    """As isinstance, of any object."""
+    try:
+        return isinstance(value, kind)
+    except ReferenceError:
+        return False
 
 
 def colour(value: typing.Any, what: str = "colour") -> tuple[float, float, float]:
@@ -40,13 +50,13 @@ def colour(value: typing.Any, what: str = "colour") -> tuple[float, float, float
     A name of CSS or of matplotlib's cycle, one of its letters, #rrggbb, a grey such as "0.5", or
     three or four numbers from 0 to 1; what is not opaque is refused.
     """
-    if isinstance(value, str):
+    if is_a(value, str):
         return _of_word(value, what)
     import numpy as np
 
     try:
         parts = np.asarray(value, float)
-    except (TypeError, ValueError):
+    except UNREADABLE:
         raise Error(f"{what}: expected a colour, not {type(value).__name__}") from None
     if parts.shape not in ((3,), (4,)):
         raise Error(f"{what}: expected a name or red, green and blue, not shape {parts.shape}")
@@ -100,13 +110,13 @@ def colours(values: typing.Any, what: str = "colours") -> Floats:
     """
     import numpy as np
 
-    if isinstance(values, str):
+    if is_a(values, str):
         raise Error(f"{what}: expected many colours, not '{values}'")
-    if isinstance(values, (list, tuple)) and any(isinstance(value, str) for value in values):
+    if is_a(values, (list, tuple)) and any(is_a(value, str) for value in values):
         return np.array([colour(value, what) for value in values], float).reshape(-1, 3)
     try:
         array = np.asarray(values)
-    except ValueError:
+    except UNREADABLE:
         raise Error(f"{what}: expected an array of shape (N, 3), or a list of colours") from None
     if array.dtype == np.uint8:
         array = array / 255.0
@@ -131,12 +141,12 @@ def steps_of(cmap: typing.Any, at: Floats | None = None) -> Floats:
     """
     import numpy as np
 
-    if cmap is None or isinstance(cmap, str) and cmap == "displayfile":
+    if cmap is None or is_a(cmap, str) and cmap == "displayfile":
         if at is None:
             return _displayfile._height_colours(_STEPS)
         own = _displayfile._height_colours(_FINE_STEPS)
         return np.asarray(own)[_places(at, len(own))]
-    if isinstance(cmap, str):
+    if is_a(cmap, str):
         cmap = _of_matplotlib(cmap)
     if callable(cmap):
         if at is None:
@@ -230,7 +240,7 @@ def bounds_of(levels: typing.Any, low: float, high: float) -> Floats:
     """`levels` rising numbers, or as many bands between low and high."""
     import numpy as np
 
-    if isinstance(levels, (int, np.integer)) and not isinstance(levels, bool):
+    if is_a(levels, (int, np.integer)) and not is_a(levels, bool):
         if not 1 <= levels <= 1000:
             raise Error(f"levels: {levels}: expected 1 to 1000, or their bounds")
         return np.linspace(low, high, int(levels) + 1)
@@ -250,7 +260,7 @@ def limits_of(values: Floats, limits: typing.Any) -> tuple[float, float]:
     if limits is not None:
         try:
             first, last = limits
-        except (TypeError, ValueError):
+        except UNREADABLE:
             raise Error("limits: expected the lowest and the highest value") from None
         low = low if first is None else float(numbers(first, "limits"))
         high = high if last is None else float(numbers(last, "limits"))
@@ -266,15 +276,15 @@ def numbers(values: typing.Any, what: str) -> Floats:
     """As an array of doubles: masked ones are nan."""
     import numpy as np
 
-    if isinstance(values, str):
+    if is_a(values, str):
         raise Error(f"{what}: expected numbers, not '{values}'")
     try:
-        if isinstance(values, np.ma.MaskedArray):
+        if is_a(values, np.ma.MaskedArray):
             masked: typing.Any = values.astype(float)
             return np.asarray(masked.filled(np.nan))
         array = np.asarray(values)
         if array.dtype.kind not in "iufb" or array.dtype.kind == "b":
             raise TypeError
         return array.astype(float)
-    except (TypeError, ValueError):
+    except UNREADABLE:
         raise Error(f"{what}: expected numbers, not {type(values).__name__}") from None

@@ -104,7 +104,7 @@ class Entering(Drawing):
             _require_none("values", cmap=cmap, limits=limits, levels=levels)
             if fills is None:
                 _require_none("values or fills", at=at)
-            if fill is not None and not (isinstance(fill, str) and fill == "hollow"):
+            if fill is not None and not (_colours.is_a(fill, str) and fill == "hollow"):
                 fill = _colours.colour(fill, "fill")
             of_vertices = None
             if fills is not None:

@@ -72,7 +72,7 @@ def of_pyvista(mesh: typing.Any) -> Faces:
     """A pyvista.PolyData; of other data sets the surface that they extract."""
     import numpy as np
 
-    if not hasattr(mesh, "faces") and hasattr(mesh, "extract_surface"):
+    if not _has(mesh, "faces") and _has(mesh, "extract_surface"):
         mesh = mesh.extract_surface()
     points, padded = _members(mesh, "pyvista.PolyData", "points", "faces")
     padded = np.asarray(padded).ravel()
@@ -95,8 +95,16 @@ def of_pyvista(mesh: typing.Any) -> Faces:
     return Faces(points, padded[is_corner], counts, None, left_out, arrays)
 
 
+def _has(mesh: typing.Any, name: str) -> bool:
+    """As hasattr, of a weak reference to nothing too."""
+    try:
+        return hasattr(mesh, name)
+    except ReferenceError:
+        return False
+
+
 def _members(mesh: typing.Any, kind: str, *names: str) -> list[typing.Any]:
-    missing = [name for name in names if getattr(mesh, name, None) is None]
+    missing = [name for name in names if not _has(mesh, name) or getattr(mesh, name) is None]
     if missing:
         raise Error(f"expected a {kind}, with {' and '.join(names)}, not {type(mesh).__name__}")
     return [getattr(mesh, name) for name in names]

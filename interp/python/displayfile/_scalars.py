@@ -37,8 +37,7 @@ def place_of(values: Floats, at: str | None, faces: int, vertices: int) -> str:
         place for place, n in (("faces", faces), ("vertices", vertices)) if len(values) == n
     ]
     if at is not None:
-        if at not in ("faces", "vertices"):
-            raise Error(f"at '{at}': expected faces or vertices")
+        _require_place(at)
         if at not in fitting:
             raise Error(f"values: {len(values)} of them for {faces} faces, {vertices} vertices")
         return at
@@ -49,11 +48,19 @@ def place_of(values: Floats, at: str | None, faces: int, vertices: int) -> str:
     return fitting[0]
 
 
+def _require_place(at: typing.Any) -> None:
+    if not _colours.is_a(at, str):
+        raise Error(f"at: expected faces or vertices, not {type(at).__name__}")
+    if at not in ("faces", "vertices"):
+        raise Error(f"at '{at}': expected faces or vertices")
+
+
 def is_of_vertices(fills: Floats, at: str | None, vertices: typing.Any) -> bool:
     """Whether there is a colour for each vertex, and not for each face."""
-    if at not in (None, "faces", "vertices"):
-        raise Error(f"at '{at}': expected faces or vertices")
-    if at != "vertices":
+    if at is None:
+        return False
+    _require_place(at)
+    if at == "faces":
         return False
     count = len(_colours.numbers(vertices, "vertices"))
     if len(fills) != count:
@@ -120,14 +127,17 @@ def runs_of(points: typing.Any, closed: bool) -> tuple[Floats, Indices]:
     array = _colours.numbers(points, "points")
     if array.ndim != 2 or array.shape[1] != 3:
         raise Error(f"points: expected an array of shape (N, 3), not {array.shape}")
+    if not _colours.is_a(closed, (bool, np.bool_)):
+        raise Error(f"closed: expected True or False, not {type(closed).__name__}")
+    count = len(array)
     known = ~np.isnan(array).any(axis=1)
-    if closed and len(array):
+    if closed and count:
         array, known = np.append(array, array[:1], axis=0), np.append(known, known[:1])
     ends = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(np.int8)))
     first, end = ends[::2], ends[1::2]
     long = end - first >= 2
     if not long.any():
-        raise Error(f"points: {len(points)} of them: expected 2 or more without a gap")
+        raise Error(f"points: {count} of them: expected 2 or more without a gap")
     kept = [array[a:b] for a, b in zip(first[long], end[long])]
     return np.concatenate(kept), (end - first)[long]
 
@@ -138,7 +148,10 @@ def picks_of(picks: typing.Any, faces: int) -> typing.Any:
 
     if picks is None:
         return np.arange(faces)
-    given = np.asarray(picks)
+    try:
+        given = np.asarray(picks)
+    except _colours.UNREADABLE:
+        raise Error(f"picks: expected whole numbers, not {type(picks).__name__}") from None
     if given.dtype.kind not in "iu" or given.shape != (faces,):
         raise Error(f"picks: expected {faces} whole numbers, one for each face")
     return given
@@ -180,7 +193,7 @@ def contours_of(
         return None
     known = ~np.isnan(values).any(axis=1)
     low, high = _colours.limits_of(values, limits)
-    if isinstance(contours, (int, np.integer)) and not isinstance(contours, bool):
+    if _colours.is_a(contours, (int, np.integer)) and not _colours.is_a(contours, bool):
         if not 1 <= contours <= 1000:
             raise Error(f"contours: {contours}: expected 1 to 1000, or their levels")
         levels = np.linspace(low, high, int(contours) + 2)[1:-1]
@@ -203,7 +216,7 @@ def planes_of(crop: typing.Any) -> Floats:
         return np.zeros((0, 4))
     try:
         ranges = list(crop)
-    except TypeError:
+    except _colours.UNREADABLE:
         ranges = []
     if len(ranges) != 3:
         raise Error("crop: expected ranges of x, y and z, each two numbers or None")
@@ -212,7 +225,7 @@ def planes_of(crop: typing.Any) -> Floats:
             continue
         try:
             low, high = (None if end is None else float(end) for end in limits)
-        except (TypeError, ValueError):
+        except _colours.UNREADABLE:
             raise Error("crop: expected ranges of x, y and z, each two numbers or None") from None
         if not all(end is None or np.isfinite(end) for end in (low, high)) or (
             low is not None and high is not None and not low < high
@@ -263,6 +276,8 @@ def _frame(left: float, right: float, low: float, high: float) -> list[tuple[flo
 
 
 def colour_bar(scale: _colours.Scale, label: str, ticks: typing.Any, letters: typing.Any) -> Beside:
+    if not _colours.is_a(label, str):
+        raise Error(f"label: expected a text, not {type(label).__name__}")
     low, high = scale.limits
     left, right = _EDGE, _EDGE + _BAR_WIDTH
     size = _size_of(letters)
@@ -354,7 +369,7 @@ def legend(entries: typing.Any, letters: typing.Any) -> Beside:
     row = max(_ROW, _LINE * size)
     try:
         pairs = [(str(name), _colours.colour(value, "legend")) for name, value in entries.items()]
-    except AttributeError:
+    except (AttributeError, ReferenceError):
         raise Error("legend: expected a dictionary of names and their colours") from None
     if not pairs:
         raise Error("legend: expected at least one name")

@@ -178,3 +178,52 @@ def test_random_calls() -> None:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     assert "40 programs" in done.stdout
+
+
+# ---- Arrays that are none, and references to nothing -------------------------------------
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "g.surface(X, X, [dead()], contours=2)",
+        "g.surface(X, X, dead(), contours=2)",
+        "g.mesh(POINTS, FACE, values=dead())",
+        "g.mesh(POINTS, FACE, values=[dead()])",
+        "g.mesh(POINTS, FACE, fills=dead())",
+        "g.mesh(POINTS, FACE, fills=[dead()])",
+        "g.mesh(POINTS, FACE, fills=['red', dead()])",
+        "g.mesh(POINTS, FACE, fill=dead())",
+        "g.polyline(dead())",
+        "g.polyline([dead()])",
+        "g.polyline(as_array([(0, 0, 0)]))",
+        "g.polyline(POINTS, colour=dead())",
+        "g.polyline(POINTS, closed=dead())",
+        "g.mesh(POINTS, FACE, values=[1], limits=dead())",
+        "g.mesh(POINTS, FACE, values=[1], levels=dead())",
+        "g.mesh(POINTS, FACE, values=[1], cmap=dead())",
+        "g.mesh(POINTS, FACE, values=[1], at=dead())",
+        "g.mesh(POINTS, FACE, fills=POINTS, at=dead())",
+        "g.mesh(dead(), FACE, fills=POINTS, at='vertices')",
+        "g.surface(X, X, FLAT, crop=dead())",
+        "g.surface(X, X, FLAT, crop=(dead(), None, None))",
+        "g.surface(X, X, FLAT, contours=dead())",
+        "g.surface(X, X, FLAT, contours=2, contour_colour=dead())",
+        "g.mesh(POINTS, FACE, values=[1, 2, 4], at='vertices', picks=dead())",
+        "g.mesh(POINTS, FACE, values=[1, 2, 4], at='vertices', normals=dead())",
+        "g.colour_bar(dead())",
+        "g.colour_bar('a', ticks=dead())",
+        "g.colour_bar('a', letters=dead())",
+        "g.legend(dead())",
+        "g.legend({'a': dead()})",
+        "g.from_trimesh(dead())",
+        "g.from_meshio(dead())",
+        "g.from_pyvista(dead())",
+    ],
+)
+def test_what_is_no_array_is_refused(call):
+    names = {**vars(hostile), "POINTS": np.eye(3), "FACE": [[0, 1, 2]]}
+    names |= {"X": [1, 2], "FLAT": np.zeros((2, 2)), "g": System()}
+    names["g"].mesh(np.eye(3), [[0, 1, 2]], values=[1], at="faces")
+    with pytest.raises(Error):
+        eval(call, names)

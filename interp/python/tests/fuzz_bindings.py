@@ -154,6 +154,10 @@ def require_replay(system: System, options: dict[str, Any], calls: list[str]) ->
 def run_with_a_twin(calls: list[str], options: dict[str, Any]) -> None:
     system, twin = System(**options), System(**options)
     system.record()
+    # Where calls are recorded, solids that planes cut are cut as wholes, from world coordinates: the
+    # same picture but for rounding.
+    if any("set_cutting_plane" in text for text in calls):
+        twin.record()
     for number, text in enumerate(calls):
         value, error = outcome(text, system)
         # What an argument called meanwhile was done, even if the call was refused.

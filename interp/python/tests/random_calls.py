@@ -31,6 +31,7 @@ SENSIBLE = {
     "set_image_rotation": ["1, 30", "2, -90"],
     "set_parallel": ["0, 0, 1", "0.25, -0.5, 1", "-0.125, 0, 2"],
     "set_perspective": ["0, 0, 5", "1, -2, 6", "0.5, 0.25, 3"],
+    "set_vertex_colours": ["'red', 'red', '#f40'", "0, 0, 1, 0, 0.1, 1, 0, 0, 0.9, 0, 0, 1", ""],
     "set_view_depth": ["-1, 3", "-2, 2", "-0.5, 0.5"],
     "set_view_plane_normal": ["0, 0, -1", "0.25, -0.5, -1", "1, 1, -2"],
     "set_view_reference_point": ["0, 0, 0", "0.25, 0, -0.125"],

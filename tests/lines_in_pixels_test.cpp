@@ -77,25 +77,33 @@ class SlowPainter {
   /// For a line that is not steep.
   bool is_there(const WholeLineInPixels& line, int column, int row, int columns, int rows,
                 const LinePiece& piece) const {
+    if (width_ > 1.5) return is_in_wide({column + 0.5, row + 0.5}, line, piece);
     const bool turned = line.to.x < line.from.x;
     const Point2 low = turned ? line.to : line.from, high = turned ? line.from : line.to;
     if (column < cell(low.x, columns) || column > cell(high.x, columns)) return false;
     const double x = std::clamp(column + 0.5, low.x, high.x);
     const double t = high.x > low.x ? (x - low.x) / (high.x - low.x) : 0.0;
     const double y = low.y + t * (high.y - low.y);
-    double place = turned ? 1.0 - t : t;
-    if (width_ <= 1.0) {
-      if (cell(y, rows) != row) return false;
-    } else {
-      const double slant = std::max(1.0, line.length() / (high.x - low.x));
-      const double half = width_ * slant / 2.0;
-      if (row + 0.5 < y - half || row + 0.5 >= y + half) return false;
-      const Point2 along = line.to - line.from, to_centre = Point2(column, row) + 0.5 - line.from;
-      place = std::clamp(
-          (to_centre.x * along.x + to_centre.y * along.y) / (line.length() * line.length()), 0.0,
-          1.0);
-    }
+    const double place = turned ? 1.0 - t : t;
+    if (cell(y, rows) != row) return false;
     return place >= piece.from && place <= piece.to;
+  }
+
+  /// For a line that is not steep, with caps.
+  bool is_in_wide(const Point2& centre, const WholeLineInPixels& line,
+                  const LinePiece& piece) const {
+    const double half = 0.5 * width_, length = line.length();
+    const Point2 along = line.to - line.from, offset = centre - line.from;
+    if (length == 0.0) return std::abs(offset.x) < half && std::abs(offset.y) < half;
+    const double place = (offset.x * along.x + offset.y * along.y) / (length * length);
+    const double above = offset.y - offset.x * along.y / along.x;
+    const double upright = half * length / std::abs(along.x);
+    if (above < -upright || above >= upright) return false;
+    const Point2 to_end = centre - line.to;
+    if (place < 0.0 && !(std::hypot(offset.x, offset.y) < half)) return false;
+    if (place > 1.0 && !(std::hypot(to_end.x, to_end.y) < half)) return false;
+    const double nearest = std::clamp(place, 0.0, 1.0);
+    return nearest >= piece.from && nearest <= piece.to;
   }
 
   const LineItems& items_;

@@ -16,6 +16,7 @@
 #include "clip/surfaces.h"
 #include "clip/view/transformation.h"
 #include "displayfile/entered/normal_plane.h"
+#include "displayfile/segments/clipped_ends.h"
 #include "displayfile/segments/viewed_scene.h"
 #include "hidden/lines/strokes_once.h"
 #include "hidden/sort/hidden_surface_sort.h"
@@ -272,15 +273,7 @@ class PieceWriter {
       const PointRow ends = scene().points(piece.item);
       cuts = {part[0] != ends[0], part[1] != ends[1]};
     }
-    return {cuts.at_start || is_clipped(piece.item, part[0]),
-            cuts.at_end || is_clipped(piece.item, part[1])};
-  }
-
-  /// True if the point is on a border of the item's viewport that is not a border of the picture.
-  bool is_clipped(std::uint32_t item, const Point3& p) const {
-    const auto [x_min, x_max, y_min, y_max] = scene().viewport_of(item);
-    return (p.x == x_min && x_min > 0.0) || (p.x == x_max && x_max < 1.0) ||
-           (p.y == y_min && y_min > 0.0) || (p.y == y_max && y_max < 1.0);
+    return with_clipped_ends(scene(), piece.item, part[0], part[1], cuts);
   }
 
   /// Finds the corners at which a drawn side ends and the next is not drawn, or the reverse, that
@@ -292,7 +285,7 @@ class PieceWriter {
       if ((kinds_[i] != 0) == (kinds_[(i + 1) % points.size()] != 0)) continue;
       const bool is_own =
           piece.first == SortedPiece::kWhole || std::ranges::find(own, points[i]) != own.end();
-      cut_corners_[i] = !is_own || is_clipped(piece.item, points[i]) ? 1 : 0;
+      cut_corners_[i] = !is_own || is_clipped(scene(), piece.item, points[i]) ? 1 : 0;
     }
     if (std::ranges::find(cut_corners_, 1) == cut_corners_.end()) return;
     visit_.corner_cuts(std::span<const std::uint8_t>(cut_corners_));

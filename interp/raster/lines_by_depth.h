@@ -20,7 +20,8 @@ namespace displayfile {
 /// depth there is that of its polygon's support plane.
 class LinesByDepth : public OutputDevice {
  public:
-  explicit LinesByDepth(const RasterBand& band) : band_(band), lines_(band.region) {}
+  LinesByDepth(const RasterBand& band, double line_scale)
+      : band_(band), lines_(band.region, line_scale) {}
 
   void fill(const DrawnPolygon&) override {}
   void edges(const DrawnPolygon& polygon) override {

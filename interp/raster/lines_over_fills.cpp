@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "displayfile/segments/clipped_ends.h"
 #include "displayfile/segments/drawn_strokes.h"
 #include "displayfile/segments/hidden_surface_check.h"
 #include "displayfile/segments/scene_lines.h"
@@ -22,10 +23,12 @@ void take_strokes(LinesOverFills::Group& group, const FoundLines& found) {
     const Point3 &from = order.points[piece.first], &to = order.points[piece.first + 1];
     const LineStyle style =
         style_of_stroke(*group.scene, piece.item, order.visible[piece.first + 1]);
+    const LineCuts cuts =
+        with_clipped_ends(*group.scene, piece.item, from, to, order.stroke_cuts(piece));
     if (order.is_hidden(k)) {
-      group.hidden.push_back({from, to, hidden_line_style(style)});
+      group.hidden.push_back({from, to, hidden_line_style(style), cuts});
     } else {
-      group.intersections.push_back({from, to, style});
+      group.intersections.push_back({from, to, style, cuts});
     }
   }
 }
@@ -46,8 +49,12 @@ void take_by_depth(LinesOverFills::Group& group, const FoundLines& found) {
     const Point2 start(part.at(from, to, part.from)), end(part.at(from, to, part.to));
     const bool is_crumb = is_shorter_than_wide(start, end, group.wanted.pixels, style.width);
     if (part.is_alone && is_crumb) continue;
+    const LineCuts of_stroke =
+        with_clipped_ends(scene, piece.item, from, to, lines.stroke_cuts(piece));
+    const LineCuts cuts{of_stroke.at_start || part.cuts.at_start,
+                        of_stroke.at_end || part.cuts.at_end};
     group.by_depth.push_back(
-        {{from, to, style}, part.from, part.to, lines.pick_item(piece), lines.is_hidden(k)});
+        {{from, to, style, cuts}, part.from, part.to, lines.pick_item(piece), lines.is_hidden(k)});
   }
 }
 

@@ -37,6 +37,7 @@ class LinesOverFills {
   struct Stroke {
     Point3 from, to;
     LineStyle style;
+    LineCuts cuts;
   };
   /// A part of a line, drawn at its place in the order of depth.
   struct DeepPart {
@@ -60,18 +61,16 @@ class LinesOverFills {
     }
     /// Draws the lines with a LinePainter.
     template <class Painter, class Plot>
-    void draw(Painter& painter, double line_scale, const Plot& plot) const {
-      painter.strokes(hidden, line_scale, plot);
-      painter.seen(*scene, pieces, line_scale, plot);
-      painter.strokes(intersections, line_scale, plot);
-      for (const DeepPart& part : by_depth) draw(part, painter, line_scale, plot);
+    void draw(Painter& painter, const Plot& plot) const {
+      painter.strokes(hidden, plot);
+      painter.seen(*scene, pieces, plot);
+      painter.strokes(intersections, plot);
+      for (const DeepPart& part : by_depth) draw(part, painter, plot);
     }
     template <class Painter, class Plot>
-    static void draw(const DeepPart& part, Painter& painter, double line_scale, const Plot& plot) {
+    static void draw(const DeepPart& part, Painter& painter, const Plot& plot) {
       const VisiblePiece seen{0, 0, part.from, part.to};
-      const LineStyle style = scaled(part.stroke.style, line_scale);
-      painter.line({part.stroke.from, part.stroke.to, style}, SeenOfLine(std::span(&seen, 1)),
-                   plot);
+      painter.stroke(part.stroke, SeenOfLine(std::span(&seen, 1)), plot);
     }
   };
 

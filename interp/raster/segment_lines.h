@@ -14,7 +14,7 @@ namespace displayfile {
 class SegmentLines {
  public:
   SegmentLines(const ScanConverter::Region& region, const LinesOverFills& found, double line_scale)
-      : painter_(region), found_(found), line_scale_(line_scale) {}
+      : painter_(region, line_scale), found_(found) {}
 
   void begin_segment(int name) {
     group_ = found_.all() != nullptr ? found_.all() : found_.of_segment(name);
@@ -45,13 +45,12 @@ class SegmentLines {
  private:
   template <class Plot>
   void draw(const LinesOverFills::Group& group, Plot&& plot) {
-    group.draw(painter_, line_scale_, plot);
+    group.draw(painter_, plot);
   }
 
   LinePainter painter_;
   RowsPainted painted_;  // a line counts as a row
   const LinesOverFills& found_;
-  double line_scale_;
   const LinesOverFills::Group* group_ = nullptr;  // of the segment that has begun
 };
 

@@ -339,7 +339,7 @@ std::optional<double> depth_shown(const LinesOverFills::DeepPart& part, const Pi
                                   const Picker::Pixel& at) {
   std::optional<double> depth;
   LinePainter painter({size, at.row, at.row + 1});
-  LinesOverFills::Group::draw(part, painter, 1.0, [&](int x, int, double z, std::uint32_t) {
+  LinesOverFills::Group::draw(part, painter, [&](int x, int, double z, std::uint32_t) {
     if (x == at.column) depth = z;
   });
   return depth;
@@ -456,8 +456,8 @@ void SoftwareRenderer::draw_lines_seen(const RasterRequest& request, const RowRa
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& of_band) {
     const PictureSize size{request.width, request.height};
     RasterBand band(picture_, size, pixel_of(request.background), rows, of_band);
-    LinePainter painter(band.region);
-    lines.draw(painter, request.line_scale, [&](int x, int y, double /*z*/, std::uint32_t colour) {
+    LinePainter painter(band.region, request.line_scale);
+    lines.draw(painter, [&](int x, int y, double /*z*/, std::uint32_t colour) {
       picture_.pixels[band.index(y, x)] = colour;
     });
   });
@@ -469,7 +469,8 @@ void SoftwareRenderer::draw_lines_by_depth(const RasterRequest& request, const R
   const int at_a_time = rows_worth_a_walk(request, scene_->items());
   for_bands_of_rows(request, rows, at_a_time, [&](const RowRange& band) {
     LinesByDepth lines(
-        {picture_, {request.width, request.height}, pixel_of(request.background), rows, band});
+        {picture_, {request.width, request.height}, pixel_of(request.background), rows, band},
+        request.line_scale);
     interpret_lines(*scene_, lines, request.line_scale);
   });
   if (request.depth) picture_.depth = std::move(of_fills);

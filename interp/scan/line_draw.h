@@ -12,7 +12,8 @@ namespace displayfile {
 
 /// Where a dashed line is in its pattern; carried from side to side of a polygon.
 struct DashPhase {
-  double length = 0.0;  ///< drawn so far, in pixels
+  double length = 0.0;    ///< drawn so far, in pixels
+  Point2 direction{0.0};  ///< of the line drawn last; 0: there is none
 };
 
 /// The steps of a line: integers from first to last.

@@ -283,6 +283,44 @@ TEST_F(ExplodeCommand, AnnotationMovesWithItsSegment) {
   EXPECT_NEAR(balloon_of("low.draw mid.draw"), before + 7.5, 1e-3);
 }
 
+/// Two bolts of a lid, which begin elsewhere by a rounding, and a plug of another shape.
+TEST_F(ExplodeCommand, EqualPartsSideBySideMoveAlike) {
+  const std::string plug =
+      "open-segment 4\npolygon-abs-2 40 5e-10  50 5e-10  50 10  45 9  40 10\nclose-segment\n";
+  write("bolts.draw", "set-window 0 100 -50 50\nset-line-style none\n" + segment(1, 0, 50, 10, 12) +
+                          segment(2, 0, 5, 0, 10) + plug +
+                          "open-segment 3\npolygon-abs-2 20 1e-9  25 1e-9  25 10  20 10\n"
+                          "close-segment\n");
+  const std::vector<std::string> moved = fills("bolts.draw --explode -y=0.5");
+  ASSERT_EQ(moved.size(), 4u);
+  EXPECT_EQ(moved[0], "M0 38l0 2 50 0 0-2Z");  // begins first
+  const auto top_of = [](const std::string& path) {
+    const auto space = path.find(' ');
+    return std::stod(path.substr(space + 1));
+  };
+  EXPECT_EQ(top_of(moved[1]), 44.0);  // half of the mean length, 8, after it
+  EXPECT_EQ(top_of(moved[3]), 44.0);
+  EXPECT_EQ(top_of(moved[2]), 58.0);
+  const std::vector<std::string> ordered = fills("bolts.draw --explode -y:1,2,3,4");
+  EXPECT_NE(top_of(ordered[1]), top_of(ordered[3]));
+}
+
+/// Parts of one place that are one within the other are not side by side, nor those of other shape.
+TEST_F(ExplodeCommand, PartsInEachOtherOrOfOtherShapesMoveApart) {
+  write("pin.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 30, 0, 10) +
+                        segment(2, 15, 25, 0, 10));
+  const std::vector<std::string> pin = fills("pin.draw --explode y");
+  EXPECT_EQ(pin[0], "M10 90l0 10 20 0 0-10Z");
+  EXPECT_EQ(pin[1], "M15 75l0 10 10 0 0-10Z");
+  write("other.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 30, 0, 10) +
+                          "open-segment 2\npolygon-abs-2 40 0  50 0  45 10\nclose-segment\n");
+  EXPECT_EQ(fills("other.draw --explode y")[1].substr(0, 6), "M45 75");
+  write("same.draw", segment(1, 10, 20, 0, 10) + segment(2, 30, 40, 0, 10));
+  expect_error("draw same.draw -o a.svg --explode y",
+               "--explode y: the parts are equal and side by side: expected another axis, radial, "
+               "or an order such as y:1,2");
+}
+
 /// Flat parts, each in one plane, have no length along the axis: their size replaces it.
 TEST_F(ExplodeCommand, FlatPartsAreMovedTooByTheirSize) {
   write("flat.draw", "set-window 0 100 0 100\nset-line-style none\nset-parallel 0 1 -1\n" +

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "clip/base/error.h"
 #include "clip/view/view_volume.h"
@@ -26,6 +28,8 @@
 namespace displayfile {
 
 namespace {
+
+constexpr double kEqual = 1e-6;  // of the longest part, by which places of equal parts may differ
 
 Point3 middle_of(const AssemblyPart& part) { return 0.5 * part.low + 0.5 * part.high; }
 
@@ -53,6 +57,44 @@ std::vector<std::size_t> places_in_order(std::span<const AssemblyPart> parts,
   return places;
 }
 
+/// The parts of an assembly along an axis, in the order of their moves: each level is a part, or
+/// several equal ones side by side.
+class Levels {
+ public:
+  Levels(std::span<const AssemblyPart> parts, int axis, double reach)
+      : parts_(parts), axis_(axis), reach_(reach) {}
+  const std::vector<std::vector<std::size_t>>& all() const { return all_; }
+
+  /// Parts must be added in order; those in different places of an order that is set stay apart.
+  void add(std::size_t part, std::size_t place) {
+    std::vector<std::size_t>& of_kind = of_kinds_[{place, parts_[part].points}];
+    for (const std::size_t level : of_kind) {
+      const auto beside = [&](std::size_t other) { return are_side_by_side(part, other); };
+      if (std::ranges::all_of(all_[level], beside)) return all_[level].push_back(part);
+    }
+    of_kind.push_back(all_.size());
+    all_.push_back({part});
+  }
+
+ private:
+  bool are_side_by_side(std::size_t a, std::size_t b) const {
+    const AssemblyPart &p = parts_[a], &q = parts_[b];
+    if (std::abs(p.low[axis_] - q.low[axis_]) > reach_) return false;
+    if (std::abs(p.high[axis_] - q.high[axis_]) > reach_) return false;
+    const auto are_apart = [&](int across) {  // flat ones in one place are not
+      const double apart = std::max(q.low[across] - p.high[across], p.low[across] - q.high[across]);
+      return apart >= -reach_ && std::abs(p.low[across] - q.low[across]) > reach_;
+    };
+    return are_apart((axis_ + 1) % 3) || are_apart((axis_ + 2) % 3);
+  }
+
+  std::span<const AssemblyPart> parts_;
+  int axis_;
+  double reach_;
+  std::vector<std::vector<std::size_t>> all_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> of_kinds_;
+};
+
 /// Along an axis; coordinates are multiplied by `sign`, so that it is upward.
 void move_along(std::vector<AssemblyPart>& parts, int axis, const Explosion& explosion) {
   const double sign = explosion.downward ? -1.0 : 1.0, factor = explosion.factor;
@@ -73,13 +115,25 @@ void move_along(std::vector<AssemblyPart>& parts, int axis, const Explosion& exp
   }
   const double mean = lengths / static_cast<double>(parts.size());
   const double gap = factor * (mean > 0.0 ? mean : longest);  // all of them flat
+  Levels levels(parts, axis, kEqual * longest);
+  for (const std::size_t part : order) levels.add(part, places[part]);
+  if (levels.all().size() == 1) {
+    throw Error(
+        fmt::format("--explode {}: the parts are equal and side by side: expected another axis, "
+                    "radial, or an order such as {}:{},{}",
+                    explosion.word, explosion.word.substr(0, explosion.word.find(':')),
+                    parts[order[0]].name, parts[order[1]].name));
+  }
   double end = ends(parts[order.front()]), move = 0.0;
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    AssemblyPart& part = parts[order[k]];
-    part.neighbour[axis] = sign * move;
-    move = std::max(end - begins(part), move) + gap;
-    part.move[axis] = sign * move;
-    end = ends(part) + move;
+  for (const std::vector<std::size_t>& level : std::span(levels.all()).subspan(1)) {
+    const double before = move;
+    const AssemblyPart& first = parts[level.front()];
+    move = std::max(end - begins(first), move) + gap;
+    for (const std::size_t part : level) {
+      parts[part].neighbour[axis] = sign * before;
+      parts[part].move[axis] = sign * move;
+    }
+    end = ends(first) + move;
   }
 }
 
@@ -172,6 +226,7 @@ std::vector<std::size_t> parts_of(const AssembledInputs& assembly,
                                     : name_of(assembly, segments[k]);
     }
     AssemblyPart& box = parts[part->second];
+    box.points += points.size();
     for (const Point3& p : points) {
       box.low = glm::min(box.low, p);
       box.high = glm::max(box.high, p);

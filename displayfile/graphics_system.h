@@ -405,8 +405,9 @@ class GraphicsSystem {
   /// `dashed`.
   void set_line_kind_style(StyledLines lines, const LineKindStyle& style);
   void set_text_style(const TextStyle& style);  ///< Error: a size not above 0, or above 1.
-  /// Errors: a size not above 0, or above 1000; decimals that are not 0 to 9. Each member is
-  /// a routine of drawing programs, recorded if it differs from its last recorded value.
+  /// Errors: a size not above 0, or above 1000; decimals that are not 0 to 9; a text of dimensions
+  /// without `<>`, or with several. Each member is a routine of drawing programs, recorded if it
+  /// differs from its last recorded value.
   void set_annotation_style(const AnnotationStyle& style);
   /// Sets the light: a world direction toward it, of any non-zero length; ambient in [0,1]. A
   /// polygon's fill colour is multiplied by ambient + (1 - ambient) max(0, cosine of the angle

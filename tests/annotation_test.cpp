@@ -225,6 +225,45 @@ TEST(Annotation, MeasuresAreThoseOfTheModel) {
             (Texts{"8", "21", "R4"}));
 }
 
+/// The number stands for <>; what is around it replaces the signs.
+TEST(Annotation, DimensionsHaveTextsOfTheirOwn) {
+  EXPECT_EQ(
+      texts_of("set-dimension-text \"\u00d8<> H7\"\n"
+               "diameter-dimension-3 0 0 0  3 4 0\n"
+               "set-dimension-text \"<> \u00b1 0.1\"\n"
+               "linear-dimension-3 x 0 0 0  3.25 4 0  0 9 0\n"
+               "aligned-dimension-3 0 0 0  3 4 0  0 9 0\n"
+               "set-dimension-text \"SR<>\"\n"
+               "radius-dimension-3 0 0 0  3 4 0\n"
+               "set-dimension-text \"<> deg\"\n"
+               "angle-dimension-3 1 1 1  2 1 1  1 5 1  3\n"
+               "leader-3 0 0 0 \"<>\"\n"
+               "set-dimension-text \"\"\n"
+               "radius-dimension-3 0 0 0  3 4 0\n"),
+      (std::vector<std::string>{"\u00d8"
+                                "5 H7",
+                                "3.25 \u00b1 0.1", "5 \u00b1 0.1", "SR5", "90 deg", "<>", "R5"}));
+  for (const char* const bad : {"H7", "<> <>", "<"}) {
+    EXPECT_EQ(
+        error_of_program(fmt::format("set-dimension-text \"{}\"\n", bad)),
+        fmt::format("scene.draw:1:1: dimension text \"{}\": expected <> once, in place of the "
+                    "measure",
+                    bad));
+  }
+  EXPECT_NE(error_of_program("set-dimension-text <>\n").find("1:20: expected a text in quotation"),
+            std::string::npos);
+  std::ostringstream recording;
+  Recorder recorder(recording);
+  GraphicsSystem g;
+  g.set_recorder(&recorder);
+  AnnotationStyle style;
+  style.dimension_text = "<> \"H7\"";
+  g.set_annotation_style(style);
+  g.set_annotation_style(style);
+  EXPECT_EQ(recording.str(), "set-dimension-text \"<> \\\"H7\\\"\"\n");
+  EXPECT_EQ(replayed(recording.str()).looks().annotation, style);
+}
+
 /// So are the offsets of dimension lines.
 TEST(Annotation, OffsetsAreInTheCoordinatesInForce) {
   const GraphicsSystem g = replayed(

@@ -195,7 +195,7 @@ class RandomApplication {
   }
   void annotation_setting() {
     AnnotationStyle style = system_.looks().annotation;
-    switch (below(4)) {
+    switch (below(5)) {
       case 0:
         style.size = uniform(-1, 20);
         style.unit =
@@ -205,6 +205,9 @@ class RandomApplication {
         style.ends = chance(50) ? AnnotationStyle::Ends::arrow : AnnotationStyle::Ends::dot;
         break;
       case 2: style.decimals = static_cast<int>(below(12)) - 1; break;
+      case 3:
+        style.dimension_text = chance(50) ? "4\u00d7 <> \"H7\"" : chance(50) ? "" : "H7";
+        break;
       default:
         style.placement = chance(50) ? AnnotationStyle::Placement::entered
                                      : AnnotationStyle::Placement::automatic;

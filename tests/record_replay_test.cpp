@@ -222,7 +222,7 @@ TEST(RecordReplay, AttributesOfSegmentsThatAreTakenBackAreNotLeft) {
     system.set_shading(Shading::phong);
     system.set_crease_angle(30.0);
     system.set_annotation_style({2.5, AnnotationStyle::Unit::pixels, AnnotationStyle::Ends::dot, 0,
-                                 AnnotationStyle::Placement::automatic});
+                                 AnnotationStyle::Placement::automatic, "<> H7"});
     system.set_shadows(true);
     system.set_back_face_removal(true);
     system.set_pick_id(7);

@@ -136,6 +136,9 @@ struct AnnotationStyle {
   Ends ends = Ends::arrow;  ///< of leaders, at the model
   int decimals = 2;         ///< at most this many of a measure; trailing zeros are omitted
   Placement placement = Placement::entered;
+  /// The text of dimensions, with `<>` once, in place of which the measure stands, without a sign:
+  /// `\u00d8<> H7`. Empty: the measure with its sign, such as R.
+  std::string dimension_text = {};
   bool operator==(const AnnotationStyle&) const = default;
 };
 

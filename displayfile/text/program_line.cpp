@@ -148,6 +148,11 @@ std::string_view ProgramLine::take<std::string_view>() {
   return characters_;
 }
 
+template <>
+std::string ProgramLine::take<std::string>() {
+  return std::string(take<std::string_view>());
+}
+
 template <class Point>
 std::span<const Point> ProgramLine::take_points() {
   auto& points = std::get<std::vector<Point>>(points_);

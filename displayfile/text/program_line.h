@@ -78,6 +78,8 @@ template <>
 Point3 ProgramLine::take<Point3>();
 template <>
 std::string_view ProgramLine::take<std::string_view>();
+template <>
+std::string ProgramLine::take<std::string>();
 extern template std::span<const Point2> ProgramLine::take_points();
 extern template std::span<const Point3> ProgramLine::take_points();
 

@@ -229,6 +229,10 @@ constexpr auto kAnnotation = std::to_array<Routine>({
     counted<annotation_style<&AnnotationStyle::decimals>>(
         "set-annotation-decimals", "n",
         "Most decimals of measures that follow, 0 to 9; trailing zeros are omitted [2]."),
+    counted<annotation_style<&AnnotationStyle::dimension_text>>(
+        "set-dimension-text", "\"characters\"",
+        "Text of dimensions that follow, with <> in place of the measure, which is without its "
+        "sign, as \"2x <> H7\"; \"\" for the measure with its sign [\"\"]."),
     counted<annotation_style<&AnnotationStyle::placement>>(
         "set-annotation-placement", "entered|auto",
         "Where annotation that follows stands: as entered, or outside of the figure, clear of "

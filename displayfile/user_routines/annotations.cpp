@@ -21,8 +21,9 @@ namespace displayfile {
 namespace {
 
 constexpr double kLargestOffset = 1e6;
-constexpr double kUsualOffset = 3.0;  // times the annotation's size
-constexpr int kHalvingsOfArc = 5;     // an arc is 2^5 chords
+constexpr double kUsualOffset = 3.0;         // times the annotation's size
+constexpr int kHalvingsOfArc = 5;            // an arc is 2^5 chords
+constexpr std::string_view kMeasure = "<>";  // its place in the text of dimensions
 constexpr double kDegrees = 57.295779513082320877;
 
 /// The measure with at most this many decimals, without trailing zeros.
@@ -66,6 +67,15 @@ std::vector<Point3> arc_between(const Point3& from, const Point3& to) {
 }
 
 std::string words_of(const Point3& p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
+
+void require_dimension_text(std::string_view text) {
+  require_characters(text);
+  if (text.empty()) return;
+  const std::size_t at = text.find(kMeasure);
+  if (at != text.npos && text.find(kMeasure, at + kMeasure.size()) == text.npos) return;
+  throw Error(fmt::format("dimension text {}: expected {} once, in place of the measure",
+                          in_quotation_marks(text), kMeasure));
+}
 
 /// Both numbers, each after a blank; empty if there are none.
 std::string words_of(const std::optional<Point2>& offset) {
@@ -146,7 +156,7 @@ struct GraphicsSystem::State::AnnotationEntry {
     const double radius = d.radius * scale_of(d.from - d.vertex, from - vertex);
     for (const Point3& direction : arc_between(u, v)) points.push_back(vertex + radius * direction);
     return kept(Kind::angle, std::move(points),
-                measured(std::atan2(sine, cosine) * kDegrees) + "\u00b0");
+                dimension_text("", std::atan2(sine, cosine) * kDegrees, "\u00b0"));
   }
   KeptAnnotation operator()(const Title& title) {
     require_characters(title.text);
@@ -178,11 +188,18 @@ struct GraphicsSystem::State::AnnotationEntry {
     }
     const LineStyle& line = state.looks_.attributes.line;
     const Colour colour = line.kind == LineStyle::Kind::none ? Colour(0.0) : line.colour;
-    return {kind, state.looks_.annotation, colour, offset, std::move(points), std::move(characters),
-            {}};
+    AnnotationStyle style = state.looks_.annotation;
+    style.dimension_text.clear();  // `characters` have it
+    return {kind, std::move(style), colour, offset, std::move(points), std::move(characters), {}};
   }
-  std::string measured(double measure) const {
-    return measure_text(measure, state.looks_.annotation.decimals);
+  /// The measure between its signs, or in the text that is set.
+  std::string dimension_text(std::string_view before, double measure,
+                             std::string_view after) const {
+    const AnnotationStyle& style = state.looks_.annotation;
+    const std::string number = measure_text(measure, style.decimals);
+    if (style.dimension_text.empty()) return fmt::format("{}{}{}", before, number, after);
+    std::string text = style.dimension_text;
+    return text.replace(text.find(kMeasure), kMeasure.size(), number);
   }
   Point2 offset_of(const std::optional<Point2>& offset) const {
     if (!offset) return Point2(kUsualOffset * state.looks_.annotation.size);
@@ -207,7 +224,8 @@ struct GraphicsSystem::State::AnnotationEntry {
     }
     const Point3 moved = vector_to_world(offset);
     const Point3 start = a + (moved - glm::dot(moved, along) * along);
-    return kept(Kind::linear, {a, b, start, start + measure * along}, measured(std::abs(measure)));
+    return kept(Kind::linear, {a, b, start, start + measure * along},
+                dimension_text("", std::abs(measure), ""));
   }
   KeptAnnotation of_circle(Kind kind, std::string_view sign, const Point3& from,
                            const Point3& to) const {
@@ -216,7 +234,7 @@ struct GraphicsSystem::State::AnnotationEntry {
     if (!(measure > 0.0)) {
       throw Error(fmt::format("{} dimension: expected two different points", name_of(kind)));
     }
-    return kept(kind, {a, b}, std::string(sign) + measured(measure));
+    return kept(kind, {a, b}, dimension_text(sign, measure, ""));
   }
 };
 
@@ -241,6 +259,7 @@ void GraphicsSystem::set_annotation_style(const AnnotationStyle& style) {
   if (style.decimals < 0 || style.decimals > 9) {
     throw Error(fmt::format("annotation decimals {}: expected 0 to 9", style.decimals));
   }
+  require_dimension_text(style.dimension_text);
   state_->looks_.annotation = style;
   if (state_->recorder_ == nullptr) return;
   // The rest may have been set before recording began.
@@ -254,6 +273,10 @@ void GraphicsSystem::set_annotation_style(const AnnotationStyle& style) {
   if (is_recorded(&Style::decimals)) state_->record("set-annotation-decimals", {style.decimals});
   if (is_recorded(&Style::placement)) {
     state_->record("set-annotation-placement", {name_of(style.placement)});
+  }
+  if (is_recorded(&Style::dimension_text)) {
+    const std::string quoted = in_quotation_marks(style.dimension_text);
+    state_->record("set-dimension-text", {std::string_view(quoted)});
   }
 }
 

@@ -23,6 +23,7 @@ SENSIBLE = {
     "balloon_3": ["0, 0, 0, 1", "0.5, 0, 0.25, 7, 'Shaft'", "0, 0, 0, 2, 'a b', 5, -8"],
     "leader_3": ["0, 0, 0, 'a'", "0.25, 0.5, 0, 'two words', 4, 6"],
     "set_annotation_size": ["3.5, 'mm'", "9, 'px'"],
+    "set_dimension_text": ["'<> H7'", "''", "'2\u00d7 <>'"],
     "set_segment_title": ["1, 'a title'", "2, ''", "3, 'M6 \u00d7 20'", "1, '\\n'"],
     "set_crease_angle": ["30", "0", "180", "45.5"],
     "set_cutting_plane": ["1, 1, 0, 0, 0.5", "6, 0, -1, 0.5, 1", "1, 'off'", "2, -1, 1, 1, 0.25"],

@@ -115,6 +115,7 @@ def test_annotation(g):
         lambda g: g.balloon_3(0, 0, 0, 0),
         lambda g: g.leader_3(0, 0, 0),
         lambda g: g.set_annotation_size(0, "mm"),
+        lambda g: g.set_dimension_text("H7"),
         lambda g: g.move_abs_3(object(), 0, 0),
         lambda g: g.move_abs_3(1j, 0, 0),
         lambda g: g.set_fill_style("solid", 2, 0, 0),

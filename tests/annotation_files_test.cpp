@@ -330,6 +330,49 @@ TEST(AnnotationFiles, WhatIsCutOffInAViewIsNamed) {
             1u);
 }
 
+/// A leader and a balloon at the back of a box, a leader at its front, one inside of it by less
+/// than its facets might be, and a dimension, which measures hidden edges too.
+constexpr std::string_view kHiddenPoints =
+    "set-annotation-size 1 mm\nopen-segment 1\nbox-3 -.5 .5  -.5 .5  -.5 .5\n"
+    "leader-3 .1 0 -.5 \"behind\" 5 5\nballoon-3 0 .1 -.3 7 \"\" 5 5\n"
+    "leader-3 .1 0 .5 \"before\" 5 5\nleader-3 .1 .2 .495 \"near\" 5 5\n"
+    "linear-dimension-3 x -.5 -.5 -.5  .5 -.5 -.5  0 -.2 0\nclose-segment\n";
+constexpr std::string_view kPointsAtHidden =
+    "annotation points at what is hidden, as if it were seen: leader \"behind\", balloon 7: "
+    "expected "
+    "points that are seen, or another view";
+
+TEST(AnnotationFiles, WhatPointsAtHiddenPointsIsNamed) {
+  const GraphicsSystem g = replayed(kHiddenPoints);
+  const std::vector<std::string> expected{std::string(kPointsAtHidden)};
+  for (const HiddenMethod method :
+       {HiddenMethod::z_buffer, HiddenMethod::bsp, HiddenMethod::franklin, HiddenMethod::map}) {
+    for (const char* format : {"svg", "png"}) {
+      if (method == HiddenMethod::map && format == std::string_view("png")) continue;
+      EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+                  o.surfaces.method = method;
+                  draw_as(g, format, o);
+                }),
+                expected)
+          << name_of(method) << " " << format;
+    }
+  }
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+              o.surfaces.method = HiddenMethod::none;
+              draw_as(g, "png", o);
+            }),
+            std::vector<std::string>());
+  GraphicsSystem retained;
+  retained.retain();
+  replay(kHiddenPoints, "scene.draw", retained);
+  EXPECT_EQ(annotation_warnings([&](DrawOptions& o) {
+              o.surfaces.method = HiddenMethod::z_buffer;
+              Renderer renderer;
+              renderer.draw(in_view(retained, retained.view()), o);
+            }),
+            expected);
+}
+
 /// A point at the picture's edge is not beyond it; what is beyond with its figure is cut off like
 /// the figure.
 TEST(AnnotationFiles, WhatEndsAtTheEdgeIsNotCutOff) {

@@ -18,6 +18,7 @@
 #include "displayfile/segments/sorted_scene.h"
 #include "displayfile/text/output.h"
 #include "interp/annotation/annotation_marks.h"
+#include "interp/draw/hidden_anchors.h"
 #include "interp/draw/picture_source.h"
 #include "interp/raster/antialias.h"
 #include "interp/text/letter_paths.h"
@@ -376,21 +377,26 @@ void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& 
 namespace {
 
 template <class Drawn>
-void warn_of_annotation_on(const PicturePlan& plan, const Drawn& drawn) {
-  if (!plan.options.warn) return;
+void warn_of_annotation_on(const PicturePlan& plan, const Drawn& drawn,
+                           const std::optional<std::string>& hidden) {
   for (const std::string& text : annotation_faults(drawn, annotation_page(plan))) {
     plan.options.warn({DrawWarning::Kind::annotation, text});
   }
+  if (hidden) plan.options.warn({DrawWarning::Kind::annotation, *hidden});
 }
 
 }  // namespace
 
 void warn_of_annotation(const PicturePlan& plan, const DisplayFile& drawn) {
-  warn_of_annotation_on(plan, drawn);
+  if (!plan.options.warn) return;
+  warn_of_annotation_on(plan, drawn, hidden_anchors(drawn, is_image_space(plan.method)));
 }
 
 void warn_of_annotation(const PicturePlan& plan, const ViewedScene& drawn) {
-  warn_of_annotation_on(plan, drawn);
+  if (!plan.options.warn) return;
+  const HiddenMethod method = surfaces_of(plan.method);
+  const bool removes = method != HiddenMethod::none && method != HiddenMethod::back_face;
+  warn_of_annotation_on(plan, drawn, removes ? hidden_anchors(drawn) : std::nullopt);
 }
 
 namespace {

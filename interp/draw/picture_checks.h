@@ -74,7 +74,7 @@ std::vector<std::string> options_without_effect(const HiddenSurfaceOptions& set,
                                                 const DisplayFile& drawn, FoundBy by);
 /// Calls the plan's `warn` with them.
 void warn_of_options_without_effect(const PicturePlan& plan, const DisplayFile& drawn);
-/// Calls it with the faults of annotation (annotation_faults).
+/// Calls it with the faults of annotation (annotation_faults, hidden_anchors).
 void warn_of_annotation(const PicturePlan& plan, const DisplayFile& drawn);
 void warn_of_annotation(const PicturePlan& plan, const ViewedScene& drawn);
 /// Throws Error for a method that does not draw by rays in a retained scene.

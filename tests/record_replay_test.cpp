@@ -85,7 +85,7 @@ TEST(RecordReplay, RandomApplications) {
   }
   // The applications did something: every routine, and pictures of some size.
   if (test::kSlower == 1) {
-    EXPECT_EQ(routines.size(), 83u);
+    EXPECT_EQ(routines.size(), 84u);
   }
   EXPECT_GT(instructions, 50000u / test::kSlower);
   EXPECT_GT(refused, 1000 / test::kSlower);

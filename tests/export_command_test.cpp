@@ -196,6 +196,26 @@ TEST_F(ExportCommand, HolesAndGapsOfFacesAreOpen) {
   }
 }
 
+/// Turned, faces of two parts that are flush are apart by rounding: loops of a face then lie along
+/// each other, on either side, or have no area.
+TEST_F(ExportCommand, FlushPartsThatAreTurnedAreClosed) {
+  const std::tuple<std::string, double> solids[] = {
+      {"box-3 5 6 4 6 2 5\nbox-3 2 6 5 6 0 5\n", 23.0},
+      {"box-3 0 3 5 6 2 4\nbox-3 2 4 4 5 2 5\nbox-3 1 6 3 6 2 5\n", 47.0},
+  };
+  for (const auto& [boxes, bulk] : solids) {
+    SCOPED_TRACE(boxes);
+    write("s.draw",
+          "rotate-x-3 37\nrotate-y-3 11\ntranslate-3 0.1 0.2 0.3\nopen-segment 1\n"
+          "begin-solid union\n" +
+              boxes + "end-solid\nclose-segment\n");
+    if (!can_run("export s.draw -o s.obj", "CGAL")) GTEST_SKIP() << err_;
+    EXPECT_EQ(err_, "");
+    EXPECT_TRUE(is_closed(obj("s.obj")));
+    EXPECT_NEAR(volume(obj("s.obj")), bulk, 1e-9);
+  }
+}
+
 TEST_F(ExportCommand, NamesAndColoursAreKept) {
   write("two.obj",
         "mtllib two.mtl\no lid\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 3 2\nf 1 2 "

@@ -1,6 +1,8 @@
 #include "hidden/triangles/bridged_loops.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -30,6 +32,24 @@ struct Ends {
   }
   auto key() const { return std::tie(low.x, low.y, high.x, high.y); }
 };
+
+/// Of coordinates that were computed as differently as those of flush faces are.
+double rounding_of(std::span<const Point2> polygon) {
+  constexpr double kRelative = 0x1p-44;
+  double largest = 0.0;
+  for (const Point2& p : polygon) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return kRelative * largest;
+}
+
+/// True if p is within reach of the segment from a to b.
+bool is_within(double reach, const Point2& p, const Point2& a, const Point2& b) {
+  if (std::max(a.x, b.x) + reach < p.x || p.x < std::min(a.x, b.x) - reach ||
+      std::max(a.y, b.y) + reach < p.y || p.y < std::min(a.y, b.y) - reach) {
+    return false;
+  }
+  const Point2 along = b - a, to_p = p - a;
+  return std::abs(along.x * to_p.y - along.y * to_p.x) <= reach * std::hypot(along.x, along.y);
+}
 
 }  // namespace
 
@@ -83,53 +103,76 @@ bool BridgedLoops::find(std::span<const Point2> polygon) {
   return true;
 }
 
-/// By the middle of the side that begins at the corner.
-bool BridgedLoops::has_odd_around(std::span<const Point2> polygon, std::uint32_t corner) const {
+/// By the middle of the side that begins at the corner; nothing if that is within rounding of
+/// another loop.
+std::optional<bool> BridgedLoops::has_odd_around(std::span<const Point2> polygon,
+                                                 std::uint32_t corner, double reach) const {
   const Point2 middle = 0.5 * polygon[corner] + 0.5 * polygon[next_[corner]];
   bool is_odd = false;
   for (std::uint32_t k = 0; k < next_.size(); ++k) {
     if (next_[k] == kInNoLoop || loop_of_[k] == loop_of_[corner]) continue;
     const Point2 &p = polygon[k], &q = polygon[next_[k]];
+    if (is_within(reach, middle, p, q)) return std::nullopt;
     if ((p.y > middle.y) == (q.y > middle.y)) continue;
     if (middle.x < p.x + (q.x - p.x) * (middle.y - p.y) / (q.y - p.y)) is_odd = !is_odd;
   }
   return is_odd;
 }
 
+/// By the first side that no other loop follows: where a hole ends flush with an outline, rounding
+/// may put its side on either side of the outline's. Nothing if each side has another beside it.
+std::optional<bool> BridgedLoops::is_hole(std::span<const Point2> polygon, std::uint32_t first,
+                                          double reach) const {
+  std::uint32_t corner = first;
+  do {
+    if (const auto is_odd = has_odd_around(polygon, corner, reach)) return is_odd;
+    corner = next_[corner];
+  } while (corner != first);
+  return std::nullopt;
+}
+
+/// Notes the loop that begins at the corner. Twice its area, or 0 if rounding leaves no direction.
+double BridgedLoops::area_of_loop(std::span<const Point2> polygon, std::uint32_t first,
+                                  double reach) {
+  double area = 0.0, length = 0.0;
+  for (std::uint32_t v = first; loop_of_[v] == kInNoLoop; v = next_[v]) {
+    loop_of_[v] = first;
+    const Point2 p = polygon[v] - polygon[first], q = polygon[next_[v]] - polygon[first];
+    area += p.x * q.y - q.x * p.y;
+    length += std::hypot(q.x - p.x, q.y - p.y);
+  }
+  return std::abs(area) <= 2.0 * reach * length ? 0.0 : area;
+}
+
+void BridgedLoops::reverse(std::uint32_t first) {
+  std::uint32_t from = first, to = next_[first];
+  do {
+    const std::uint32_t after = next_[to];
+    next_[to] = from;
+    from = to;
+    to = after;
+  } while (from != first);
+}
+
 void BridgedLoops::turn(std::span<const Point2> polygon) {
   const auto n = static_cast<std::uint32_t>(polygon.size());
+  const double reach = rounding_of(polygon);
+  struct Loop {
+    std::uint32_t first;
+    bool runs_as_hole;
+  };
+  std::vector<Loop> loops;
   loop_of_.assign(n, kInNoLoop);
-  std::vector<std::uint32_t> first_corners;
-  std::vector<double> areas;
   for (std::uint32_t k = 0; k < n; ++k) {
     if (next_[k] == kInNoLoop || loop_of_[k] != kInNoLoop) continue;
-    const Point2& origin = polygon[k];
-    double area = 0.0;
-    for (std::uint32_t v = k; loop_of_[v] == kInNoLoop; v = next_[v]) {
-      loop_of_[v] = static_cast<std::uint32_t>(first_corners.size());
-      const Point2 p = polygon[v] - origin, q = polygon[next_[v]] - origin;
-      area += p.x * q.y - q.x * p.y;
-    }
-    first_corners.push_back(k);
-    areas.push_back(area);
+    const double area = area_of_loop(polygon, k, reach);
+    if (area != 0.0) loops.push_back({k, area < 0.0});
   }
-  std::vector<char> is_hole;  // of each, before any is turned
-  is_hole.reserve(first_corners.size());
-  for (const std::uint32_t corner : first_corners) {
-    is_hole.push_back(has_odd_around(polygon, corner) ? 1 : 0);
-  }
-  for (std::size_t loop = 0; loop < first_corners.size(); ++loop) {
-    if ((areas[loop] < 0.0) == (is_hole[loop] != 0)) continue;
-    any_turned_ = true;
-    const std::uint32_t first = first_corners[loop];
-    std::uint32_t from = first, to = next_[first];
-    do {
-      const std::uint32_t after = next_[to];
-      next_[to] = from;
-      from = to;
-      to = after;
-    } while (from != first);
-  }
+  std::erase_if(loops, [&](const Loop& loop) {
+    return is_hole(polygon, loop.first, reach).value_or(loop.runs_as_hole) == loop.runs_as_hole;
+  });
+  any_turned_ = !loops.empty();
+  for (const Loop& loop : loops) reverse(loop.first);
 }
 
 }  // namespace displayfile

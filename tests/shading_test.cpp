@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -250,6 +253,31 @@ TEST(GouraudShading, ChangesNoItemBuffer) {
       const Picture smooth = picture(drawn(scene, Shading::gouraud, true), entry.method);
       EXPECT_EQ(smooth.ids, flat.ids) << entry.name;
       EXPECT_GT(compare(smooth, flat).wrong_pixels, 1000) << entry.name;
+    }
+  }
+}
+
+/// The even-odd rule fills the same with normals and without, although polygons become triangles.
+TEST(SmoothShading, APolygonThatCrossesItselfKeepsItsShape) {
+  std::vector<Point3> pentagram, normals;
+  for (int k = 0; k < 5; ++k) {
+    const double angle = 0.1 + 0.8 * std::numbers::pi * k;
+    pentagram.emplace_back(0.9 * std::cos(angle), 0.9 * std::sin(angle), 0.0);
+    normals.emplace_back(0.3 * std::cos(angle), 0.3 * std::sin(angle), 1.0);
+  }
+  const std::vector<Point3> bow_tie{{-0.9, -0.8, 0}, {0.9, 0.8, 0}, {0.9, -0.8, 0}, {-0.9, 0.8, 0}};
+  for (const std::vector<Point3>& polygon : {pentagram, bow_tie}) {
+    const std::vector<Point3> own(normals.begin(),
+                                  normals.begin() + static_cast<std::ptrdiff_t>(polygon.size()));
+    const Scene scene{{polygon}, {own}};
+    const Picture flat = picture(drawn(scene, Shading::flat), HiddenMethod::z_buffer);
+    EXPECT_GT(std::ranges::count_if(flat.ids, [](auto id) { return id >= 0; }), 1000);
+    for (const Shading shading : {Shading::gouraud, Shading::phong}) {
+      const Picture smooth = picture(drawn(scene, shading), HiddenMethod::z_buffer);
+      // New corners are rounded, and may move a centre across a side.
+      const auto differ = std::inner_product(flat.ids.begin(), flat.ids.end(), smooth.ids.begin(),
+                                             0, std::plus<>(), std::not_equal_to<>());
+      EXPECT_LE(differ, 4) << polygon.size();
     }
   }
 }

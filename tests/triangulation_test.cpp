@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 #include <utility>
@@ -374,6 +375,85 @@ TEST(Triangulation, SteepPolygonsAreTiledAsSeenAlongZWhereTheyDoNotCrossThemselv
     EXPECT_TRUE(std::ranges::equal(by_default, along_z, {}, &Triangulation::Triangle::vertex,
                                    &Triangulation::Triangle::vertex));
   }
+}
+
+/// The number of triangles around a point, on either side; sides count as they fall.
+int triangles_around(const Point2& at, std::span<const Triangulation::Triangle> triangles,
+                     std::span<const Point3> all) {
+  int around = 0;
+  for (const auto& t : triangles) {
+    int left = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3 &p = all[t.vertex[k]], &q = all[t.vertex[(k + 1) % 3]];
+      left += (q.x - p.x) * (at.y - p.y) > (q.y - p.y) * (at.x - p.x) ? 1 : -1;
+    }
+    around += left == 3 || left == -3 ? 1 : 0;
+  }
+  return around;
+}
+
+bool is_inside_even_odd(const Point2& at, std::span<const Point3> polygon) {
+  bool inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    if ((p.y > at.y) == (q.y > at.y)) continue;
+    if (at.x < p.x + (q.x - p.x) * (at.y - p.y) / (q.y - p.y)) inside = !inside;
+  }
+  return inside;
+}
+
+TEST(Triangulation, APolygonThatCrossesItselfIsTiledByTheEvenOddRule) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> u(-1, 1);
+  Triangulation triangulation;
+  const auto expect_even_odd = [&](const Polygon& polygon) {
+    const auto triangles = triangulation.tile(polygon);
+    const Polygon all = triangulation.with_crossings(polygon);
+    for (int n = 0; n < 200; ++n) {
+      const Point2 at(u(random), u(random));
+      ASSERT_EQ(triangles_around(at, triangles, all), is_inside_even_odd(at, polygon) ? 1 : 0);
+    }
+    for (const auto& t : triangles) {  // parts of the polygon's sides alone are sides
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (t.edge_visible[k] == 0) continue;
+        const Point3 middle = 0.5 * (all[t.vertex[k]] + all[t.vertex[(k + 2) % 3]]);
+        bool is_on_side = false;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+          const Point3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+          is_on_side |=
+              glm::distance(p, middle) + glm::distance(q, middle) < glm::distance(p, q) + 1e-9;
+        }
+        EXPECT_TRUE(is_on_side);
+      }
+    }
+  };
+  expect_even_odd({{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
+  EXPECT_EQ(triangulation.crossings().size(), 1u);
+  for (const int corners : {5, 41}) {
+    Polygon star;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * 3.141592653589793 * (corners / 2) * k / corners;
+      star.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    expect_even_odd(star);
+  }
+  for (int round = 0; round < 300; ++round) {
+    Polygon tangle;
+    for (int k = 0; k < 4 + round % 17; ++k) tangle.emplace_back(u(random), u(random), 0);
+    if (round % 3 == 0) {
+      for (Point3& p : tangle) p = glm::round(3.0 * p) / 3.0;
+    }
+    triangulation.triangulate(tangle);
+    if (triangulation.crosses_itself()) expect_even_odd(tangle);
+  }
+  // A steep one, seen from the side, with values at its crossing.
+  expect_even_odd({{-1, -1, 5}, {1, 1, 7}, {1, -1, 7}, {-1, 1, 5}});
+  EXPECT_EQ(
+      triangulation.with_crossings(Polygon{{0, 0, 0}, {2, 0, 0}, {0, 4, 0}, {0, 0, 8}}).back(),
+      Point3(0.5, 1, 2));
+  triangulation.tile(Polygon{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  EXPECT_TRUE(triangulation.crossings().empty());
+  EXPECT_FALSE(triangulation.crosses_itself());
 }
 
 TEST(Triangulation, ATangleOfManyVerticesIsCutToo) {

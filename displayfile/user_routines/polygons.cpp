@@ -133,20 +133,37 @@ std::span<const Point3> GraphicsSystem::State::world_normals(const Point3& own) 
 }
 
 /// Enters triangles of the polygon whose vertices are world_points_; `entered` are the same
-/// vertices as the application entered them.
+/// vertices as the application entered them. One that crosses itself also has vertices there, but
+/// not in a solid, where its neighbours have the whole sides.
 void GraphicsSystem::State::enter_triangles(std::span<const Point3> entered, const Point3& normal,
                                             std::span<const Point3> vertex_normals, int pick) {
+  const auto triangles = solids_.empty()
+                             ? triangulation_.tile(world_points_, bent_polygons_seen_)
+                             : triangulation_.triangulate(world_points_, bent_polygons_seen_);
+  if (triangulation_.crossings().empty()) {
+    return enter_triangles(triangles, {world_points_, entered, vertex_normals}, normal, pick);
+  }
+  const std::vector<Point3> all_entered = triangulation_.with_crossings(entered);
+  std::vector<Point3> world = world_points_, normals;
+  for (std::size_t i = world.size(); i < all_entered.size(); ++i) {
+    world.push_back(to_world(all_entered[i]));
+  }
+  if (!vertex_normals.empty()) normals = triangulation_.with_crossings(vertex_normals);
+  enter_triangles(triangles, {world, all_entered, normals}, normal, pick);
+}
+
+void GraphicsSystem::State::enter_triangles(std::span<const Triangulation::Triangle> triangles,
+                                            const Corners& all, const Point3& normal, int pick) {
   const auto corners = [](std::span<const Point3> of_polygon, const auto& vertex) {
     return std::array{of_polygon[vertex[0]], of_polygon[vertex[1]], of_polygon[vertex[2]]};
   };
-  for (const auto& [vertex, edge_visible] :
-       triangulation_.triangulate(world_points_, bent_polygons_seen_)) {
-    const auto triangle = corners(world_points_, vertex);
-    const auto as_entered = corners(entered, vertex);
-    if (vertex_normals.empty()) {
+  for (const auto& [vertex, edge_visible] : triangles) {
+    const auto triangle = corners(all.world, vertex);
+    const auto as_entered = corners(all.entered, vertex);
+    if (all.normals.empty()) {
       enter({triangle, edge_visible, normal, {}, pick, as_entered, modelling_matrix()});
     } else {
-      const auto of_corners = corners(vertex_normals, vertex);
+      const auto of_corners = corners(all.normals, vertex);
       enter({triangle, edge_visible, normal, of_corners, pick, as_entered, modelling_matrix()});
     }
   }

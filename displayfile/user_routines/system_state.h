@@ -168,6 +168,12 @@ struct GraphicsSystem::State {
   }
   void enter_triangles(std::span<const Point3> entered, const Point3& normal,
                        std::span<const Point3> vertex_normals, int pick);
+  /// Of a polygon, per corner of its triangles.
+  struct Corners {
+    std::span<const Point3> world, entered, normals;  ///< normals may be empty
+  };
+  void enter_triangles(std::span<const Triangulation::Triangle> triangles, const Corners& all,
+                       const Point3& normal, int pick);
   std::span<const Point3> world_normals(const Point3& own);
   std::vector<Point3> world_points_of(const SurfaceGrid& grid) const;
   void enter_cells(const SurfaceGrid& grid, std::span<const Point3> world, Segment& segment);

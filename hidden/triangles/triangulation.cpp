@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -22,6 +23,22 @@ Point2 along_axis(const Point3& p, const Point3& normal) {
   return normal.y > 0 ? Point2(p.z, p.x) : Point2(p.x, p.z);
 }
 
+/// Newell's normal, or that of a large triangle where crossing sides leave next to nothing of it.
+Point3 direction_of(std::span<const Point3> polygon) {
+  const Point3 normal = newell_normal(polygon);
+  Point3 farthest(0.0), widest(0.0);
+  for (const Point3& p : polygon) {
+    const Point3 way = p - polygon[0];
+    if (glm::dot(way, way) > glm::dot(farthest, farthest)) farthest = way;
+  }
+  for (const Point3& p : polygon) {
+    const Point3 of_triangle = glm::cross(farthest, p - polygon[0]);
+    if (glm::dot(of_triangle, of_triangle) > glm::dot(widest, widest)) widest = of_triangle;
+  }
+  constexpr double kNextToNothing = 0x1p-40;
+  return glm::length(normal) > kNextToNothing * glm::length(widest) ? normal : widest;
+}
+
 }  // namespace
 
 void Triangulation::flatten(std::span<const Point3> polygon, const Point3& along) {
@@ -32,18 +49,21 @@ void Triangulation::flatten(std::span<const Point3> polygon, const Point3& along
 void Triangulation::find_corners_of_one_loop() {
   corners_.clear();
   is_by_loops_ = false;
+  is_bridged_ = is_swept_ = is_uncrossed_ = false;
   if (flattened_.size() <= kMostForEars) {
     ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
-  } else if (!sweep_triangles(flattened_, corners_)) {
-    ears_.cut(flattened_, kLooksPerCorner * flattened_.size(), corners_);
+    return;
   }
+  is_swept_ = sweep_triangles(flattened_, corners_);
+  if (!is_swept_) ears_.cut(flattened_, kLooksPerCorner * flattened_.size(), corners_);
 }
 
 /// Bridges within the polygon's inside disturb nothing. With others, and where a hole has the
 /// direction of the outline, only the loops can be tiled.
 void Triangulation::find_corners() {
   find_corners_of_one_loop();
-  if (!bridged_.find(flattened_)) return;
+  is_bridged_ = bridged_.find(flattened_);
+  if (!is_bridged_) return;
   bridged_.turn(flattened_);
   if (tiles() && !bridged_.any_turned()) return;
   std::vector<CornerTriple> of_loops;
@@ -79,7 +99,7 @@ std::span<const Triangulation::Triangle> Triangulation::with_sides() {
 
 std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<const Point3> polygon,
                                                                     SeenAlong along) {
-  const Point3 normal = newell_normal(polygon);
+  const Point3 normal = direction_of(polygon);
   if (along == SeenAlong::z_axis && normal.z != 0.0) {
     flatten(polygon, {0.0, 0.0, normal.z});
     find_corners();
@@ -90,11 +110,59 @@ std::span<const Triangulation::Triangle> Triangulation::triangulate(std::span<co
   return with_sides();
 }
 
+bool Triangulation::crosses_itself() const {
+  const std::size_t corners = flattened_.size();
+  if (corners <= 3 || is_swept_ || is_by_loops_) return false;
+  if (corners > UncrossedLoops::kMostCorners) return true;
+  return is_bridged_ ? UncrossedLoops::crosses(flattened_, bridged_.next())
+                     : UncrossedLoops::crosses(flattened_);
+}
+
+std::span<const Triangulation::Triangle> Triangulation::tile(std::span<const Point3> polygon,
+                                                             SeenAlong along) {
+  const auto triangles = triangulate(polygon, along);
+  if (!crosses_itself() || !uncrossed_.find(flattened_)) return triangles;
+  corners_.clear();
+  is_uncrossed_ = sweep_triangles(uncrossed_.corners(), corners_, uncrossed_.next());
+  return is_uncrossed_ ? uncrossed_triangles() : triangles;
+}
+
+std::span<const Triangulation::Triangle> Triangulation::uncrossed_triangles() {
+  const auto next = uncrossed_.next(), vertex = uncrossed_.vertex();
+  const auto is_side = [&](std::uint32_t from, std::uint32_t to) {
+    return static_cast<std::uint8_t>(next[from] == to);
+  };
+  triangles_.clear();
+  for (const auto& [a, b, c] : corners_) {
+    triangles_.push_back(
+        {{vertex[a], vertex[b], vertex[c]}, {is_side(c, a), is_side(a, b), is_side(b, c)}});
+  }
+  return triangles_;
+}
+
+std::span<const UncrossedLoops::Crossing> Triangulation::crossings() const {
+  if (!is_uncrossed_) return {};
+  return uncrossed_.crossings();
+}
+
+std::vector<Point3> Triangulation::with_crossings(std::span<const Point3> values) const {
+  std::vector<Point3> all(values.begin(), values.end());
+  const auto at = [&](std::uint32_t side, double share) {
+    const Point3 &from = values[side],
+                 &to = values[next_corner(side, static_cast<std::uint32_t>(values.size()))];
+    return from + share * (to - from);
+  };
+  for (const auto& [side, share] : crossings()) {
+    all.push_back(0.5 * at(side[0], share[0]) + 0.5 * at(side[1], share[1]));
+  }
+  return all;
+}
+
 std::span<const Triangulation::Triangle> Triangulation::triangulate_by_ears(
     std::span<const Point3> polygon) {
   flatten(polygon, newell_normal(polygon));
   corners_.clear();
-  is_by_loops_ = false;
+  is_by_loops_ = is_bridged_ = is_swept_ = is_uncrossed_ = false;
   ears_.cut(flattened_, std::numeric_limits<std::size_t>::max(), corners_);
   return with_sides();
 }

@@ -57,6 +57,10 @@ bool is_closed(const std::vector<Facet>& facets) {
   return std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; });
 }
 
+std::string segment(int name, const std::string& contents) {
+  return fmt::format("open-segment {}\n{}close-segment\n", name, contents);
+}
+
 class ExportCommand : public Command {
  protected:
   ExportCommand() {
@@ -321,6 +325,30 @@ TEST_F(ExportCommand, OnlyWhatIsVisibleAndFilled) {
   exported("more.draw -o a.stl");
   EXPECT_EQ(err_, "a.stl: left out: 1 line, 1 hollow polygon, 1 text\n");
   EXPECT_EQ(volume(stl("a.stl")), 24.0);
+}
+
+/// Readers of OBJ join objects of one name, and a line that ends in a backslash with the next one.
+TEST_F(ExportCommand, NamesInObjAreUniqueLines) {
+  const std::string names[] = {"pin", "pin", "pin (2)", "pin ", "end\\\\", "end/"};
+  std::string text;
+  for (int k = 0; k < 6; ++k) {
+    text += segment(k + 1, fmt::format("box-3 {} {}  0 1  0 1\n", 2 * k, 2 * k + 1));
+    text += fmt::format("set-segment-title {} \"{}\"\n", k + 1, names[k]);
+  }
+  write("names.draw", text);
+  exported("names.draw -o names.obj");
+  const std::string written = read(folder_ / "names.obj");
+  EXPECT_EQ(written.find('\\'), written.npos);
+  std::vector<std::string> found;
+  std::istringstream lines(written);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("o ")) found.push_back(line.substr(2));
+  }
+  EXPECT_EQ(found,
+            (std::vector<std::string>{"pin", "pin (3)", "pin (2)", "pin (4)", "end/", "end/ (2)"}));
+  exported("names.obj -o again.obj");
+  const std::string again = read(folder_ / "again.obj");  // but for the name of its materials
+  EXPECT_EQ(again.substr(again.find('\n')), written.substr(written.find('\n')));
 }
 
 TEST_F(ExportCommand, BadValuesLeaveNothing) {

@@ -12,8 +12,10 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"
@@ -111,12 +113,37 @@ void write_stl(const SolidTriangles& solid, const std::string& file) {
 
 namespace {
 
-/// Removes control characters from the name: in OBJ, an object's name is the rest of a line.
-std::string in_one_line(std::string name, const std::string& otherwise) {
-  for (char& c : name) {
+/// In OBJ, an object's name is the rest of a line: without control characters, without blanks
+/// around it, which readers drop, and without a `\` at its end, which would join the next line.
+std::string in_one_line(std::string_view name) {
+  std::string line(name);
+  for (char& c : line) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
-  return name.empty() ? otherwise : name;
+  const std::size_t first = line.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  line = line.substr(first, line.find_last_not_of(' ') + 1 - first);
+  for (std::size_t k = line.size(); k > 0 && line[k - 1] == '\\'; --k) line[k - 1] = '/';
+  return line;
+}
+
+/// The objects' names, each once: readers join objects of one name.
+std::vector<std::string> names_in_obj(const SolidTriangles& solid) {
+  std::vector<std::string> names;
+  std::map<std::string, std::size_t> last;  // the last number tried behind each name
+  for (std::size_t k = 0; k < solid.objects.size(); ++k) {
+    std::string name = in_one_line(solid.objects[k].name);
+    if (name.empty()) name = fmt::format("object {}", k + 1);
+    last.try_emplace(name, 0);
+    names.push_back(std::move(name));
+  }
+  for (std::string& name : names) {
+    std::size_t& number = last.at(name);
+    if (++number == 1) continue;
+    const std::string base = name;
+    while (!last.try_emplace(name = fmt::format("{} ({})", base, number), 1).second) ++number;
+  }
+  return names;
 }
 
 void write_materials(const SolidTriangles& solid, std::ostream& out) {
@@ -153,10 +180,10 @@ void write_obj(const SolidTriangles& solid, const std::string& file) {
     output.stream() << fmt::format("mtllib {}\n", beside.filename().string());
   }
   std::size_t vertices = 0;
+  const std::vector<std::string> names = names_in_obj(solid);
   for (std::size_t k = 0; k < solid.objects.size(); ++k) {
     const SolidTriangles::Object& object = solid.objects[k];
-    output.stream() << fmt::format("o {}\n",
-                                   in_one_line(object.name, fmt::format("object {}", k + 1)));
+    output.stream() << fmt::format("o {}\n", names[k]);
     write_object(object, vertices, output.stream());
     vertices += object.vertices.size();
   }

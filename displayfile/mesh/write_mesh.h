@@ -21,7 +21,8 @@ std::vector<std::string> files_of_mesh(const std::string& file);
 ///
 /// .stl: binary, in single precision, without names and colours; in_single_precision must have
 /// made the triangles. .obj: doubles in the shortest form that reads back to them, an object each,
-/// with materials in a file beside it if there are colours. .ply: binary, in double precision, all
+/// with a name of its own (`pin`, `pin (2)`) that is one line, and with materials in a file beside
+/// it if there are colours. .ply: binary, in double precision, all
 /// in one, with colours of faces in parts of 255. .3mf: doubles as in .obj, in millimetres, an
 /// object each, with its name and base materials of 255 parts.
 ///

@@ -57,6 +57,25 @@ bool is_closed(const std::vector<Facet>& facets) {
   return std::ranges::all_of(sides, [](const auto& side) { return side.second == 0; });
 }
 
+/// Calls of polygon-abs-3 for the faces of a box, first the lower one; of an inward one they are
+/// reversed.
+std::string faces_of_box(const std::array<double, 6>& box, bool is_inward = false,
+                         std::size_t first = 0, std::size_t end = 6) {
+  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}};
+  std::string text;
+  for (std::size_t i = first; i < end; ++i) {
+    text += "polygon-abs-3";
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t corner = kFaces[i][is_inward ? 3 - k : k];
+      text += fmt::format("  {} {} {}", box[corner & 1], box[2 + (corner >> 1 & 1)],
+                          box[4 + (corner >> 2)]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string segment(int name, const std::string& contents) {
   return fmt::format("open-segment {}\n{}close-segment\n", name, contents);
 }
@@ -307,6 +326,81 @@ TEST_F(ExportCommand, PartsOfOneSurfaceAreJoined) {
   EXPECT_EQ(read(folder_ / "a.obj").find("o second"), std::string::npos);
 }
 
+/// Each group of objects whose open sides meet is judged by itself, whatever else there is.
+TEST_F(ExportCommand, GroupsAreJoinedEachByItself) {
+  const std::array<double, 6> box{5, 6, 0, 1, 0, 1}, far{15, 17, 0, 1, 0, 1};
+  const std::string halves =
+      segment(4, faces_of_box(box, false, 0, 5)) + segment(5, faces_of_box(box, false, 5));
+  write("lid.draw", segment(9, "box-3 0 1  0 1  0 1\n") + "set-segment-title 9 \"Lid\"\n" + halves);
+  exported("lid.draw -o lid.obj");
+  EXPECT_EQ(err_, "");
+  const auto names = [&](const std::string& file) {
+    std::vector<std::string> found;
+    std::istringstream lines(read(folder_ / file));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("o ")) found.push_back(line.substr(2));
+    }
+    return found;
+  };
+  EXPECT_EQ(names("lid.obj"), (std::vector<std::string>{"Lid", "segment 4"}));
+  EXPECT_DOUBLE_EQ(volume(obj("lid.obj")), 2.0);
+  write("open.draw", halves + segment(6, "polygon-abs-3 9 0 0  10 0 0  9 1 0\n") +
+                         segment(7, faces_of_box(far, false, 0, 2)) +
+                         segment(8, faces_of_box(far, false, 2)));
+  exported("open.draw -o open.obj");
+  EXPECT_EQ(names("open.obj"), (std::vector<std::string>{"segment 4", "segment 6", "segment 7"}));
+  EXPECT_EQ(err_.find("segment 4"), err_.npos) << err_;
+  EXPECT_EQ(err_.find("segment 7"), err_.npos) << err_;
+  EXPECT_NE(err_.find("open.obj: segment 6 is not closed: 3 sides"), err_.npos) << err_;
+  EXPECT_DOUBLE_EQ(volume(obj("open.obj")), 3.0);
+  // Sides meet in parts, too: a half's side has the other's vertex along it.
+  write("t.draw", segment(1, "polygon-abs-3 0 0 0  0 1 0  0.5 1 0  0.5 0 0\n") +
+                      segment(2, "polygon-abs-3 0.5 0 0  0.5 1 0  1 1 0  1 0 0\n" +
+                                     faces_of_box({0, 1, 0, 1, 0, 1}, false, 1)));
+  exported("t.draw -o t.obj");
+  EXPECT_EQ(err_, "");
+  EXPECT_EQ(names("t.obj"), (std::vector<std::string>{"segment 1"}));
+  EXPECT_DOUBLE_EQ(volume(obj("t.obj")), 1.0);
+}
+
+/// Bodies of one segment are turned each by itself; a cavity stays.
+TEST_F(ExportCommand, BodiesInsideOutAreTurned) {
+  const auto inward = [](const std::array<double, 6>& box) { return faces_of_box(box, true); };
+  const auto outward = [](const std::array<double, 6>& box) { return faces_of_box(box); };
+  const std::tuple<std::string, std::string, double> bodies[] = {
+      {"beside", outward({20, 23, 0, 3, 0, 3}) + inward({30, 31, 1, 2, 1, 2}), 28.0},
+      {"a cavity", outward({20, 23, 0, 3, 0, 3}) + inward({21, 22, 1, 2, 1, 2}), 26.0},
+      {"all inside out", inward({20, 23, 0, 3, 0, 3}) + outward({21, 22, 1, 2, 1, 2}), 26.0},
+      {"a body in a cavity",
+       outward({0, 9, 0, 9, 0, 9}) + inward({1, 8, 1, 8, 1, 8}) + inward({2, 7, 2, 7, 2, 7}),
+       729.0 - 343.0 + 125.0},
+      {"along an edge", outward({0, 1, 0, 1, 0, 1}) + inward({1, 2, 1, 2, 0, 1}), 2.0},
+      {"in its box, but outside",  // two walls of an L around it
+       outward({0, 9, 0, 1, 0, 9}) + outward({0, 1, 2, 9, 0, 9}) + inward({3, 4, 3, 4, 3, 4}),
+       81.0 + 63.0 + 1.0},
+  };
+  for (const auto& [what, faces, bulk] : bodies) {
+    SCOPED_TRACE(what);
+    write("s.draw", segment(1, faces));
+    exported("s.draw -o s.obj");
+    EXPECT_EQ(err_, "");
+    EXPECT_TRUE(is_closed(obj("s.obj")));
+    EXPECT_NEAR(volume(obj("s.obj")), bulk, 1e-10);
+  }
+  const std::array<double, 6> box{5, 6, 0, 1, 0, 1};  // after two are joined, too
+  write("s.draw",
+        segment(4, faces_of_box(box, true, 0, 5)) + segment(5, faces_of_box(box, true, 5)));
+  exported("s.draw -o s.obj");
+  EXPECT_DOUBLE_EQ(volume(obj("s.obj")), 1.0);
+  // Rounding leaves a wall without thickness before a slot, which is a cavity then.
+  write("s.draw",
+        "rotate-x-3 37\nrotate-y-3 15\ntranslate-3 0.4 2.2 0\nopen-segment 1\n"
+        "begin-solid difference\nbox-3 0 4 0 5 0 6\nbox-3 4 6 1 3 3 6\nbox-3 2 3 0 4 0 4\n"
+        "end-solid\nclose-segment\n");
+  if (!can_run("export s.draw -o s.obj", "CGAL")) GTEST_SKIP() << err_;
+  EXPECT_NEAR(volume(obj("s.obj")), 104.0, 1e-9);
+}
+
 TEST_F(ExportCommand, WhatIsTurnedInsideOutIsTurned) {
   write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n");
   exported("in.obj -o a.obj");
@@ -349,6 +443,52 @@ TEST_F(ExportCommand, NamesInObjAreUniqueLines) {
   exported("names.obj -o again.obj");
   const std::string again = read(folder_ / "again.obj");  // but for the name of its materials
   EXPECT_EQ(again.substr(again.find('\n')), written.substr(written.find('\n')));
+}
+
+TEST_F(ExportCommand, AnnotationAndPolygonsWithoutAreaAreNamed) {
+  write("named.draw", segment(1,
+                              "box-3 0 1  0 1  0 1\npolygon-abs-3 3 0 0  4 0 0  5 0 0\n"
+                              "polygon-abs-3 3 0 0  4 0 0  3 0 0\nleader-3 0 0 0 \"hole\" 9 9\n"
+                              "linear-dimension-3 x  0 0 0  1 0 0  0 -1 0\n"
+                              "balloon-3 0 0 0  1 \"box\"\n"));
+  exported("named.draw -o a.stl");
+  EXPECT_EQ(err_, "a.stl: left out: 2 polygons without area, 1 dimension, 1 leader, 1 balloon\n");
+  EXPECT_EQ(stl("a.stl").size(), 12u);
+}
+
+TEST_F(ExportCommand, WhatSinglePrecisionLeavesNothingOfIsRefused) {
+  write("tiny.draw",
+        "open-segment 1\nscale-3 1e-60 1e-60 1e-60\nbox-3 0 1  0 1  0 1\nclose-segment\n");
+  expect_error("export tiny.draw -o a.stl",
+               "a.stl: segment 1 is too small for single precision: nothing would be left of it: "
+               "expected .ply, .obj or .3mf");
+  write("both.draw", segment(2, "box-3 0 1  0 1  0 1\n") + read(folder_ / "tiny.draw"));
+  expect_error("export both.draw -o a.stl", "segment 1 is too small");
+  EXPECT_FALSE(fs::exists(folder_ / "a.stl"));
+  exported("tiny.draw -o a.ply");
+}
+
+/// Walls have the whole sides of the ends, so these are not cut where they cross themselves.
+TEST_F(ExportCommand, PolygonsThatCrossThemselvesAreNamed) {
+  constexpr std::array<std::array<double, 2>, 5> kStar{
+      {{1, 0}, {-0.8, 0.6}, {0.3, -0.95}, {0.3, 0.95}, {-0.8, -0.6}}};
+  std::string low = "polygon-abs-3", high = "polygon-abs-3", walls;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto& [x, y] = kStar[k];
+    const auto& [u, v] = kStar[(k + 1) % 5];
+    high += fmt::format("  {} {} 1", x, y);
+    low += fmt::format("  {} {} 0", kStar[4 - k][0], kStar[4 - k][1]);
+    walls +=
+        fmt::format("polygon-abs-3 {} {} 0  {} {} 0  {} {} 1  {} {} 1\n", x, y, u, v, u, v, x, y);
+  }
+  write("star.draw", segment(3, low + "\n" + high + "\n" + walls));
+  exported("star.draw -o a.obj");
+  EXPECT_EQ(err_,
+            "a.obj: segment 3: 2 polygons cross themselves and are not cut, as drawn by the "
+            "even-odd rule: its volume counts each part as often as they wind around it\n");
+  EXPECT_TRUE(is_closed(obj("a.obj")));
+  exported("star.draw -o a.stl");
+  EXPECT_NE(err_.find("2 polygons cross themselves"), err_.npos) << err_;
 }
 
 TEST_F(ExportCommand, BadValuesLeaveNothing) {

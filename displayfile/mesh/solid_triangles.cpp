@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -12,6 +11,8 @@
 
 #include "clip/base/error.h"
 #include "clip/geometry/equal_points.h"
+#include "displayfile/mesh/joined_objects.h"
+#include "displayfile/mesh/turned_shells.h"
 #include "displayfile/mesh/welded_faces.h"
 #include "hidden/triangles/triangulation.h"
 
@@ -60,6 +61,7 @@ SolidObject triangles_of_faces(const WeldedFaces& faces, const Mesh& mesh, std::
     for (const std::uint32_t v : face) polygon.push_back(faces.vertices[v]);
     const std::uint32_t colour = mesh.face_materials.empty() ? SolidTriangles::kNoColour
                                                              : mesh.face_materials[first_face + i];
+    const std::size_t before = object.triangles.size();
     for (const auto& triangle : triangulation.triangulate(polygon)) {
       const CornersOfTriangle t{face[triangle.vertex[0]], face[triangle.vertex[1]],
                                 face[triangle.vertex[2]]};
@@ -67,6 +69,8 @@ SolidObject triangles_of_faces(const WeldedFaces& faces, const Mesh& mesh, std::
       object.triangles.push_back(t);
       object.colours.push_back(colour);
     }
+    if (object.triangles.size() == before) ++object.faces_without_area;
+    if (triangulation.crosses_itself()) ++object.crossing_faces;
   }
   object.open_sides = open_sides_of(object.triangles);
   return object;
@@ -91,15 +95,25 @@ std::vector<SolidObject> each_object(const Mesh& mesh, const WeldedFaces& all, d
   return objects;
 }
 
-std::size_t all_open_sides(const std::vector<SolidObject>& objects) {
-  std::size_t sides = 0;
-  for (const SolidObject& object : objects) sides += object.open_sides;
-  return sides;
-}
+bool is_open(const SolidObject& object) { return object.open_sides > 0; }
 
-void turn_out(SolidObject& object) {
-  if (object.open_sides > 0 || volume_of(object) >= 0.0) return;
-  for (CornersOfTriangle& t : object.triangles) std::swap(t[1], t[2]);
+/// Joins groups of open objects that are closed together: the first takes in the triangles of all,
+/// and nothing is left of the others.
+void join_open(const Mesh& mesh, double reach, std::vector<SolidObject>& objects) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (is_open(objects[k])) open.push_back(k);
+  }
+  if (open.size() < 2) return;
+  for (const std::vector<std::size_t>& group : objects_that_meet(mesh, open, reach)) {
+    const Mesh part = mesh_of_objects(mesh, group);
+    SolidObject together = closed_triangles(weld(part, reach), part, 0, reach);
+    if (is_open(together)) continue;
+    for (const std::size_t k : group) objects[k].triangles.clear();
+    together.name = mesh.objects[group.front()].name;
+    for (const std::size_t k : group) objects[k].faces_without_area = 0;
+    objects[group.front()] = std::move(together);
+  }
 }
 
 /// Removes the vertices that no triangle uses.
@@ -154,35 +168,22 @@ std::size_t SolidTriangles::triangles() const {
   return count;
 }
 
-double volume_of(const SolidObject& object) {
-  if (object.vertices.empty()) return 0.0;
-  const Point3& origin = object.vertices.front();
-  double six_volumes = 0.0;
-  for (const CornersOfTriangle& t : object.triangles) {
-    const Point3 a = object.vertices[t[0]] - origin, b = object.vertices[t[1]] - origin,
-                 c = object.vertices[t[2]] - origin;
-    six_volumes += glm::dot(a, glm::cross(b, c));
-  }
-  return six_volumes / 6.0;
-}
-
 SolidTriangles solid_triangles(const Mesh& mesh) {
   const double reach = entered_reach(mesh);
   SolidTriangles solid;
-  const WeldedFaces equal = weld(mesh);
-  solid.objects = each_object(mesh, equal, reach);
-  if (all_open_sides(solid.objects) > 0) {
-    const WeldedFaces within_reach = weld(mesh, reach);
-    std::vector<SolidObject> others = each_object(mesh, within_reach, reach);
-    if (all_open_sides(others) < all_open_sides(solid.objects)) solid.objects = std::move(others);
-    if (all_open_sides(solid.objects) > 0 && mesh.objects.size() > 1) {
-      SolidObject together = closed_triangles(within_reach, mesh, 0, reach);
-      together.name = mesh.objects.front().name;
-      if (together.open_sides == 0) solid.objects = {std::move(together)};
+  solid.objects = each_object(mesh, weld(mesh), reach);
+  if (std::ranges::any_of(solid.objects, is_open)) {
+    std::vector<SolidObject> others = each_object(mesh, weld(mesh, reach), reach);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      if (others[k].open_sides < solid.objects[k].open_sides) {
+        solid.objects[k] = std::move(others[k]);
+      }
     }
+    join_open(mesh, reach, solid.objects);
   }
   for (SolidObject& object : solid.objects) {
-    turn_out(object);
+    solid.faces_without_area += object.faces_without_area;
+    turn_shells_out(object);
     keep_used(object);
   }
   std::erase_if(solid.objects, [](const SolidObject& object) { return object.triangles.empty(); });
@@ -197,6 +198,7 @@ SingleTriangles in_single_precision(const SolidTriangles& solid) {
   for (const SolidObject& object : solid.objects) {
     SolidObject rounded;
     rounded.name = object.name;
+    rounded.crossing_faces = object.crossing_faces;
     EqualPoints table(rounded.vertices, object.vertices.size());
     std::vector<std::uint32_t> number;
     for (const Point3& p : object.vertices) {
@@ -218,7 +220,11 @@ SingleTriangles in_single_precision(const SolidTriangles& solid) {
       rounded.colours.push_back(object.colours[i]);
     }
     rounded.open_sides = open_sides_of(rounded.triangles);
-    if (!rounded.triangles.empty()) single.solid.objects.push_back(std::move(rounded));
+    if (rounded.triangles.empty()) {
+      throw Error(fmt::format("{} is too small for single precision: nothing would be left of it",
+                              object.name));
+    }
+    single.solid.objects.push_back(std::move(rounded));
   }
   return single;
 }

@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "clip/base/error.h"
 #include "clip/base/files.h"
+#include "displayfile/entered/kept_annotation.h"
 #include "displayfile/mesh/solid_triangles.h"
 #include "displayfile/mesh/write_mesh.h"
 #include "displayfile/segments/display_file.h"
@@ -49,6 +51,22 @@ std::string name_of(const RetainedScene::Segment& segment, const AssembledInputs
   return object.empty() ? fmt::format("segment {}", segment.name) : object;
 }
 
+void count(std::span<const KeptAnnotation> annotations, NotSolid& left_out) {
+  using Kind = KeptAnnotation::Kind;
+  for (const KeptAnnotation& one : annotations) {
+    switch (one.kind) {
+      case Kind::leader: ++left_out.leaders; break;
+      case Kind::balloon: ++left_out.balloons; break;
+      case Kind::linear:
+      case Kind::diameter:
+      case Kind::radius:
+      case Kind::angle: ++left_out.dimensions; break;
+      case Kind::title: ++left_out.titles; break;
+      case Kind::list: ++left_out.lists; break;
+    }
+  }
+}
+
 /// The visible filled polygons of inputs, an object for each segment.
 Mesh filled_polygons(const AssembledInputs& assembled, NotSolid& left_out) {
   const RetainedScene& scene = assembled.scene;
@@ -59,6 +77,7 @@ Mesh filled_polygons(const AssembledInputs& assembled, NotSolid& left_out) {
   for (const RetainedScene::Segment& segment : scene.segments()) {
     if (!assembled.is_visible(segment)) continue;
     left_out.texts += scene.texts(segment).size();
+    count(segment.annotations, left_out);
     const std::size_t first_face = mesh.faces(), first_vertex = mesh.vertices.size();
     const auto points = scene.points(segment);
     mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
@@ -102,6 +121,18 @@ void warn_of_open(const std::string& output, const SolidTriangles& solid) {
   }
 }
 
+void warn_of_crossing(const std::string& output, const SolidTriangles& solid) {
+  for (const SolidTriangles::Object& object : solid.objects) {
+    if (object.crossing_faces == 0) continue;
+    warnings() << fmt::format(
+        "{}: {}: {}, as drawn by the even-odd rule: its volume counts each part as often as they "
+        "wind around it\n",
+        output, object.name,
+        counted(object.crossing_faces, "polygon crosses itself and is not cut",
+                "polygons cross themselves and are not cut"));
+  }
+}
+
 void warn_of_rounding(const std::string& output, const SingleTriangles& single) {
   if (single.merged == 0 && single.left_out == 0) return;
   warnings() << fmt::format(
@@ -130,6 +161,7 @@ int ExportCommand::run() {
                               input_name(inputs.front())));
     }
     solid = solid_triangles(mesh);
+    left_out.without_area = solid.faces_without_area;
   }
   if (solid.objects.empty()) {
     throw Error(fmt::format("{}: all polygons are without area: expected solids to export",
@@ -149,6 +181,7 @@ int ExportCommand::run() {
   if (const std::string words = left_out.words(); !words.empty()) {
     warnings() << fmt::format("{}: left out: {}\n", output, words);
   }
+  warn_of_crossing(output, solid);
   warn_of_open(output, solid);
   return 0;
 }

@@ -13,9 +13,18 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 std::string NotSolid::words() const {
   std::vector<std::string> parts;
-  if (lines > 0) parts.push_back(counted(lines, "line", "lines"));
-  if (hollow > 0) parts.push_back(counted(hollow, "hollow polygon", "hollow polygons"));
-  if (texts > 0) parts.push_back(counted(texts, "text", "texts"));
+  const auto add = [&](std::size_t count, std::string_view one, std::string_view many) {
+    if (count > 0) parts.push_back(counted(count, one, many));
+  };
+  add(lines, "line", "lines");
+  add(hollow, "hollow polygon", "hollow polygons");
+  add(without_area, "polygon without area", "polygons without area");
+  add(texts, "text", "texts");
+  add(dimensions, "dimension", "dimensions");
+  add(leaders, "leader", "leaders");
+  add(balloons, "balloon", "balloons");
+  add(titles, "title", "titles");
+  add(lists, "parts list", "parts lists");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

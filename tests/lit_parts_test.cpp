@@ -257,6 +257,27 @@ TEST(LitParts, OfPolygonsSeenEdgeOn) {
   EXPECT_GT(shadows, 90U / kSlower);
 }
 
+/// The light is parallel to facets of these, except for rounding: nothing may reach beyond the
+/// polygons, and the picture is that of rays.
+TEST(LitParts, OfFacetsThatTheLightGrazes) {
+  for (int k = 0; k < 36; ++k) {
+    const double x = -0.3 + 0.05 * (k % 6), y = -0.2 + 0.06 * (k / 6);
+    GraphicsSystem g;
+    g.set_view_plane_normal({-1, -1, -2});
+    g.set_perspective({1, 1, 4});
+    g.set_line_style({LineStyle::Kind::none});
+    g.set_light({1, 2, 3}, 0.2);
+    g.set_shadows(true);
+    g.open_segment(1);
+    torus_3(g, {x, y, 0}, 0.4, 0.15, 12);
+    g.close_segment();
+    const std::string what = "at " + std::to_string(x) + " " + std::to_string(y);
+    const Picture map = by_map(g), rays = by_rays(g);
+    EXPECT_EQ(map.ids, rays.ids) << what;
+    EXPECT_LE(compare(map, rays).wrong_pixels, 0) << what;
+  }
+}
+
 /// Three of its corners are in line in space, and look from the eye as far apart as any.
 TEST(LitParts, OfOneThatCrossesItself) {
   const GraphicsSystem g = test::replayed(R"(

@@ -53,6 +53,19 @@ bool find_plane_in_space(const Primitives& items, const Primitives::Item& item,
   return true;
 }
 
+/// True if the light grazes a plane, by three of its points as the light sees them: points found
+/// there from the light's view would be off by more than 2^-30 of the polygon.
+bool is_grazed(const std::array<Point2, 3>& seen) {
+  constexpr double kNoisy = 0x1p-22;
+  double longest = 0.0, farthest = 1.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    longest = std::max(longest, glm::distance(seen[k], seen[(k + 1) % 3]));
+    farthest = std::max(farthest, glm::length(seen[k]));
+  }
+  const Point2 a = seen[1] - seen[0], b = seen[2] - seen[0];
+  return !(std::abs(a.x * b.y - a.y * b.x) > kNoisy * longest * farthest);
+}
+
 /// Finds polygons that are coplanar up to rounding, which hide no light from each other.
 class PlanesOfLight {
  public:
@@ -330,6 +343,9 @@ class LitItems {
     if (!find_plane(items_, item, reached.plane)) return;
     PlanePoints in_space;
     find_plane_in_space(items_, item, in_space);
+    const std::array from_light{Point2(seen[in_space[0]]), Point2(seen[in_space[1]]),
+                                Point2(seen[in_space[2]])};
+    if (is_grazed(from_light)) return;  // lit as a whole
     reached.first_part = part_first_.size();
     for (const SortedPiece& part : parts) {
       const std::size_t begin = part_corners_.size();

@@ -72,9 +72,11 @@ CLI::App& DrawCommand::add_to(CLI::App& app) {
       ->group(kHiddenSurfaceOptions);
   command.add_flag("--stats", stats, "print statistics of the drawing")->group(kReportOptions);
   command
-      .add_option("--pick", pick,
-                  "print what the picture shows at a pixel, counted from the upper left corner: a "
-                  "polygon, or a line or edge within REACH of it")
+      .add_option(
+          "--pick", pick,
+          "print the polygon that is visible at a pixel, counted from the upper left corner, "
+          "or by a method of lines the one that hides there; with REACH, the line or edge "
+          "that is visible within REACH pixels, or half its width, of it, if there is one")
       ->type_name("X,Y[,REACH]")
       ->group(kReportOptions);
   command

@@ -536,6 +536,11 @@ DrawnFile as_drawn(std::span<const std::string> inputs, const HiddenSurfaceOptio
   DrawnFile drawn{SortedDisplayFile{}.update(system, options, plan, unsorted_if_automatic(method)),
                   std::nullopt};
   require_hidden_lines_dumped(drawn.file, method, options);
+  if (!options.hidden_lines && plan.hidden_lines == HiddenLines::dashed &&
+      leaves_hidden_lines(drawn.file, true, options.threads)) {
+    warnings() << fmt::format("{}: left out: set-hidden-lines dashed: {}\n",
+                              input_name(inputs.front()), words_of_hidden_lines_left(method));
+  }
   for (const std::string& text :
        options_without_effect(options, plan, method, drawn.file, FoundBy::nobody)) {
     warnings() << fmt::format("{}: {}\n", input_name(inputs.front()), text);

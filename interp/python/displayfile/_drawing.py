@@ -286,8 +286,8 @@ class Drawing(_displayfile.System):
         Raises
         ------
         Error
-            A system that is not System(retain=True), segments in several views, a method that does
-            not draw views, an option out of range.
+            A system that is neither System(retain=True) nor has a camera, segments in several
+            views, a method that does not draw views, an option out of range.
         """
         options = self._checked(options)
         turned = self._turntable(views, size, axis, fit, **options)

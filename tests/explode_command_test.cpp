@@ -74,17 +74,17 @@ TEST_F(ExplodeCommand, PartsAreMovedAlongAnAxisInTheirOrder) {
 
 /// Planes cut the parts where they are assembled, and move with them; trace lines are not cut.
 TEST_F(ExplodeCommand, CutPartsAreMovedAsTheyAreCut) {
-  const std::string parts = segment(1, 10, 30, 0, 10) + segment(2, 10, 30, 10, 20);
+  const std::string parts = segment(1, 10, 50, 0, 10) + segment(2, 10, 54, 10, 20);
   const std::string plane = "set-window 0 100 0 100\nset-line-style none\nset-cutting-plane 1 ";
-  write("right.draw", plane + "1 0 0 -20\n" + parts);
+  write("right.draw", plane + "1 0 0 -40\n" + parts);
   EXPECT_EQ(fills("right.draw --explode x=1"),
-            (std::vector<std::string>{"M20 90l0 10 10 0 0-10Z", "M40 80l0 10 10 0 0-10Z"}));
+            (std::vector<std::string>{"M40 90l0 10 10 0 0-10Z", "M62 80l0 10 14 0 0-10Z"}));
   EXPECT_EQ(fills("right.draw --explode -x=1"),
-            (std::vector<std::string>{"M20 90l0 10 10 0 0-10Z", "M0 80l0 10 10 0 0-10Z"}));
+            (std::vector<std::string>{"M18 90l0 10 10 0 0-10Z", "M40 80l0 10 14 0 0-10Z"}));
   EXPECT_GT(strokes(), 1);
   write("low.draw", plane + "0 -1 0 15\n" + parts);
   EXPECT_EQ(fills("low.draw --explode y=2"),
-            (std::vector<std::string>{"M10 90l0 10 20 0 0-10Z", "M30 70l-20 0 0 5 20 0Z"}));
+            (std::vector<std::string>{"M10 90l0 10 40 0 0-10Z", "M54 70l-44 0 0 5 44 0Z"}));
   // A plane that is set within a segment moves with it too.
   write("later.draw", "set-window 0 100 0 100\nset-line-style none\n" + segment(1, 10, 30, 0, 10) +
                           "open-segment 2\nset-cutting-plane 1 0 -1 0 15\n" +

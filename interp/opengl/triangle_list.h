@@ -38,8 +38,8 @@ struct TriangleBatch {
 /// their support planes (hidden/exact/support_plane.h): the other vertices of a polygon are moved
 /// along z on to it. A line is a parallelogram, cut upright if it is flat and level if it is steep,
 /// of the shape that draw_line (interp/scan/line_draw.h) fills, so that width 1 gives one pixel a
-/// column or row; a polygon's edge lies in the polygon's plane. All is clipped to the picture in
-/// doubles, so that OpenGL need not clip.
+/// column or row, and wider ones have no caps (interp/scan/wide_line_draw.h); a polygon's edge lies
+/// in the polygon's plane. All is clipped to the picture in doubles, so that OpenGL need not clip.
 struct TriangleList {
   std::vector<TriangleVertex> vertices;
   std::vector<TriangleBatch> batches;

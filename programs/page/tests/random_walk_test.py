@@ -59,7 +59,12 @@ class RandomWalkTest(IndexTest):
             with self.subTest(f"seed {SEED}, step {step}: {name} {settings}"):
                 samples = ["--samples", settings["samples"]] if settings["samples"] else []
                 kept = self.folder / "kept.draw"
-                kept.write_bytes(self.saved("Save drawing program").read_bytes())
+                try:
+                    kept.write_bytes(self.saved("Save drawing program").read_bytes())
+                except AssertionError:
+                    # A program keeps the scene's own method, which may refuse the view: perimeter draws whole surfaces.
+                    self.assertIn("expected another method", self.status())
+                    continue
                 self.assertIn("byte for byte", self.status())
                 if settings.get("background") != "none" and "as SVG" not in self.find("figcaption").text:
                     self.assertEqual(self.pixels(), self.drawn(kept, *samples))

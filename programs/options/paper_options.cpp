@@ -122,7 +122,8 @@ void PaperWords::add_to(CLI::App& command) {
   command
       .add_flag("--pens", pens,
                 "for plotters and laser cutters: strokes only, none drawn twice, ordered for short "
-                "travel, one layer per pen (colour and width), in .svg, .pdf or .dxf; on A4 unless --paper is set; auto "
+                "travel, one layer per pen (colour and width), in .svg, .pdf or .dxf; on A4 unless "
+                "--paper is set; auto "
                 "means franklin, and meshes have the lines outline,boundary,crease unless --lines "
                 "or a program before them selects others")
       ->group(kPaperOptions);

@@ -168,7 +168,7 @@ struct GraphicsSystem::State {
   }
   void enter_triangles(std::span<const Point3> entered, const Point3& normal,
                        std::span<const Point3> vertex_normals, int pick);
-  /// Of a polygon, per corner of its triangles.
+  /// For a polygon, one per corner of its triangles.
   struct Corners {
     std::span<const Point3> world, entered, normals;  ///< normals may be empty
   };

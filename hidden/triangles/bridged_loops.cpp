@@ -33,7 +33,7 @@ struct Ends {
   auto key() const { return std::tie(low.x, low.y, high.x, high.y); }
 };
 
-/// Of coordinates that were computed as differently as those of flush faces are.
+/// The tolerance for coordinates that were computed as differently as those of flush faces are.
 double rounding_of(std::span<const Point2> polygon) {
   constexpr double kRelative = 0x1p-44;
   double largest = 0.0;

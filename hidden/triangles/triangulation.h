@@ -48,7 +48,7 @@ class Triangulation {
   /// cut as by triangulate.
   std::span<const Triangle> tile(std::span<const Point3> polygon,
                                  SeenAlong along = SeenAlong::nearest_axis);
-  /// Of the polygon that tile cut last: empty unless it has corners of its own there.
+  /// Those of the polygon that tile cut last: empty unless it has corners of its own there.
   std::span<const UncrossedLoops::Crossing> crossings() const;
   /// Values at the vertices of that polygon, followed by those at its crossings: the mean of both
   /// sides'.

@@ -16,6 +16,15 @@ struct DashPhase {
   Point2 direction{0.0};  ///< of the line drawn last; 0: there is none
 };
 
+/// Exchanges x and y of a line that is steep, which then is not; true if it was.
+inline bool lay_flat(Point3& a, Point3& b) {
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  if (!steep) return false;
+  std::swap(a.x, a.y);
+  std::swap(b.x, b.y);
+  return true;
+}
+
 /// The steps of a line: integers from first to last.
 struct LineSteps {
   double first, last;
@@ -55,12 +64,8 @@ template <class IsSeen, class Plot>
 void draw_line(Point3 a, Point3 b, const LineStyle& style, const ScanConverter::Region& region,
                DashPhase& phase, const IsSeen& is_seen, Plot&& plot) {
   auto [width, height] = region.size;
-  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-  if (steep) {
-    std::swap(a.x, a.y);
-    std::swap(b.x, b.y);
-    std::swap(width, height);
-  }
+  const bool steep = lay_flat(a, b);
+  if (steep) std::swap(width, height);
   const double length = glm::length(Point2(b - a));
   const double start = phase.length;
   phase.length += length;

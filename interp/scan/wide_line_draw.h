@@ -70,12 +70,8 @@ void draw_wide_line(Point3 a, Point3 b, const LineStyle& style, const LineCuts& 
   if (length > 0.0) phase.direction = (line.to - line.from) / length;
   if (!std::isfinite(length) || is_seen.nothing()) return;
   auto [width, height] = region.size;
-  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-  if (steep) {
-    std::swap(a.x, a.y);
-    std::swap(b.x, b.y);
-    std::swap(width, height);
-  }
+  const bool steep = lay_flat(a, b);
+  if (steep) std::swap(width, height);
   const bool turned = b.x < a.x;
   const Point3 low = turned ? b : a, high = turned ? a : b;
   const double run = high.x - low.x;

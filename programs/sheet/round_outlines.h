@@ -4,16 +4,11 @@
 #include <vector>
 
 #include "clip/point.h"
+#include "interp/vector/dxf/dxf_drawing.h"
 
 namespace displayfile {
 
-/// A circle, or the part of one from an angle counterclockwise to another, in degrees.
-struct OutlineArc {
-  Point2 centre;
-  double radius;
-  double from = 0.0, to = 360.0;
-  bool whole = true;
-};
+using OutlineArc = DxfDrawing::Arc;
 
 /// A part of an outline: a polyline, or an arc in its place.
 struct OutlinePiece {

@@ -19,12 +19,8 @@ void add_line(const DrawingSheet::Line& line, std::vector<DxfDrawing::Piece>& pi
   const std::vector<double>& dashes = pen_of(line.layer).dashes;
   const std::uint32_t layer = index_of(line.layer);
   for (const OutlinePiece& piece : round_pieces(line.points, line.closed)) {
-    if (const auto& arc = piece.arc) {
-      pieces.push_back({layer,
-                        {},
-                        false,
-                        false,
-                        DxfDrawing::Arc{arc->centre, arc->radius, arc->from, arc->to, arc->whole}});
+    if (piece.arc) {
+      pieces.push_back({layer, {}, false, false, piece.arc});
     } else if (piece.points.size() == 2 || dashes.empty()) {
       pieces.push_back({layer, piece.points, piece.closed});
     } else {
